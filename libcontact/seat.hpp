@@ -2,6 +2,6 @@
 
 /// Seats that end: the contact of a ball in a ring, a cup or a socket.
 // clang-format off
-#include "libcontact/seat/zone.hpp"
+#include "libcontact/pair/seat_zone.hpp"
 #include "libcontact/seat/contact.hpp"
 // clang-format on

@@ -100,10 +100,7 @@ class JointContact {
   }
 
   /// How large the contacts may be.
-  ContactLimits limits() const {
-    return {*half_angle_law_, pair_,
-            clearance_of(geometry_.radial_clearance())};
-  }
+  ContactLimits limits() const { return {*half_angle_law_, pair_, geometry_}; }
 
   /// @throws Error if the joint has no clearance, or interference.
   /// @param what  that needs a clearance, for the message

@@ -111,6 +111,11 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
                                      : g.radial_clearance());
   }
   if (g.kind() == JointKind::pin) toml.number("length_m", g.length());
+  if (const auto& seat = g.seat()) {
+    toml.table("[seat]");
+    toml.number("from_rad", seat->from());
+    toml.number("to_rad", seat->to());
+  }
 }
 
 void write_bodies(Toml& toml, const JointSpec& joint) {

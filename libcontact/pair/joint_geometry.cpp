@@ -5,6 +5,8 @@
 #include <numbers>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact {
@@ -54,6 +56,15 @@ JointGeometry JointGeometry::ball(double radius, double radial_clearance,
 JointGeometry JointGeometry::pin(double radius, double radial_clearance,
                                  double length, JointBody inner_body) {
   return {JointKind::pin, radius, radial_clearance, length, inner_body};
+}
+
+JointGeometry JointGeometry::with_seat(const SeatZone& zone) const {
+  if (kind_ != JointKind::ball) {
+    throw Error(detail::needs("a seat that ends", "a ball joint"));
+  }
+  JointGeometry other = *this;
+  other.seat_ = zone;
+  return other;
 }
 
 std::vector<std::string> JointGeometry::validity_notes() const {

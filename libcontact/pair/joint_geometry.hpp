@@ -1,10 +1,12 @@
 #pragma once
 
 #include <numbers>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "libcontact/pair/material.hpp"
+#include "libcontact/pair/seat_zone.hpp"
 
 /// Shape of a joint: a ball or pin of radius rho1 in a seat or hole of radius
 /// rho1 + eps. eps may be 0, and below 0: interference, by which the two are
@@ -48,8 +50,13 @@ class JointGeometry {
   /// The same with another radial clearance, m.
   /// @throws Error if it is out of range.
   JointGeometry with_clearance(double radial_clearance) const {
-    return {kind_, radius_, radial_clearance, length_, inner_body_};
+    JointGeometry other(kind_, radius_, radial_clearance, length_, inner_body_);
+    other.seat_ = seat_;
+    return other;
   }
+  /// The same ball in a seat that ends.
+  /// @throws Error of a pin.
+  JointGeometry with_seat(const SeatZone& zone) const;
 
   JointKind kind() const { return kind_; }
   /// rho1, m: of the ball or pin.
@@ -62,6 +69,10 @@ class JointGeometry {
   double length() const { return length_; }
   /// The body that has the ball or pin.
   JointBody inner_body() const { return inner_body_; }
+  /// Where the seat of a ball ends, if it is said to. Joints do not know it but
+  /// for ContactLimits, which notes that contacts would reach a rim;
+  /// SeatContact confines them.
+  const std::optional<SeatZone>& seat() const { return seat_; }
 
   /// The load of the half-angle laws that belongs to a normal force:
   /// R_n itself (N) for a ball, P = R_n/length (N/m) for a pin.
@@ -97,7 +108,7 @@ class JointGeometry {
   friend bool operator==(const JointGeometry& a, const JointGeometry& b) {
     return a.kind_ == b.kind_ && a.radius_ == b.radius_ &&
            a.radial_clearance_ == b.radial_clearance_ &&
-           a.inner_body_ == b.inner_body_ &&
+           a.inner_body_ == b.inner_body_ && a.seat_ == b.seat_ &&
            (a.kind_ == JointKind::ball || a.length_ == b.length_);
   }
 
@@ -110,6 +121,7 @@ class JointGeometry {
   double radial_clearance_;
   double length_;
   JointBody inner_body_;
+  std::optional<SeatZone> seat_ = {};
 };
 
 /// Ties the load of a joint to its dimensionless load parameter.

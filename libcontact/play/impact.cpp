@@ -106,7 +106,8 @@ std::vector<std::string> JointImpact::notes(const Impact& impact,
         law_.half_angle(law_.largest_penetration()) / degree)};
   }
   std::vector<std::string> notes;
-  const ContactLimits limits(*joint_.make_half_angle_law(), joint_.pair());
+  const ContactLimits limits(*joint_.make_half_angle_law(), joint_.pair(),
+                             joint_.geometry);
   for (const std::string& note :
        limits.notes({impact.half_angle, impact.peak_pressure})) {
     notes.push_back(note +

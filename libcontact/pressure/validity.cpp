@@ -24,8 +24,27 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
 
 }  // namespace
 
+ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
+  add_pressures(pair);
+  add_half_angle(law, pair);
+}
+
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
-                             Clearance clearance) {
+                             const JointGeometry& geometry) {
+  add_pressures(pair);
+  if (const auto& seat = geometry.seat()) {
+    limits_.push_back(
+        {&LargestContact::half_angle, seat->reach(), degree, "half-angle",
+         " {:.4g} deg is",
+         detail::message(" beyond {:.4g} deg, where a contact in the middle of "
+                         "the seat reaches a rim: its pressures are not "
+                         "confined here, and too low",
+                         seat->reach() / degree)});
+  }
+  if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
+}
+
+void ContactLimits::add_pressures(const ElasticPair& pair) {
   const auto add_pressure = [this](double limit, const std::string& what) {
     limits_.push_back(
         {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
@@ -44,7 +63,10 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
         detail::message("the limit pressure of the {} body{}", body,
                         material->name.empty() ? "" : ", " + material->name));
   }
-  if (clearance == Clearance::interference) return;
+}
+
+void ContactLimits::add_half_angle(const HalfAngleLaw& law,
+                                   const ElasticPair& pair) {
   constexpr double fitted_error = 1e-3;
   const double limit = limit_half_angle(law, pair);
   limits_.push_back(

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/law.hpp"
-#include "libcontact/pair/material.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 namespace contact {
 
@@ -33,14 +33,18 @@ struct LargestContact {
 ///   give more. The laws `exact` and `worn` know that of their own walls and
 ///   loading; all others are for infinite bodies under a force at the centre,
 ///   whose limit is FittedLaw's. Passed by more than what that law may be wrong
-///   by, 0.1 %, it is noted.
+///   by, 0.1 %, it is noted,
+/// - the half-angle at which a contact in the middle of a seat that ends
+///   reaches a rim.
 class ContactLimits {
  public:
   /// @param law   half-angle law of the joint
   /// @param pair  its surfaces, moduli in Pa
-  /// @param clearance  contacts of interference may be of any half-angle
+  /// @param geometry  the joint's: contacts of interference may be of any
+  ///                  half-angle, seats may end; without it neither
+  ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair);
   ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
-                Clearance clearance = Clearance::positive);
+                const JointGeometry& geometry);
 
   /// The smallest limit of the peak pressure, Pa.
   double peak_pressure() const;
@@ -69,6 +73,9 @@ class ContactLimits {
       return largest.*of > value;
     }
   };
+
+  void add_pressures(const ElasticPair& pair);
+  void add_half_angle(const HalfAngleLaw& law, const ElasticPair& pair);
 
   std::vector<Limit> limits_;
 };

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 
-#include "libcontact/seat/zone.hpp"
+#include "libcontact/pair/seat_zone.hpp"
 
 namespace contact::detail {
 

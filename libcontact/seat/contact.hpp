@@ -11,7 +11,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "libcontact/pair/layers.hpp"
-#include "libcontact/seat/zone.hpp"
+#include "libcontact/pair/seat_zone.hpp"
 
 namespace contact {
 

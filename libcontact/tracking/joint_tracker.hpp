@@ -36,9 +36,9 @@ struct TrackerState;
 /// is_trusted() says whether it has all that. Joints without clearance and with
 /// interference are tracked like others as long as they are loaded: at R = 0
 /// start() leaves them to the solver, and so does an R that changes by more
-/// than 10 % of itself. Where a pin's contact lifts off its friction has a kink:
-/// in the step over it M_t is wrong by the square of the step, 4e-7 for one of
-/// 1e-3, which error() does not know yet.
+/// than 10 % of itself. Where a pin's contact lifts off its friction has a
+/// kink: in the step over it M_t is wrong by the square of the step, 4e-7 for
+/// one of 1e-3, which error() does not know yet.
 ///
 /// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
 /// along its axis; of its R what is normal to that counts. No call but the

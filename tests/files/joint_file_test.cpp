@@ -187,6 +187,19 @@ JointSpec walled(const std::string& walls) {
   return parsed(ball_file().edit("16...", walls));
 }
 
+TEST(JointFile, SeatsThatEnd) {
+  const auto seat = [](const std::string& keys) {
+    return parsed(ball_file().edit("+", "[seat]\n" + keys)).geometry.seat();
+  };
+  EXPECT_FALSE(parsed(ball_file()).geometry.seat());
+  EXPECT_EQ(seat("ring_width_mm = 28"), SeatZone::ring(0.028, 0.05));
+  EXPECT_EQ(seat("cup_rad = 1"), SeatZone::cup(1));
+  EXPECT_EQ(seat("from_rad = 0.5\nto_rad = 2"), SeatZone(0.5, 2));
+  EXPECT_EQ(error_message([&] { seat("cup_deg = 80\nto_deg = 90"); }),
+            "joint.toml:22: seat.cup_deg = 80 conflicts with seat.to_deg = 90 "
+            "(line 23)");
+}
+
 TEST(JointFile, Walls) {
   const JointSpec joint = walled(
       "[wall]\n"
@@ -367,7 +380,7 @@ TEST(DataFiles, MaterialsAndJoints) {
         << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 11u);
+  EXPECT_EQ(joints, 12u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {

@@ -73,7 +73,7 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
 // Whatever is said of a joint counts when two are compared.
 TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   const JointSpec joint = lined_ball();
-  std::vector<JointSpec> others(14, joint);
+  std::vector<JointSpec> others(16, joint);
   others[0].name = "b";
   others[1].geometry = JointGeometry::ball(0.02, 41e-6);
   others[2].geometry = JointGeometry::ball(0.02, 40e-6, JointBody::body);
@@ -88,6 +88,8 @@ TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   others[11].loading = InnerLoading::back(0.1);
   others[12].relief = Relief::barrel(1e-5);
   others[13].relief = Relief::ends(1e-5, 0.01);
+  others[14].geometry = joint.geometry.with_seat(SeatZone::cup(1));
+  others[15].geometry = joint.geometry.with_seat(SeatZone(0.5, 1));
   for (std::size_t i = 0; i < others.size(); ++i) {
     EXPECT_NE(others[i], joint) << i;
     EXPECT_NE(others[i].canonical_text(), joint.canonical_text()) << i;

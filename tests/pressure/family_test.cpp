@@ -7,6 +7,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
 #include <memory>
+#include <numbers>
 #include <random>
 #include <string>
 #include <vector>
@@ -711,6 +712,33 @@ TEST(HertzPeakPressure, IsThatOfBothRadii) {
   }
   EXPECT_DOUBLE_EQ(hertz_peak_over_nominal(JointKind::ball, pi / 6), 6);
   EXPECT_DOUBLE_EQ(hertz_peak_over_nominal(JointKind::pin, pi / 6), 8 / pi);
+}
+
+TEST(ContactNotes, SayWhereTheSeatEnds) {
+  const ElasticPair pair({2e11, 0.3}, {1e11, 0.3});
+  const auto law = make_half_angle_law("tanh", JointKind::ball, pair, {});
+  const auto whole = JointGeometry::ball(0.033, 1e-5);
+  const auto notes = [&](const JointGeometry& geometry, double half_angle) {
+    return ContactLimits(*law, pair, geometry).notes({half_angle, 0});
+  };
+  const auto ring = whole.with_seat(SeatZone::ring(0.028, 0.033));
+  EXPECT_TRUE(notes(whole, 0.5).empty());
+  EXPECT_TRUE(notes(ring, 0.43).empty());
+  EXPECT_EQ(notes(ring, 0.5),
+            std::vector<std::string>{
+                "half-angle 28.65 deg is beyond 25.1 deg, where a contact in "
+                "the middle of the seat reaches a rim: its pressures are not "
+                "confined here, and too low"});
+  // A cup has one rim; what has none ends nowhere.
+  EXPECT_TRUE(notes(whole.with_seat(SeatZone::cup(1)), 0.99).empty());
+  EXPECT_EQ(notes(whole.with_seat(SeatZone::cup(1)), 1.01).size(), 1u);
+  EXPECT_TRUE(notes(whole.with_seat(SeatZone(0, std::numbers::pi)), 1).empty());
+  // Other clearances leave the seat as it is.
+  EXPECT_EQ(ring.with_clearance(2e-5).seat(), ring.seat());
+  EXPECT_EQ(error_message([] {
+              JointGeometry::pin(1, 0.1, 1).with_seat(SeatZone::cup(1));
+            }),
+            "a seat that ends requires a ball joint");
 }
 
 TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {

@@ -3,6 +3,7 @@
 #include <sys/resource.h>
 
 #include <cmath>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
@@ -15,6 +16,7 @@
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/seat/contact.hpp"
 #include "support/program.hpp"
 
 namespace contact::test {
@@ -288,6 +290,40 @@ TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
       "--x 1e6 --law exact --summary --pressure cosine");
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(has_text(result.err, "1 of 1 half-angles have not converged"));
+}
+
+// What SeatContact says, and who does not confine the contact says so.
+TEST(HingePressure, ConfinesToASeatThatEnds) {
+  const ProgramFolder folder;
+  const std::string file = "data/joints/spherical_plain_bearing_ge50.toml";
+  const std::string run = "hinge-pressure --joint " + file + " --load ";
+  const auto rows =
+      csv_rows(folder.run_well(run + "1kN,100kN --direction 90,70").out);
+  ASSERT_EQ(rows.size(), 5u);
+  const JointSpec joint =
+      read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
+                 "joints/spherical_plain_bearing_ge50.toml");
+  const SeatContact seat(joint, *joint.geometry.seat());
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    const auto cell = [&](const char* column) {
+      return std::stod(csv_column(rows, column)[row - 1]);
+    };
+    const double at = cell("direction_deg") * degree;
+    const SeatState s = seat.under(
+        cell("load_N") * Eigen::Vector3d(std::sin(at), 0, std::cos(at)));
+    EXPECT_EQ(cell("p_peak_Pa"), s.peak_pressure);
+    EXPECT_EQ(cell("S"), s.force_ratio);
+    EXPECT_EQ(cell("free"), s.is_free ? 1 : 0);
+  }
+  // Without end the same load presses less (docs/seats.md).
+  const auto open = folder.run_well(run + "100kN --summary");
+  EXPECT_TRUE(has_text(open.err, "where a contact in the middle of the seat"));
+  EXPECT_TRUE(has_text(
+      folder
+          .run("hinge-pressure --joint data/joints/wheel_ball.toml --load 1 "
+               "--direction 3")
+          .err,
+      "--direction requires a joint with a [seat]"));
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ std::vector<double> penetrations(const PlayOptions& options,
 cli::ExitStatus report(const cli::Joint& joint, const ForceLaw& law,
                        const contact::LargestContact& largest,
                        std::size_t without, std::size_t rows) {
-  const contact::ContactLimits limits(*joint.laws[0].law, joint.pair);
+  const contact::ContactLimits limits(*joint.laws[0].law, joint.pair,
+                                      joint.spec.geometry);
   for (const std::string& note : limits.notes(largest)) {
     cli::warn("hinge-angle", note);
   }

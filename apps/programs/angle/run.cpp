@@ -92,8 +92,7 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
       const Findings& one = findings[j][i];
       all.add(one);
       const contact::ContactLimits limits(
-          *joints[j].laws[i].law, joints[j].pair,
-          joints[j].spec.conditions().clearance);
+          *joints[j].laws[i].law, joints[j].pair, joints[j].spec.geometry);
       for (const std::string& note : limits.notes(one.largest)) {
         notes.insert(fmt::format("law {}: {}", law, note));
       }

@@ -17,6 +17,7 @@
 #include "programs/angle/input.hpp"
 #include "programs/pressure/pressure_plot.hpp"
 #include "programs/pressure/pressure_table.hpp"
+#include "programs/pressure/seat_table.hpp"
 
 namespace hinge_pressure {
 namespace {
@@ -31,8 +32,7 @@ class Findings {
   Findings(const cli::Joint& joint, const PressureTable& table)
       : joint_(joint),
         table_(table),
-        limits_(*joint.laws[0].law, joint.pair,
-                joint.spec.conditions().clearance),
+        limits_(*joint.laws[0].law, joint.pair, joint.spec.geometry),
         beyond_(joint.pressures.size()),
         peak_(joint.pressures.size()) {}
 
@@ -151,6 +151,7 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
+  if (!options.direction.empty()) return run_in_seat(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;
   for (const cli::Joint& joint : joints) {

@@ -11,6 +11,8 @@ namespace hinge_pressure {
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   hinge_angle::LoadOptions load;
+  /// Sweep of the load's angle from the axis of a seat that ends.
+  std::string direction;
   int points = 101;
   bool summary = false;
   cli::OutputOptions output;

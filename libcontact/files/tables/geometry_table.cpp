@@ -1,6 +1,7 @@
 #include "libcontact/files/tables/geometry_table.hpp"
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 
@@ -79,6 +80,39 @@ std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
   return result;
 }
 
+// [seat] by a ring's width, a cup's opening, or polar angles.
+SeatZone zone_from_table(const TomlTable& seat, double radius) {
+  for (const auto& [key, other] : {std::pair{"ring_width", "cup"},
+                                   {"ring_width", "from"},
+                                   {"ring_width", "to"},
+                                   {"cup", "from"},
+                                   {"cup", "to"}}) {
+    seat.refuse_both(key, other);
+  }
+  const auto made = [&](const char* key, const auto& make) {
+    try {
+      return make();
+    } catch (const Error& error) {
+      seat.fail(key, error.what());
+    }
+  };
+  constexpr double pi = std::numbers::pi;
+  if (seat.has("ring_width")) {
+    const double width = seat.number("ring_width", {0, 2 * radius, true, true});
+    return made("ring_width", [&] { return SeatZone::ring(width, radius); });
+  }
+  if (seat.has("cup")) {
+    const double half_angle = seat.number("cup", {0, pi, true});
+    return made("cup", [&] { return SeatZone::cup(half_angle); });
+  }
+  if (!seat.has("from") && !seat.has("to")) {
+    seat.needs("ring_width, cup, or from and to");
+  }
+  const double from = seat.number("from", {0, pi, false, true});
+  const double to = seat.number("to", {from, pi, true});
+  return made("to", [&] { return SeatZone(from, to); });
+}
+
 }  // namespace
 
 std::optional<Fit> fit_from_table(const TomlTable& table) {
@@ -135,7 +169,12 @@ JointGeometry geometry_from_table(const TomlTable& joint,
   const double radius = radius_from_table(table);
   const double clearance =
       fit ? fit->radial_clearance() : clearance_from_table(table, radius);
-  if (ball) return JointGeometry::ball(radius, clearance, inner_body);
+  const auto seat = joint.optional_table("seat");
+  if (ball) {
+    const auto whole = JointGeometry::ball(radius, clearance, inner_body);
+    return seat ? whole.with_seat(zone_from_table(*seat, radius)) : whole;
+  }
+  if (seat) joint.needs("seat", "kind = \"ball\"");
   const double length = table.number("length", Interval::positive());
   return JointGeometry::pin(radius, clearance, length, inner_body);
 }
@@ -173,6 +212,10 @@ KnownKeys geometry_keys() {
                                  {"shaft"},
                                  {"clearance"},
                                  {"length", Dimension::length}}),
+          table_key("seat", {{"ring_width", Dimension::length},
+                             {"cup", Dimension::angle},
+                             {"from", Dimension::angle},
+                             {"to", Dimension::angle}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
                                {"length", Dimension::length}})};

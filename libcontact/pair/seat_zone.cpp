@@ -1,4 +1,4 @@
-#include "libcontact/seat/zone.hpp"
+#include "libcontact/pair/seat_zone.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -34,6 +34,13 @@ SeatZone SeatZone::ring(double width, double radius) {
 SeatZone SeatZone::cup(double half_angle) { return {0, half_angle}; }
 
 bool SeatZone::has_upper_rim() const { return to_ < pi; }
+
+double SeatZone::reach() const {
+  if (!has_lower_rim() && !has_upper_rim()) {
+    return std::numeric_limits<double>::infinity();
+  }
+  return has_lower_rim() && has_upper_rim() ? width() / 2 : width();
+}
 
 bool SeatZone::carries(double direction) const {
   if (to_ <= pi / 2) return direction < to_;

@@ -30,6 +30,10 @@ class SeatZone {
   bool has_lower_rim() const { return from_ > 0; }
   bool has_upper_rim() const;
 
+  /// The half-angle, rad, of the largest cap inside the rims: of a contact in
+  /// the middle that is about to reach one; infinite without rims.
+  double reach() const;
+
   /// Whether pressures on the zone can carry a load in this direction: whether
   /// it lies inside the convex cone of the zone. A zone with points on both
   /// sides of its equator carries every load, one on a side of it only loads

@@ -1,0 +1,106 @@
+#include "programs/pressure/seat_table.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "cli/refuse.hpp"
+#include "cli/stream/report.hpp"
+#include "cli/sweep.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "libcontact/quantities/seat.hpp"
+
+namespace hinge_pressure {
+namespace {
+
+using contact::Dimension;
+using contact::SeatState;
+
+using Columns = std::vector<contact::Column<SeatState>>;
+
+Columns seat_columns() {
+  Columns columns;
+  for (const auto& q : contact::seat_quantities()) {
+    std::ranges::move(columns_of(q), std::back_inserter(columns));
+  }
+  return columns;
+}
+
+// The limits of the materials: the contact is confined here.
+contact::ContactLimits limits_of(const cli::Joint& joint) {
+  return {*joint.laws[0].law, joint.pair};
+}
+
+// Rows of a joint; what is to be said of them.
+class Rows {
+ public:
+  Rows(const Options& options, const cli::Joint& joint)
+      : joint_(joint),
+        seat_(joint.spec, zone_of(joint)),
+        loads_("--load", options.load.load, {0, 1e100, "N"}, Dimension::force),
+        directions_("--direction", options.direction, {0, 180, "deg"},
+                    Dimension::angle) {}
+
+  cli::ExitStatus write(const Columns& columns, cli::RowWriter& row) const {
+    contact::LargestContact largest;
+    std::set<std::string> notes;
+    for (std::size_t i = 0; i < loads_.size(); ++i) {
+      for (std::size_t k = 0; k < directions_.size(); ++k) {
+        const double direction = directions_[k] * contact::degree;
+        const SeatState s =
+            seat_.under(loads_[i] * Eigen::Vector3d(std::sin(direction), 0,
+                                                    std::cos(direction)));
+        cli::write_differences(joint_.differences, row);
+        row.number(loads_[i]);
+        row.number(directions_[k]);
+        for (const auto& column : columns) row.number(column(s) + 0.0);
+        row.end();
+        largest.add(0, s.peak_pressure);
+        if (const std::string note = seat_.note(s); !note.empty()) {
+          notes.insert(note);
+        }
+      }
+    }
+    for (const std::string& note : notes) cli::warn("hinge-pressure", note);
+    for (const std::string& note : limits_of(joint_).notes(largest)) {
+      cli::warn("hinge-pressure", note);
+    }
+    return notes.empty() ? cli::all_good : cli::some_bad;
+  }
+
+ private:
+  static contact::SeatZone zone_of(const cli::Joint& joint) {
+    const auto& zone = joint.spec.geometry.seat();
+    if (!zone) cli::refuse_without("--direction", "a joint with a [seat]");
+    return *zone;
+  }
+
+  const cli::Joint& joint_;
+  contact::SeatContact seat_;
+  cli::Sweep loads_;
+  cli::Sweep directions_;
+};
+
+}  // namespace
+
+cli::ExitStatus run_in_seat(const Options& options) {
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  const Columns columns = seat_columns();
+  std::vector<std::string> names = {"load_N", "direction_deg"};
+  for (const auto& column : columns) names.push_back(column.name);
+  warn_of_validity("hinge-pressure", joints);
+  cli::ExitStatus status = cli::all_good;
+  cli::write_table(options.output, cli::joint_columns(joints, {names}),
+                   [&](cli::RowWriter& row) {
+                     for (const cli::Joint& joint : joints) {
+                       const Rows rows(options, joint);
+                       status = std::max(status, rows.write(columns, row));
+                     }
+                   });
+  return status;
+}
+
+}  // namespace hinge_pressure

@@ -1,0 +1,52 @@
+#include "libcontact/quantities/seat.hpp"
+
+namespace contact {
+namespace {
+
+using S = SeatState;
+
+constexpr Quantity<S> of_seat[] = {
+    {"free", "", Dimension::number, "1 if the contact reaches no rim",
+     [](const S& s) { return s.is_free ? 1 : 0; }},
+    {"peak_pressure", "p_peak", Dimension::stress,
+     "largest pressure at 0.02 radii or more from every rim",
+     [](const S& s) { return s.peak_pressure; }},
+    {"peak_polar_angle", "v_peak", Dimension::angle,
+     "its angle from the seat's axis",
+     [](const S& s) { return s.peak_place.polar_angle; }},
+    {"peak_longitude", "phi_peak", Dimension::angle,
+     "its longitude from the plane of the load",
+     [](const S& s) { return s.peak_place.longitude; }},
+    {"pressure_at_load", "p_at_load", Dimension::stress,
+     "pressure where the load pierces the seat",
+     [](const S& s) { return s.pressure_at_load; }},
+    {"lower_end", "v_low", Dimension::angle,
+     "end of the contact in the plane of the load, from the seat's axis",
+     [](const S& s) { return s.lower_end; }},
+    {"upper_end", "v_high", Dimension::angle, "the other end",
+     [](const S& s) { return s.upper_end; }},
+    {"lower_rim_distance", "lower_rim", Dimension::angle,
+     "from the contact to the lower rim in that plane; 0 if it is reached",
+     [](const S& s) { return s.rims[0].distance; }},
+    {"upper_rim_distance", "upper_rim", Dimension::angle, "to the upper rim",
+     [](const S& s) { return s.rims[1].distance; }},
+    {"lower_intensity", "K_low", Dimension::number,
+     "p sqrt(2 pi s) at the lower rim, s from it, Pa m^0.5",
+     [](const S& s) { return s.rims[0].intensity; }},
+    {"upper_intensity", "K_high", Dimension::number, "at the upper rim",
+     [](const S& s) { return s.rims[1].intensity; }},
+    {"force_ratio", "S", Dimension::number,
+     "sum of the pressures without regard to their direction over the load",
+     [](const S& s) { return s.force_ratio; }},
+    {"contact_area", "", Dimension::area, "area of the contact",
+     [](const S& s) { return s.area; }},
+    {"shift", "", Dimension::length,
+     "of the ball's centre from where it is concentric",
+     [](const S& s) -> const Eigen::Vector3d& { return s.shift; }},
+};
+
+}  // namespace
+
+std::span<const Quantity<SeatState>> seat_quantities() { return of_seat; }
+
+}  // namespace contact
