@@ -479,8 +479,9 @@ class Interference(unittest.TestCase):
             np.testing.assert_allclose(
                 values, column(name), rtol=1e-13, err_msg=name)  # fmt: skip
         self.assertTrue(np.isnan(self.pressed.approach(2000)))
+        words = ["closed", "lifted", "zero", "clearance"]
         self.assertEqual(
-            [str(state) for state in s.contact_state],
+            [words[int(state)] for state in s.contact_state],
             [row["contact_state"] for row in rows])
         # One with a clearance has none.
         self.assertTrue(np.isnan(hip.lift_off_force(500)))
