@@ -1,6 +1,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -185,7 +186,9 @@ void bind_sums(py::class_<Cycle>& type) {
         q.key.data(),
         [&q](const Cycle& c) {
           const Unlocked unlocked;
-          return number_of(q, c.on());
+          return q.exists && !q.exists(c.on())
+                     ? std::numeric_limits<double>::quiet_NaN()
+                     : number_of(q, c.on());
         },
         documentation(q).c_str());
   }

@@ -346,9 +346,7 @@ detail::SignedContact BallContact::signed_contact(
   const Solution s = Galerkin(*tables_, half_angle).solve(unknowns_);
   const double inverse = pi / 2 * s.reciprocal();
   // R_n = (4 pi/3) rho^2 p_1; D and the approach are in units of 2 pi/E.
-  return {inverse,
-          inverse + tables_->mean,
-          1 - s.force_ratio / 3,
+  return {inverse, inverse + tables_->mean, 1 - s.force_ratio / 3,
           pi / 3 * (s.delta + s.clearance) - 2.0 / 3,
           pi / 3 / s.stiffness - 2.0 / 3};
 }

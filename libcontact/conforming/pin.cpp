@@ -448,10 +448,8 @@ detail::SignedContact PinContact::signed_contact(
   const double inverse = solution.reciprocal / 2;
   const double first = wall_ ? wall_->first : nan;
   // P = pi rho p_1
-  return {inverse,
-          inverse + (constants_.mean_share - constants_.beta),
-          1 - solution.mean,
-          yielding.approach / 2 + inverse - first,
+  return {inverse, inverse + (constants_.mean_share - constants_.beta),
+          1 - solution.mean, yielding.approach / 2 + inverse - first,
           yielding.rate / 2 - first};
 }
 

@@ -27,6 +27,11 @@ double energy(const JointCycle& cycle) {
       [](const JointCycle::Instant& i) { return -i.solution.power; });
 }
 
+// L is over R_n, without which interference wears too.
+bool has_load_alone(const JointCycle& c) {
+  return !c.contact().has_interference();
+}
+
 constexpr Quantity<JointCycle> of_cycle[] = {
     {"period", "", Dimension::time,
      "one cycle; integrals and means are over it",
@@ -48,7 +53,8 @@ constexpr Quantity<JointCycle> of_cycle[] = {
        return c.integral([&](const JointCycle::Instant& i) {
          return rim_speed(c, i) * c.sliding(i).slip_coefficient();
        });
-     }},
+     },
+     "", has_load_alone},
     {"pv_integral", "", Dimension::energy,
      "of p v over contact and time; times k: volume",
      [](const JointCycle& c) {

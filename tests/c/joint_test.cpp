@@ -237,15 +237,18 @@ TEST_P(Joints, HaveTheContactOfCpp) {
               CONTACT_OK);
     expect_same(p, contact.pressure(half_angle / 3, force, half_angle));
     ASSERT_EQ(contact_joint_pressure(both.c.get(), force, 0, &p), CONTACT_OK);
-    EXPECT_NEAR(p, patch.peak_pressure, 1e-12 * p);
+    // Lifted contacts have p(0) in a table of its own, good to 1e-7.
+    const bool lifted = contact.state(force) == ContactState::lifted;
+    EXPECT_NEAR(p, patch.peak_pressure, (lifted ? 1e-7 : 1e-12) * p);
     contact_friction f;
     const contact_status known =
         contact_joint_friction(both.c.get(), half_angle, 0.3, &f);
     if (closed) {
-      expect_failure(known, CONTACT_OUT_OF_RANGE,
-                     "contact_joint_friction: half_angle = 3.14159 must be "
-                     "below pi rad: coefficients of a contact that is closed "
-                     "all round depend on its load");
+      expect_failure(
+          known, CONTACT_OUT_OF_RANGE,
+          "contact_joint_friction: half_angle = 3.141592653589793 must be "
+          "below pi rad: coefficients of a contact that is closed "
+          "all round depend on its load");
       continue;
     }
     ASSERT_EQ(known, CONTACT_OK);

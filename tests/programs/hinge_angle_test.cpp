@@ -628,5 +628,60 @@ TEST(HingeAngle, Plots) {
   EXPECT_FALSE(has_text(picture, "error, %"));
 }
 
+// Those of hinge-joint, at no load too.
+TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
+  const ProgramFolder folder;
+  const std::string pressed = " --joint data/joints/lined_bush_pressed.toml ";
+  const auto rows = csv_rows(
+      folder.run_well("hinge-angle" + pressed + "--load 0,1kN,6kN").out);
+  EXPECT_EQ(csv_column(rows, "contact_state"),
+            (std::vector<std::string>{"closed", "closed", "lifted"}));
+  EXPECT_EQ(csv_column(rows, "theta0_exact_deg")[0], "180");
+  EXPECT_EQ(csv_column(rows, "p_peak_exact_by_exact_Pa")[0],
+            csv_column(rows, "p_0_Pa")[0]);
+  const auto of_joint = csv_rows(
+      folder.run_well("hinge-joint" + pressed + "--normal-force 0,1kN,6kN")
+          .out);
+  for (const std::string name : {"contact_state", "p_0_Pa", "R_lift_off_N",
+                                 "M_0_N_m", "sum_p_N", "shift_m"}) {
+    EXPECT_EQ(csv_column(rows, name), csv_column(of_joint, name)) << name;
+  }
+  // One with a clearance beside it has the columns too.
+  const auto both = csv_rows(
+      folder
+          .run_well("hinge-angle" + pressed +
+                    "--joint data/joints/pin_joint.toml --law exact --load 1kN")
+          .out);
+  EXPECT_EQ(csv_column(both, "contact_state"),
+            (std::vector<std::string>{"closed", "clearance"}));
+  EXPECT_EQ(csv_column(both, "R_lift_off_N")[1], "");
+}
+
+// theta0 is the limit at every load, and there is nothing to break away.
+TEST(HingeAngle, OfClearanceZeroIsTheLimit) {
+  const ProgramFolder folder;
+  const std::string pin =
+      "hinge-angle --joint pin --pair data/materials/steel_bronze.toml "
+      "--radius 25mm --clearance 0 --law exact ";
+  const auto rows = csv_rows(folder.run_well(pin + "--load 0,5e5,1e6").out);
+  const auto half_angles = csv_column(rows, "theta0_exact_deg");
+  EXPECT_EQ(half_angles[0], half_angles[2]);
+  EXPECT_EQ(half_angles[1], half_angles[2]);
+  EXPECT_EQ(csv_column(rows, "contact_state")[0], "zero");
+  for (const std::string name :
+       {"p_0_Pa", "R_lift_off_N_per_m", "M_0_N_m_per_m"}) {
+    EXPECT_EQ(csv_column(rows, name)[1], "") << name;
+  }
+  EXPECT_NEAR(std::stod(csv_column(rows, "sum_p_N_per_m")[2]) /
+                  std::stod(csv_column(rows, "sum_p_N_per_m")[1]),
+              2, 1e-12);
+  const ProgramResult inverse = folder.run(pin + "--inverse --theta0 30");
+  EXPECT_EQ(inverse.status, 1);
+  EXPECT_EQ(csv_column(csv_rows(inverse.out), "load_exact_N_per_m")[0], "");
+  EXPECT_EQ(folder.run(pin + "--x 1").err,
+            "hinge-angle: --x requires a clearance above 0; without one there "
+            "is --load\n");
+}
+
 }  // namespace
 }  // namespace contact::test

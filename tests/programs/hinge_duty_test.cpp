@@ -106,6 +106,32 @@ TEST_F(HingeDuty, WearNotes) {
                        "must be at most 20 mm, the radius"));
 }
 
+// Interference wears without load too: a distance under p has no value, and
+// debris stays where the contact is closed.
+TEST_F(HingeDuty, InterferenceKeepsItsDebris) {
+  folder_.write("cycle.csv",
+                "time_s,R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,"
+                "w_z_rad_per_s\n0,0,0,0,0,0,1\n1,2000,0,0,0,0,1\n"
+                "2,6000,0,0,0,0,-1\n3,2000,0,0,0,0,-1\n");
+  const ProgramResult result = folder_.run(
+      "hinge-duty --joint data/joints/lined_bush_pressed.toml --cycle "
+      "cycle.csv");
+  EXPECT_EQ(result.status, 0);
+  EXPECT_TRUE(has_text(result.err,
+                       "the contact is closed all round under 2838 N and less: "
+                       "wear debris cannot leave it"))
+      << result.err;
+  // All friction is f0 p.
+  EXPECT_NEAR(value(result.out, "energy_J") /
+                  (0.08 * value(result.out, "pv_integral_J")),
+              1, 1e-9);
+  for (const auto& row : csv_rows(result.out)) {
+    if (row[0] == "effective_sliding_distance_m") {
+      EXPECT_EQ(row[1], "");
+    }
+  }
+}
+
 // A row for 0 and for 100 % of the cycle is the same row.
 TEST_F(HingeDuty, LastRowThatRepeatsTheFirst) {
   const std::string source = "data/duty/pin_cycle.csv";

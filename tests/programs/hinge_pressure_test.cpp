@@ -326,5 +326,27 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
       "--direction requires a joint with a [seat]"));
 }
 
+// A joint that is pressed together has a pressure without load.
+TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
+  const ProgramFolder folder;
+  const std::string pressed =
+      "hinge-pressure --joint data/joints/lined_bush_pressed.toml --load "
+      "0,6kN ";
+  const auto rows = csv_rows(folder.run_well(pressed + "--summary").out);
+  EXPECT_EQ(csv_column(rows, "contact_state"),
+            (std::vector<std::string>{"closed", "lifted"}));
+  const std::string p0 = csv_column(rows, "p_0_Pa")[0];
+  EXPECT_EQ(csv_column(rows, "p_peak_Pa")[0], p0);
+  EXPECT_EQ(csv_column(rows, "p_mean_Pa")[0], p0);
+  EXPECT_EQ(csv_column(rows, "S")[0], "");
+  EXPECT_NEAR(std::stod(csv_column(rows, "sum_p_N")[1]) /
+                  (6000 * std::stod(csv_column(rows, "S")[1])),
+              1, 1e-12);
+  const auto profile = csv_rows(folder.run_well(pressed + "--points 3").out);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_EQ(csv_column(profile, "p_exact_Pa")[i], p0);
+  }
+}
+
 }  // namespace
 }  // namespace contact::test

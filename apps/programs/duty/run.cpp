@@ -166,6 +166,16 @@ void warn_of_contact(const JointDuty& duty) {
   for (const std::string& note : limits.notes(duty.cycle.largest_contact())) {
     warn_of(duty.joint, note);
   }
+  const bool closed =
+      std::ranges::any_of(duty.cycle.rows(), [](const Instant& row) {
+        return row.solution.contact_state == contact::ContactState::closed;
+      });
+  if (!closed) return;
+  warn_of(
+      duty.joint,
+      fmt::format("the contact is closed all round under {:.4g} N and less: "
+                  "wear debris cannot leave it, nor lubricant come in",
+                  contact.lift_off_force()));
 }
 
 void check_pictures(const Options& options, std::size_t joints) {
