@@ -5,8 +5,8 @@ import matplotlib.pyplot as plt
 import numpy as np
 from picture import finish
 
-steel = {"youngs_modulus_GPa": 206, "poissons_ratio": 0.3}
-bronze = {"youngs_modulus_GPa": 110, "poissons_ratio": 0.34}
+steel: libcontact.Material = {"youngs_modulus_GPa": 206, "poissons_ratio": 0.3}
+bronze: libcontact.Material = {"youngs_modulus_GPa": 110, "poissons_ratio": 0.34}
 
 mu = np.geomspace(1e-3, 30, 200)
 exact = libcontact.half_angle(mu, "exact", inner=steel, outer=bronze)
