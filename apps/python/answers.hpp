@@ -74,10 +74,6 @@ template <class Row>
   for (const Quantity<Row>& q : table) known.emplace_back(q.key);
   refuse_field(name, std::move(known));
 }
-/// That of an array in which results are put.
-/// @throws contact::Error if it is of another type, shape or order of memory
-void* memory_of(const char* name, const py::object& array,
-                const py::dtype& type, const Shape& shape);
 /// Nobody writes into an array any more.
 void protect(py::array& array);
 /// Some rows of an array.
@@ -238,8 +234,9 @@ class ChosenColumns {
     if (q.is_vector()) shape.push_back(3);
     const py::str key(q.key.data(), q.key.size());
     if (!is_given) arrays_[key] = py::array_t<Number>(shape);
-    Number* const to = static_cast<Number*>(detail::memory_of(
-        q.key.data(), arrays_[key], py::dtype::of<Number>(), shape));
+    Number* const to = static_cast<Number*>(
+        detail::memory_of("out[\"" + std::string(q.key) + "\"]", arrays_[key],
+                          py::dtype::of<Number>(), shape));
     columns_.push_back([to, of](std::size_t i, const Row& row) {
       if constexpr (std::is_same_v<Value, const Eigen::Vector3d&>) {
         Eigen::Map<Eigen::Vector3d>(to + 3 * i) = of(row);
@@ -253,11 +250,45 @@ class ChosenColumns {
   std::vector<std::function<void(std::size_t, const Row&)>> columns_;
 };
 
+/// What is wanted of rows: the arguments `fields`, `out` and `threads`.
+struct WantedRows {
+  std::optional<std::vector<std::string>> fields = {};
+  std::optional<py::dict> out = {};
+  int threads = 1;
+};
+
+/// Answers of all rows, or a dict of some of their quantities, which alone are
+/// kept.
+/// @param begin  see Rows::for_each(); its functions return a Row
+template <class Row, class Begin>
+py::object answered(const Rows& rows, std::span<const Quantity<Row>> table,
+                    const WantedRows& wanted, const Begin& begin) {
+  Wanted{.threads = wanted.threads}.check();
+  const auto into = [&](const auto& put) {
+    rows.for_each(wanted.threads, [&] {
+      return
+          [&put, row = begin()](const double* const* at,
+                                std::size_t i) mutable { put(i, row(at, i)); };
+    });
+  };
+  if (wanted.fields || wanted.out) {
+    const ChosenColumns<Row> chosen(table, wanted.fields, wanted.out,
+                                    rows.shape());
+    into(chosen);
+    return chosen.arrays();
+  }
+  Answers<Row> all{rows.shape()};
+  all.rows.resize(rows.size());
+  into([&](std::size_t i, const Row& row) { all.rows[i] = row; });
+  return py::cast(std::move(all));
+}
+
 /// The Python class of such results; libcontact/_results.py has more of it.
 /// @param fields  a table; the first is a number
 template <class Row>
-void bind_answers(py::module_& m, const char* name,
-                  std::span<const Quantity<Row>> fields, const char* doc) {
+py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
+                                      std::span<const Quantity<Row>> fields,
+                                      const char* doc) {
   py::class_<Answers<Row>> type(m, name, doc);
   for (const Quantity<Row>& field : fields) {
     type.def_property_readonly(
@@ -284,6 +315,7 @@ void bind_answers(py::module_& m, const char* name,
           [fields](const py::dict& arrays) {
             return detail::from_arrays(arrays, fields);
           }));
+  return type;
 }
 
 }  // namespace contact_python

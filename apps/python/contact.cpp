@@ -7,38 +7,42 @@
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
-#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
+#include "python/rows_doc.hpp"
 
 namespace contact_python {
 namespace {
 
 using contact::JointContact;
 
-// The array of value(contact, half-angle, at), where at[0] is a normal force,
+// The array of value(contact, half-angle, at), where at[1] is a normal force,
 // with warnings of the largest contact.
 template <class Value>
-py::object of_contacts(const FileJoint& self,
+py::object of_contacts(const JointSet& self,
                        std::initializer_list<Argument> arguments,
-                       const Value& value) {
-  const JointContact& contact = self.contact();
-  contact::LargestContact largest;
-  py::object all = evaluate(arguments, [&](const double* const* at) {
-    const double half_angle = contact.half_angle(*at[0]).half_angle;
-    largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
-    return value(contact, half_angle, at);
-  });
-  warn_of(self.limits(), largest);
+                       const Value& value, const Wanted& wanted) {
+  LargestContacts largest(self);
+  py::object all = evaluate(
+      arguments,
+      [&](const double* const* at) {
+        const JointContact& contact = self(at).contact();
+        const double half_angle = contact.half_angle(*at[1]).half_angle;
+        largest.add(at, half_angle, contact.peak_pressure(*at[1], half_angle));
+        return value(contact, half_angle, at);
+      },
+      wanted);
+  largest.warn();
   return all;
 }
 
-py::object pressure(const FileJoint& self, const Numbers& theta,
-                    const Numbers& force) {
+py::object pressure(const JointSet& self, const Numbers& theta,
+                    const Numbers& force, const py::object& out, int threads) {
   return of_contacts(
-      self, {{"normal_force", force, 0}, {"theta", theta, 0}},
+      self, {self.argument(), {"normal_force", force, 0}, {"theta", theta, 0}},
       [](const JointContact& c, double half_angle, const double* const* at) {
-        return c.pressure(*at[1], *at[0], half_angle);
-      });
+        return c.pressure(*at[2], *at[1], half_angle);
+      },
+      {out, threads});
 }
 
 std::vector<std::string> notes(const FileJoint& self,
@@ -46,14 +50,13 @@ std::vector<std::string> notes(const FileJoint& self,
   std::vector<std::string> all = self.spec().validity_notes();
   if (!force) return all;
   const JointContact& contact = self.contact();
-  contact::LargestContact largest;
-  Rows({{"normal_force", *force, 0}}).for_each([&](const double* const* at) {
-    const double half_angle = contact.half_angle(*at[0]).half_angle;
-    largest.add(half_angle, contact.peak_pressure(*at[0], half_angle));
-  });
-  for (auto& note : self.limits().notes(largest)) {
-    all.push_back(std::move(note));
-  }
+  LargestContacts largest(self);
+  Rows({self.argument(), {"normal_force", *force, 0}})
+      .for_each([&](const double* const* at) {
+        const double half_angle = contact.half_angle(*at[1]).half_angle;
+        largest.add(at, half_angle, contact.peak_pressure(*at[1], half_angle));
+      });
+  for (auto& note : largest.notes()) all.push_back(std::move(note));
   return all;
 }
 
@@ -116,16 +119,27 @@ Answers<contact::FrictionTriple> law_coefficients(const FileJoint& self,
   return result;
 }
 
-void bind_size(py::class_<FileJoint>& type) {
+void bind_size(py::class_<JointSet>& joints,
+               py::class_<FileJoint, JointSet>& joint) {
   const auto number = [&](const char* name, auto value, const char* doc) {
-    type.def_property_readonly(
+    joints.def_property_readonly(
+        name,
+        [value](const JointSet& self) {
+          return evaluate({self.argument()}, [&](const double* const* at) {
+            return value(self(at).contact());
+          });
+        },
+        doc);
+  };
+  const auto text = [&](const char* name, auto value, const char* doc) {
+    joint.def_property_readonly(
         name, [value](const FileJoint& self) { return value(self.contact()); },
         doc);
   };
-  type.def_property_readonly(
+  joint.def_property_readonly(
       "name", [](const FileJoint& self) { return self.spec().name; },
       "As the file has it.");
-  number(
+  text(
       "kind",
       [](const JointContact& c) { return to_string(c.geometry().kind()); },
       "\"ball\" or \"pin\".");
@@ -143,11 +157,11 @@ void bind_size(py::class_<FileJoint>& type) {
       "effective_modulus",
       [](const JointContact& c) { return c.pair().effective_modulus(); },
       "E = 2 E* of the surfaces, Pa.");
-  number(
+  text(
       "half_angle_law",
       [](const JointContact& c) { return c.half_angle_law().name(); },
       "Its name: \"fitted\", \"exact\", ...");
-  number(
+  text(
       "pressure_law",
       [](const JointContact& c) { return c.pressure_law().name(); },
       "Its name: \"exact\", \"cosine\", ...");
@@ -161,36 +175,48 @@ void bind_size(py::class_<FileJoint>& type) {
 
 // NAME(normal_force) of a quantity.
 template <class T, class Evaluate>
-void bind_quantity(py::class_<FileJoint>& type, const contact::Quantity<T>& q,
+void bind_quantity(py::class_<JointSet>& type, const contact::Quantity<T>& q,
                    const char* more, const Evaluate& evaluate) {
   type.def(
       q.key.data(),
-      [evaluate](const FileJoint& self, const Numbers& normal_force) {
-        return evaluate(self, {{"normal_force", normal_force, 0}});
+      [evaluate](const JointSet& self, const Numbers& normal_force,
+                 const py::object& out, int threads) {
+        return evaluate(self,
+                        {self.argument(), {"normal_force", normal_force, 0}},
+                        Wanted{out, threads});
       },
-      py::arg("normal_force"),
-      (std::string(q.key) + "(self, normal_force)\n--\n\n" + documentation(q) +
-       more +
-       "\n\nnormal_force: R_n, N, (...), above 0; with interference 0 too.")
+      py::arg("normal_force"), py::kw_only(), py::arg("out") = py::none(),
+      py::arg("threads") = 1,
+      (std::string(q.key) +
+       "(self, normal_force, *, out=None, threads=1)\n--\n\n" +
+       documentation(q) + more +
+       "\n\nnormal_force: R_n, N, (...), above 0; with interference "
+       "0 too.\n" CONTACT_NUMBERS_DOC)
           .c_str());
 }
 
-void bind_quantities(py::class_<FileJoint>& type) {
+void bind_quantities(py::class_<JointSet>& type) {
   using Arguments = std::initializer_list<Argument>;
   for (const auto& q : contact::patch_quantities()) {
     const auto value = [&q](const JointContact& c, double half_angle,
                             const double* const* at) {
-      const contact::ContactPatch patch{c, *at[0], half_angle};
+      const contact::ContactPatch patch{c, *at[1], half_angle};
       return q.exists && !q.exists(patch)
                  ? std::numeric_limits<double>::quiet_NaN()
                  : number_of(q, patch);
     };
     bind_quantity(type, q, "",
-                  [&q, value](const FileJoint& self, Arguments force) {
-                    if (q.exists) return of_contacts(self, force, value);
-                    return evaluate(force, [&](const double* const* at) {
-                      return value(self.contact(), 0, at);
-                    });
+                  [&q, value](const JointSet& self, Arguments arguments,
+                              const Wanted& wanted) {
+                    if (q.exists) {
+                      return of_contacts(self, arguments, value, wanted);
+                    }
+                    return evaluate(
+                        arguments,
+                        [&](const double* const* at) {
+                          return value(self(at).contact(), 0, at);
+                        },
+                        wanted);
                   });
   }
   for (const auto& q : contact::approach_quantities()) {
@@ -198,19 +224,26 @@ void bind_quantities(py::class_<FileJoint>& type) {
         type, q,
         " NaN unless the half-angle\nlaw is exact, and where there is none: a "
         "pin in an infinite hole, loaded through\nthe back. To 2e-7 of itself.",
-        [&q](const FileJoint& self, Arguments force) {
-          return of_contacts(self, force,
-                             [&q](const JointContact& c, double half_angle,
-                                  const double* const* /*at*/) {
-                               return number_of(q, c.approach(half_angle));
-                             });
+        [&q](const JointSet& self, Arguments arguments, const Wanted& wanted) {
+          return of_contacts(
+              self, arguments,
+              [&q](const JointContact& c, double half_angle,
+                   const double* const* /*at*/) {
+                return number_of(q, c.approach(half_angle));
+              },
+              wanted);
         });
   }
   type.def("pressure", &pressure, py::arg("theta"), py::arg("normal_force"),
-           "pressure(self, theta, normal_force)\n--\n\n"
+           py::kw_only(), py::arg("out") = py::none(), py::arg("threads") = 1,
+           "pressure(self, theta, normal_force, *, out=None, threads=1)"
+           "\n--\n\n"
            "Contact pressure, Pa; 0 outside of the contact.\n\n"
            "theta: angle from the contact's centre, rad, (...).\n"
-           "normal_force: R_n, N, (...), above 0.");
+           "normal_force: R_n, N, (...), above 0.\n" CONTACT_NUMBERS_DOC);
+}
+
+void bind_notes(py::class_<FileJoint, JointSet>& type) {
   type.def("notes", &notes, py::arg("normal_force") = py::none(),
            R"(notes(self, normal_force=None)
 --
@@ -221,7 +254,7 @@ sentence each: what the programs warn of.
 normal_force: the loads that it has, R_n, N, (...).)");
 }
 
-void bind_laws(py::class_<FileJoint>& type) {
+void bind_laws(py::class_<FileJoint, JointSet>& type) {
   type.def("_half_angle", &law_half_angle);
   type.def("_load_parameter", &law_load_parameter);
   type.def("_pressure", &law_pressure);
@@ -230,12 +263,14 @@ void bind_laws(py::class_<FileJoint>& type) {
 
 }  // namespace
 
-void bind_contact(py::module_& m, py::class_<FileJoint>& type) {
+void bind_contact(py::module_& m, py::class_<JointSet>& joints,
+                  py::class_<FileJoint, JointSet>& joint) {
   bind_answers(m, "Coefficients", contact::coefficient_quantities(),
                "What friction_coefficients() returns.");
-  bind_size(type);
-  bind_quantities(type);
-  bind_laws(type);
+  bind_size(joints, joint);
+  bind_quantities(joints);
+  bind_notes(joint);
+  bind_laws(joint);
 }
 
 }  // namespace contact_python

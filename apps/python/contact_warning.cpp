@@ -1,6 +1,7 @@
 #include "apps/python/contact_warning.hpp"
 
 #include <string>
+#include <vector>
 
 namespace contact_python {
 namespace {
@@ -11,15 +12,17 @@ constexpr const char* name = "ContactWarning";
 
 }  // namespace
 
-void warn_of(const contact::ContactLimits& limits,
+bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level) {
-  for (const std::string& text : limits.passed(largest)) {
+  const std::vector<std::string> passed = limits.passed(largest);
+  for (const std::string& text : passed) {
     const py::object category =
         py::module_::import("libcontact._core").attr(name);
     if (PyErr_WarnEx(category.ptr(), text.c_str(), level) != 0) {
       throw py::error_already_set();
     }
   }
+  return !passed.empty();
 }
 
 void bind_warning(py::module_& m) {

@@ -7,10 +7,11 @@
 namespace contact_python {
 
 /// Gives Python a ContactWarning for each limit that the contact has passed.
+/// @return whether there is one
 /// @param level  how many frames of Python up the line is that it is about; the
 ///   first is that of libcontact/_calls.py
 /// @throws pybind11::error_already_set where Python makes warnings errors
-void warn_of(const contact::ContactLimits& limits,
+bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level = 2);
 
 /// The level of Joint.cycle() and identify(): these frames are that of

@@ -10,6 +10,7 @@
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "python/joint_set.hpp"
 
 namespace contact_python {
 
@@ -18,7 +19,7 @@ using Settings = std::vector<std::pair<std::string, std::string>>;
 contact::KeySettings key_settings(const Settings& settings);
 
 /// A joint from the text of a joint file.
-class FileJoint {
+class FileJoint : public JointSet {
  public:
   /// @throws contact::Error as read_joint()
   FileJoint(const std::string& text, const std::string& source,
@@ -26,10 +27,13 @@ class FileJoint {
             const contact::KeySettings& settings);
 
   const contact::JointSpec& spec() const { return spec_; }
-  const contact::JointContact& contact() const { return joint_.contact(); }
-  const contact::ContactLimits& limits() const { return limits_; }
+  const contact::JointContact& contact() const { return (*this)[0].contact(); }
+  const contact::ContactLimits& limits() const { return JointSet::limits(0); }
   /// @throws contact::Error if it has no friction
-  const contact::Joint& joint() const;
+  const contact::Joint& joint() const {
+    require_friction();
+    return (*this)[0];
+  }
   /// The file with its settings, as TOML.
   const std::string& toml() const { return toml_; }
   /// JointSpec::canonical_text(): joints are equal if it is.
@@ -37,17 +41,23 @@ class FileJoint {
 
  private:
   explicit FileJoint(const contact::TomlTable& file);
+  FileJoint(std::string toml, contact::JointSpec spec);
 
   std::string toml_;
   contact::JointSpec spec_;
   std::string canonical_;
-  contact::Joint joint_;  // without friction where there is none
-  contact::ContactLimits limits_;
 };
 
 /// Adds the classes and functions of one subject to the module.
 void bind_joint(pybind11::module_& m);
-void bind_contact(pybind11::module_& m, pybind11::class_<FileJoint>& joint);
+void bind_contact(pybind11::module_& m, pybind11::class_<JointSet>& joints,
+                  pybind11::class_<FileJoint, JointSet>& joint);
+void bind_solutions(pybind11::module_& m, pybind11::class_<JointSet>& joints);
+void bind_ratings(pybind11::module_& m, pybind11::class_<JointSet>& joints,
+                  pybind11::class_<FileJoint, JointSet>& joint);
+void bind_step(pybind11::module_& m, pybind11::class_<JointSet>& joints);
+void bind_moment_set(pybind11::module_& m, pybind11::class_<JointSet>& joints);
+void bind_joints(pybind11::module_& m);
 void bind_play(pybind11::module_& m);
 void bind_duty(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);

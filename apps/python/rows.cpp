@@ -73,6 +73,16 @@ Argument::Argument(const char* name, const Numbers& array, int row_width)
   shape.pop_back();
 }
 
+Argument Argument::matrix(const char* name, const Numbers& array) {
+  Shape shape(array.shape(), array.shape() + array.ndim());
+  if (shape.size() < 2 || shape.back() != 3 || shape.end()[-2] != 3) {
+    throw contact::Error(contact::detail::must_be(
+        name + (" of shape " + text_of(shape)), "of shape (..., 3, 3)"));
+  }
+  shape.resize(shape.size() - 2);
+  return {array.data(), 9, std::move(shape)};
+}
+
 Rows::Rows(std::initializer_list<Argument> arguments) {
   for (const Argument& argument : arguments) {
     if (argument.shape.size() > shape_.size()) {
@@ -156,7 +166,13 @@ void detail::refuse_field(const std::string& name,
   throw contact::Error(contact::detail::unknown("quantity", name, known));
 }
 
-void* detail::memory_of(const char* name, const py::object& array,
+void Wanted::check() const {
+  if (threads >= 1) return;
+  throw contact::Error(contact::detail::must_be(
+      "threads = " + std::to_string(threads), "1 or more"));
+}
+
+void* detail::memory_of(const std::string& name, const py::object& array,
                         const py::dtype& type, const Shape& shape) {
   if (py::isinstance<py::array>(array)) {
     auto to = py::reinterpret_borrow<py::array>(array);
@@ -167,9 +183,8 @@ void* detail::memory_of(const char* name, const py::object& array,
     }
   }
   throw contact::Error(contact::detail::must_be(
-      "out[\"" + std::string(name) + "\"]",
-      "a writable array of " + std::string(py::str(py::object(type))) +
-          " of shape " + text_of(shape) + " in the order of C"));
+      name, "a writable array of " + std::string(py::str(py::object(type))) +
+                " of shape " + text_of(shape) + " in the order of C"));
 }
 
 void detail::protect(py::array& array) {

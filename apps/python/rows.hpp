@@ -10,7 +10,10 @@
 #include <exception>
 #include <initializer_list>
 #include <mutex>
+#include <string>
 #include <thread>
+#include <type_traits>
+#include <utility>
 #include <vector>
 
 #include "python/interpreter_lock.hpp"
@@ -40,6 +43,11 @@ struct Argument {
   Argument(const char* name, const Numbers& array, int width);
   /// Three numbers that are the same for all rows.
   explicit Argument(const Eigen::Vector3d& all_rows) : data(all_rows.data()) {}
+  /// Of our own.
+  Argument(const double* numbers, int row_width, Shape of_rows)
+      : data(numbers), width(row_width), shape(std::move(of_rows)) {}
+  /// Matrices of three by three, behind the others in the shape.
+  static Argument matrix(const char* name, const Numbers& array);
 
   const double* data;
   int width = 3;
@@ -145,15 +153,49 @@ inline Eigen::Vector3d vector_at(const double* numbers) {
 /// An array as functions return it: a number if it has no dimension.
 py::object returned(const py::array& array);
 
-/// The array of `value(numbers)` over all rows.
+/// Where numbers go, and how many threads share the rows: the arguments `out`
+/// and `threads` of functions of one quantity.
+struct Wanted {
+  py::object out = py::none();
+  int threads = 1;
+
+  /// @throws contact::Error if there are none
+  void check() const;
+};
+
+namespace detail {
+
+/// That of an array in which results are put.
+/// @param name  for messages
+/// @throws contact::Error if it is of another type, shape or order of memory
+void* memory_of(const std::string& name, const py::object& array,
+                const py::dtype& type, const Shape& shape);
+
+}  // namespace detail
+
+/// The array of `value(numbers)` over all rows, of numbers or vectors.
 template <class Value>
 py::object evaluate(std::initializer_list<Argument> arguments,
-                    const Value& value) {
+                    const Value& value, const Wanted& wanted = {}) {
+  constexpr bool is_vector = !std::is_arithmetic_v<decltype(value(nullptr))>;
+  wanted.check();
   const Rows rows(arguments);
-  py::array_t<double> result(rows.shape());
-  double* to = result.mutable_data();
-  rows.for_each([&](const double* const* at) { *to++ = value(at); });
-  return returned(result);
+  Shape shape = rows.shape();
+  if (is_vector) shape.push_back(3);
+  const bool is_given = !wanted.out.is_none();
+  const py::object array = is_given ? wanted.out : py::array_t<double>(shape);
+  double* const to = static_cast<double*>(
+      detail::memory_of("out", array, py::dtype::of<double>(), shape));
+  rows.for_each(wanted.threads, [&] {
+    return [&](const double* const* at, std::size_t i) {
+      if constexpr (is_vector) {
+        Eigen::Map<Eigen::Vector3d>(to + 3 * i) = value(at);
+      } else {
+        to[i] = value(at);
+      }
+    };
+  });
+  return is_given ? array : returned(array);
 }
 
 }  // namespace contact_python

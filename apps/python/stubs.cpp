@@ -1,8 +1,11 @@
 // The types of the package: puts quantities into the lines @CLASS@ of a stub
 // from standard input.
+#include <algorithm>
 #include <iostream>
 #include <map>
+#include <sstream>
 #include <string>
+#include <vector>
 
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/half_angle/registry.hpp"
@@ -30,17 +33,28 @@ std::string arrays(std::span<const Quantity<Row>> table) {
   return text;
 }
 
+// NAME(normal_force), of a joint also for a number.
 template <class Row>
-std::string methods(std::span<const Quantity<Row>> table) {
+std::string methods(std::span<const Quantity<Row>> table, bool of_one) {
   std::string text;
   for (const auto& q : table) {
-    const std::string head = "    @overload\n    def " + std::string(q.key);
+    const std::string head = "    def " + std::string(q.key) + "(\n";
+    if (of_one) {
+      text += "    @overload\n    def " + std::string(q.key) +
+              "(self, normal_force: float) -> float: ...  "
+              "# type: ignore[misc]\n    @overload\n";
+    }
     text += head +
-            "(self, normal_force: float) -> float: ...  "
-            "# type: ignore[misc]\n" +
-            head + "(self, normal_force: ArrayLike) -> _Floats: ...\n";
+            "        self,\n        normal_force: ArrayLike,\n        *,\n"
+            "        out: _Floats | None = None,\n"
+            "        threads: int = 1,\n    ) -> _Floats: ...\n";
   }
   return text;
+}
+
+std::string methods(bool of_one) {
+  return methods(contact::patch_quantities(), of_one) +
+         methods(contact::approach_quantities(), of_one);
 }
 
 std::string numbers() {
@@ -60,46 +74,131 @@ std::string fit() {
   return text;
 }
 
-// NAME = Literal["LAW", ...]
+// NAME = Literal["WORD", ...]
+std::string literal(const std::string& name,
+                    const std::vector<std::string>& words) {
+  std::string text;
+  for (const auto& word : words)
+    text += (text.empty() ? "\"" : ", \"") + word + '"';
+  return name + " = Literal[" + text + "]\n";
+}
+
 template <class Entries>
-std::string literal(const char* name, const Entries& entries) {
-  std::string names;
-  for (const auto& law : contact::detail::names_of(
-           entries, [](const auto& /*entry*/) { return true; })) {
-    names += (names.empty() ? "\"" : ", \"") + law + '"';
+std::string laws(const char* name, const Entries& entries) {
+  return literal(name, contact::detail::names_of(
+                           entries, [](const auto&) { return true; }));
+}
+
+// Names of quantities, of which `fields` are some.
+template <class Row>
+std::string fields(const char* name, std::span<const Quantity<Row>> table) {
+  std::vector<std::string> keys;
+  for (const auto& q : table) keys.emplace_back(q.key);
+  return literal("_" + std::string(name) + "Field", keys);
+}
+
+std::string all_fields() {
+  return fields("Solution", contact::solution_quantities()) +
+         fields("RestSolution", contact::rest_quantities()) +
+         fields("Rating", contact::rating_quantities()) +
+         fields("Step", contact::step_quantities()) +
+         fields("Prox", contact::prox_quantities());
+}
+
+// A key with each unit that it may have.
+std::vector<std::string> spellings(const contact::KnownKey& key) {
+  std::vector<std::string> all = {std::string(key.key)};
+  for (const contact::Unit& unit : units_of(key.dimension)) {
+    if (!unit.ending.empty())
+      all.push_back(all.front() + "_" + std::string(unit.ending));
   }
-  return std::string(name) + " = Literal[" + names + "]\n";
+  return all;
+}
+
+const contact::KnownKey& inside(const contact::KnownKeys& keys,
+                                std::string_view key) {
+  return *std::ranges::find(keys, key, &contact::KnownKey::key);
+}
+
+// Tables that keywords are, as TypedDicts.
+std::string tables() {
+  const contact::KnownKeys keys = contact::joint_keys();
+  const auto material = inside(inside(keys, "materials").inside, "inner");
+  std::string text = "class Material(TypedDict, total=False):\n";
+  std::string layer = "class Layer(Material, total=False):\n";
+  for (const auto& key : material.inside) {
+    for (const auto& name : spellings(key))
+      text += "    " + name + (key.key == "name" ? ": str\n" : ": float\n");
+  }
+  for (const auto& key : inside(keys, "coating").inside) {
+    if (std::ranges::find(material.inside, key.key, &contact::KnownKey::key) !=
+        material.inside.end())
+      continue;
+    for (const auto& name : spellings(key))
+      layer += "    " + name + ": float\n";
+  }
+  return text + '\n' + layer +
+         "\nclass Wall(TypedDict, total=False):\n"
+         "    backing: str | Material\n    layer: Sequence[Layer]\n";
+}
+
+const char* type_of_keyword(std::string_view key) {
+  if (key == "half_angle") return "_HalfAngle | Mapping[str, object] | None";
+  if (key == "pressure") return "_Pressure | Mapping[str, object] | None";
+  if (key == "inner" || key == "outer") return "Material | None";
+  if (key == "wall") return "Wall | None";
+  if (key == "coating") return "Layer | Sequence[Layer] | None";
+  return "_Key";
 }
 
 // The keywords of a joint: those of _joint_keys that are keys of no table.
-std::string joint_keywords() {
+// @param line  "@JointKeys" and those that are left out
+std::string joint_keywords(const std::string& line) {
   std::string text;
-  const auto add = [&](const std::string& name, const char* type = "_Key") {
-    text += "        " + name + ": " + type + " = None,\n";
-  };
-  const auto law = [](std::string_view key) {
-    return key == "half_angle" ? "_HalfAngle | Mapping[str, object] | None"
-           : key == "pressure" ? "_Pressure | Mapping[str, object] | None"
-                               : "_Key";
+  const auto add = [&](const contact::KnownKey& key) {
+    if (line.find(" " + std::string(key.key)) != line.npos) return;
+    for (const auto& name : spellings(key))
+      text +=
+          "        " + name + ": " + type_of_keyword(key.key) + " = None,\n";
   };
   for (const contact::KnownKey& table : contact::joint_keys()) {
-    if (table.key != "kind") add(std::string(table.key), law(table.key));
-    for (const contact::Unit& unit : units_of(table.dimension)) {
-      if (!unit.ending.empty())
-        add(std::string(table.key) + "_" + std::string(unit.ending));
-    }
+    if (table.key != "kind") add(table);
     if (table.key == "wall" || table.key == "coating") continue;
     for (const contact::KnownKey& key : table.inside) {
-      if (key.key == "law" || key.key == "kind") continue;
-      add(std::string(key.key));
-      for (const contact::Unit& unit : units_of(key.dimension)) {
-        if (!unit.ending.empty())
-          add(std::string(key.key) + "_" + std::string(unit.ending));
-      }
+      if (key.key != "law" && key.key != "kind") add(key);
     }
   }
   return text;
 }
+
+// "@Rows TYPE FIELDS NAME" with its parameters in lines below it: all
+// quantities, some by their names, or in arrays that are given.
+class RowsFunction {
+ public:
+  explicit RowsFunction(const std::string& line) {
+    std::istringstream words(line);
+    std::string at;
+    words >> at >> type_ >> fields_ >> name_;
+  }
+  void add(const std::string& parameter) { parameters_ += parameter + ",\n"; }
+  std::string text() const {
+    return overload("None = None", "None = None", type_) +
+           overload("Sequence[_" + fields_ + "Field]", "None = None", dict) +
+           overload("None = None", "dict[str, NDArray[Any]]", dict);
+  }
+
+ private:
+  static constexpr const char* dict = "dict[str, NDArray[Any]]";
+  std::string overload(const std::string& fields, const std::string& out,
+                       const std::string& type) const {
+    return "    @overload\n    def " + name_ + "(\n        self,\n" +
+           parameters_ + "        fields: " + fields +
+           ",\n        out: " + out +
+           ",\n        threads: int = 1,\n    ) -> " + type + ": ...\n";
+  }
+
+  std::string type_, fields_, name_, parameters_;
+};
 
 }  // namespace
 
@@ -110,18 +209,34 @@ int main() {
       {"@Rating@", arrays(contact::rating_quantities())},
       {"@WearIn@", arrays(contact::worn_quantities())},
       {"@Coefficients@", arrays(contact::coefficient_quantities())},
-      {"@Joint@", methods(contact::patch_quantities()) +
-                      methods(contact::approach_quantities())},
+      {"@Step@", arrays(contact::step_quantities())},
+      {"@Prox@", arrays(contact::prox_quantities())},
+      {"@Joint@", methods(true)},
+      {"@Joints@", methods(false)},
+      {"@Fields@", all_fields()},
+      {"@Tables@", tables()},
       {"@ForceState@", arrays(contact::force_state_quantities())},
       {"@Impact@", arrays(contact::impact_quantities())},
       {"@PlayForce@", arrays(contact::play_force_quantities())},
-      {"@Laws@", literal("_HalfAngle", contact::detail::half_angle_entries()) +
-                     literal("_Pressure", contact::detail::pressure_entries())},
-      {"@JointKeys@", joint_keywords()},
+      {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
+                     laws("_Pressure", contact::detail::pressure_entries())},
       {"@Cycle@", numbers()},
       {"@Fit@", fit()}};
-  for (std::string line; std::getline(std::cin, line);) {
+  std::string line;
+  bool has_line = static_cast<bool>(std::getline(std::cin, line));
+  const auto next = [&] {
+    has_line = static_cast<bool>(std::getline(std::cin, line));
+  };
+  for (; has_line; next()) {
+    while (has_line && line.starts_with("    @Rows ")) {
+      RowsFunction function(line);
+      for (next(); has_line && line.starts_with("        "); next())
+        function.add(line);
+      std::cout << function.text();
+    }
     const auto found = of.find(line);
-    std::cout << (found == of.end() ? line + '\n' : found->second);
+    std::cout << (line.starts_with("@JointKeys") ? joint_keywords(line)
+                  : found != of.end()            ? found->second
+                                                 : line + '\n');
   }
 }

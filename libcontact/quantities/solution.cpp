@@ -106,7 +106,43 @@ constexpr Quantity<Rest> of_rest[] = {
      [](const Rest& s) { return s.slip.half_angle; }},
 };
 
+constexpr Quantity<JointStep> of_step[] = {
+    {"status", "", Dimension::number, "the worst of friction, rest and motion",
+     [](const JointStep& s) { return s.status; }},
+    {"holds", "", Dimension::number, "whether the joint rests at the end",
+     [](const JointStep& s) { return s.holds; }},
+    {"angular_velocity", "Dw", Dimension::angular_velocity,
+     "body against carrier at the end of the step, exactly 0 where it holds",
+     [](const JointStep& s) -> const Eigen::Vector3d& {
+       return s.angular_velocity;
+     }},
+    {"moment", "M_t", Dimension::moment,
+     "friction moment on the body during the step",
+     [](const JointStep& s) -> const Eigen::Vector3d& { return s.moment; }},
+};
+
+using Prox = MomentSet::Prox;
+constexpr Quantity<Prox> of_prox[] = {
+    {"status", "", Dimension::number, "how the solver ended",
+     [](const Prox& p) { return p.status; }},
+    {"angular_velocity", "", Dimension::number,
+     "with friction, of the kind of the free one; exactly 0 where it holds",
+     [](const Prox& p) -> const Eigen::Vector3d& {
+       return p.angular_velocity;
+     }},
+    {"moment", "M_t", Dimension::moment, "friction moment on the body",
+     [](const Prox& p) -> const Eigen::Vector3d& { return p.moment; }},
+    {"iterations", "", Dimension::number, "Newton steps",
+     [](const Prox& p) { return p.iterations; }},
+    {"residual", "", Dimension::number, "of the equation, over |W free|",
+     [](const Prox& p) { return p.residual; }},
+};
+
 }  // namespace
+
+std::span<const Quantity<JointStep>> step_quantities() { return of_step; }
+
+std::span<const Quantity<Prox>> prox_quantities() { return of_prox; }
 
 std::span<const Quantity<JointSolution>> solution_quantities() {
   return of_solution;

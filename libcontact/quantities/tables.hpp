@@ -6,6 +6,7 @@
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/step.hpp"
 #include "libcontact/quantities/quantity.hpp"
 
 /// The tables, in the order of columns.
@@ -14,6 +15,8 @@ namespace contact {
 std::span<const Quantity<JointSolution>> solution_quantities();
 std::span<const Quantity<RestSolution>> rest_quantities();
 std::span<const Quantity<SlidingContact::Rating>> rating_quantities();
+std::span<const Quantity<JointStep>> step_quantities();
+std::span<const Quantity<MomentSet::Prox>> prox_quantities();
 
 /// The contact under a normal force.
 struct ContactPatch {

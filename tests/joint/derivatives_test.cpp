@@ -46,11 +46,12 @@ double error_of(const Matrix3d& derivative, const Matrix3d& difference) {
          difference.cwiseAbs().maxCoeff();
 }
 
-void compare(const char* name, const Joint& joint, double budget) {
+void compare(const char* name, const Joint& joint, double budget,
+             int rows = 200) {
   RandomSlips random(11);
   AccuracyReport rate(std::string("dM/dDw of a ball, ") + name, budget);
   AccuracyReport reaction(std::string("dM/dR of a ball, ") + name, budget);
-  for (int i = 0; i < 200; ++i) {
+  for (int i = 0; i < rows; ++i) {
     const Joint::Slip slip = {random.log_uniform(1e2, 1e5) * random.direction(),
                               random.log_uniform(0.1, 10) * random.direction()};
     const JointSolution s = joint.solve(slip);
@@ -70,15 +71,15 @@ void compare(const char* name, const Joint& joint, double budget) {
 }
 
 TEST(SlipDerivatives, OfABallAreThoseOfSolve) {
-  // 2e-8 where the slip axis is near the contact's edge, where derivatives of
-  // the integrals jump; 1e-11 elsewhere.
+  // 2e-8 in rows whose slip axis is near the contact's edge: both differences
+  // there, over steps of 1e-3, see that the integrals are less smooth.
   compare("dry", steel_ball(FrictionLaw(0.2, 1e4)), 1e-7);
   compare("dry, ball on the body",
           steel_ball(FrictionLaw(0.2, 1e4), JointBody::body), 1e-7);
   compare("exact half-angle",
           steel_ball(FrictionLaw(0.2, 1e4), JointBody::carrier, "exact"), 1e-7);
   compare("viscous", steel_ball(ViscousLaw(2e5, 0.3)), 1e-10);
-  compare("stress", steel_ball(rising), 1e-6);
+  compare("stress", steel_ball(rising), 1e-7, 20);  // slow
 }
 
 TEST(SlipDerivatives, OfAPinAreThoseOfSolveInItsPlane) {
@@ -91,7 +92,8 @@ TEST(SlipDerivatives, OfAPinAreThoseOfSolveInItsPlane) {
     for (int i = 0; i < 50; ++i) {
       const Vector3d u = random.direction();
       const double rate = random.log_uniform(0.1, 10);
-      Joint::Slip slip = {2e4 * random.direction(), rate * u, u};
+      const Vector3d across = u.cross(random.direction()).normalized();
+      Joint::Slip slip = {2e4 * across + 5e3 * u, rate * u, u};
       const SlipDerivatives d = derivatives(pin, slip, pin.solve(slip));
       report.add_error(error_of(d.over_reaction,
                                 differences(pin, slip, &Joint::Slip::reaction)),

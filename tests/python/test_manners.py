@@ -131,17 +131,53 @@ class Results(unittest.TestCase):
         with self.assertWarns(libcontact.ContactWarning):
             soft.solve(*rows, threads=2)
 
+    def test_of_other_functions_too(self):
+        reaction, rate = random_rows(3000)
+        moment = 1e-3 * rate
+        for call, whole, field in (
+            (hip.solve_contact, (reaction, rate), "power"),
+            (hip.at_rest, (reaction, moment), "utilisation"),
+            (hip.pv, (reaction, rate), "pv_max"),
+            (hip.step, (reaction, rate, rate, np.eye(3)), "moment"),
+        ):  # fmt: skip
+            wanted = getattr(call(*whole), field)
+            some = call(*whole, fields=[field], threads=2)
+            np.testing.assert_array_equal(some[field], wanted)
+            out = {field: np.empty_like(wanted)}
+            call(*whole, out=out)
+            np.testing.assert_array_equal(out[field], wanted)
+        force = np.abs(reaction[:, 0])
+        out = np.empty(3000)
+        for function in hip.half_angle, hip.stiffness, hip.peak_pressure:
+            self.assertIs(function(force, out=out, threads=2), out)
+            np.testing.assert_array_equal(out, function(force))
+        self.assertIs(hip.pressure(0.1, force, out=out), out)
+        np.testing.assert_array_equal(out, hip.pressure(0.1, force, threads=3))
+        for wrong in np.empty(2), np.empty(3000, "f4"), [0.0] * 3000:
+            with self.assertRaisesRegex(libcontact.Error, "^out must be a writable"):
+                hip.half_angle(force, out=wrong)
+        with self.assertRaisesRegex(libcontact.Error, "threads = 0 must be 1 or more"):
+            hip.half_angle(force, threads=0)
+
     def test_of_ten_million_rows_need_little_memory(self):
+        """A million here; ten million moments took 0.24 GB once."""
         done = python(
             "import libcontact, numpy as np, resource\n"
-            f"hip = libcontact.Joint.from_file({str(pin_file)!r})\n"
+            f"pin = libcontact.Joint.from_file({str(pin_file)!r})\n"
             "R = np.ones((1_000_000, 3)); w = np.ones((1_000_000, 3))\n"
             "used = lambda: resource.getrusage(resource.RUSAGE_SELF).ru_maxrss\n"
             "before = used()\n"
-            "hip.solve(R, w, fields=('friction_moment',))\n"
+            "pin.solve(R, w, fields=('friction_moment',))\n"
+            "print((used() - before) / 1024)\n"
+            "before = used()\n"
+            "pin.at_rest(R, w, fields=('utilisation',))\n"
+            "pin.half_angle(R[0, 0] + np.broadcast_to(0.0, 1_000_000))\n"
             "print((used() - before) / 1024)")
         # 24 bytes a row are 23 MiB; rows of all quantities are 15 times that.
-        self.assertLess(float(done.stdout), 30, done.stderr)
+        # What solve() gave back is used again.
+        moments, others = map(float, done.stdout.split())
+        self.assertLess(moments, 30, done.stderr)
+        self.assertLess(others, 10, done.stderr)
 
 
 class Others(unittest.TestCase):

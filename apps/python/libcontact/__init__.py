@@ -15,6 +15,7 @@ ContactWarning; Joint.notes() has their numbers.
 """
 
 import enum
+from typing import TYPE_CHECKING
 
 from . import _calls, _results, study  # the first two complete _core
 from ._case import Case, Event, Outcome, Run
@@ -25,11 +26,14 @@ from ._core import (
     Estimate,
     ForceState,
     Impact,
+    MomentSet,
     Play,
     PlayForce,
+    Prox,
     Rating,
     RestSolution,
     Solution,
+    Step,
     WearIn,
     __version__,
     damping_of_restitution,
@@ -40,12 +44,29 @@ from ._joint import (
     Fit,
     Joint,
     Wear,
-    friction_coefficients,
-    half_angle,
     identify,
-    load_parameter,
-    pressure,
 )
+from ._joints import Joints
+
+if TYPE_CHECKING:  # the stub of _core has all keys
+    from ._core import (
+        Layer,
+        Material,
+        Wall,
+        friction_coefficients,
+        half_angle,
+        load_parameter,
+        pressure,
+    )
+else:
+    from ._joint import (
+        friction_coefficients,
+        half_angle,
+        load_parameter,
+        pressure,
+    )
+
+    Layer = Material = Wall = dict
 
 
 class Status(enum.IntEnum):
@@ -76,15 +97,22 @@ __all__ = [
     "ForceState",
     "Impact",
     "Joint",
+    "Joints",
+    "Layer",
+    "Material",
+    "MomentSet",
     "Outcome",
     "Play",
     "PlayForce",
+    "Prox",
     "Rating",
     "RestSolution",
     "Run",
     "Solution",
     "State",
     "Status",
+    "Step",
+    "Wall",
     "Wear",
     "WearIn",
     "__version__",

@@ -56,7 +56,11 @@ def _wrong_types(
     return TypeError(f"{name}() does not take ({', '.join(types)})")
 
 
-def _checked(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
+def _checked(
+    name: str, function: Callable[..., Any], owner: type | None = None
+) -> Callable[..., Any]:
+    """owner: the class of which it is a function; others may have it too."""
+
     @functools.wraps(function)
     def call(*arguments: Any, **keywords: Any) -> Any:
         try:
@@ -65,7 +69,8 @@ def _checked(name: str, function: Callable[..., Any]) -> Callable[..., Any]:
             text = str(error)
             if "(): incompatible " not in text.partition("\n")[0]:
                 raise
-        raise _refusal(name, function, arguments, keywords)
+        of = f"{type(arguments[0]).__name__}.{name}" if owner else name
+        raise _refusal(of, function, arguments, keywords)
 
     return call
 
@@ -97,8 +102,7 @@ def _check_calls() -> None:
             if member == "__init__":
                 value.__init__ = _checked_init(value, function)  # type: ignore
             elif callable(function) and not member.startswith("__"):
-                full_name = f"{value.__name__}.{member}"
-                setattr(value, member, _checked(full_name, function))
+                setattr(value, member, _checked(member, function, value))
 
 
 _check_calls()

@@ -5,7 +5,10 @@ import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from . import _core
 
 _data = Path(__file__).parent / "data"
 
@@ -20,20 +23,20 @@ examples: Mapping[str, Path] = MappingProxyType(
 files in the source's data/: Joint.from_file(examples["joints/pin_joint.toml"])."""
 
 
-class Materials(Mapping[str, Mapping[str, Any]]):
+class Materials(Mapping[str, "_core.Material"]):
     """Materials by name, as Joint's inner and outer take them. Where the
     numbers are from, the files in examples say."""
 
     @functools.cached_property
-    def _all(self) -> dict[str, Mapping[str, Any]]:
+    def _all(self) -> dict[str, Any]:
         texts = (file.read_text() for file in (_data / "materials").glob("*.toml"))
         pairs = [tomllib.loads(text) for text in texts]
         bodies = [pair[body] for pair in pairs for body in ("inner", "outer")]
         named = {body["name"]: MappingProxyType(body) for body in bodies}
         return dict(sorted(named.items()))
 
-    def __getitem__(self, name: str) -> Mapping[str, Any]:
-        return self._all[name]
+    def __getitem__(self, name: str) -> "_core.Material":
+        return self._all[name]  # type: ignore[no-any-return]
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._all)

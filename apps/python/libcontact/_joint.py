@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _core
 from ._calls import unexpected_keyword
 from ._files import FileText, toml_text
+from ._joints import Joints
 
 Key = float | str | Mapping[str, object] | Sequence[object] | None
 
@@ -71,7 +72,7 @@ class Joint(FileText, _core.Joint):
     `loading`, `wall` and `coating` as in the file. None is left out. Whole
     tables may be given as dicts.
 
-    Nothing of a joint changes: replace() makes another. Joints compare by what
+    Nothing of a joint changes: replace() makes another, vary() many. Joints compare by what
     they say, may be pickled and shared by threads, and go through fork.
     """
 
@@ -115,6 +116,15 @@ class Joint(FileText, _core.Joint):
     @property
     def _is_dry(self) -> bool:
         return self.friction_law == "dry"
+
+    def vary(self, keys: Mapping[str, ArrayLike]) -> Joints:
+        """Joints that differ by the numbers of some keys.
+
+        keys: names as in replace(), with arrays that broadcast. Laws that serve
+            several joints are made once: friction and, without walls, radius
+            and clearance do not count.
+        """
+        return Joints(self, keys)
 
     def cycle(
         self,

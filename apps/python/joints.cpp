@@ -1,0 +1,63 @@
+// Joints of one text with arrays of numbers of some keys.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <memory>
+#include <span>
+
+#include "libcontact/files/joint_form.hpp"
+#include "python/file_joint.hpp"
+#include "python/interpreter_lock.hpp"
+
+namespace contact_python {
+namespace {
+
+class FileJoints : public JointSet {
+ public:
+  FileJoints(JointSet joints, std::size_t laws)
+      : JointSet(std::move(joints)), laws_(laws) {}
+  std::size_t laws() const { return laws_; }
+
+ private:
+  std::size_t laws_;
+};
+
+// @param numbers  of the keys, (..., n)
+std::unique_ptr<FileJoints> make_joints(const std::string& text,
+                                        const std::string& source,
+                                        const std::filesystem::path& folder,
+                                        const Settings& settings,
+                                        const std::vector<std::string>& keys,
+                                        const Numbers& numbers) {
+  const Shape shape(numbers.shape(), numbers.shape() + numbers.ndim() - 1);
+  std::span<const double> rest(numbers.data(),
+                               static_cast<std::size_t>(numbers.size()));
+  const Unlocked unlocked;
+  contact::JointForm form(text, source, folder, key_settings(settings), keys);
+  contact::SharedLaws laws;
+  std::vector<contact::Joint> all;
+  all.reserve(rest.size() / keys.size());
+  std::string refusal;
+  for (; !rest.empty(); rest = rest.subspan(keys.size())) {
+    const contact::JointSpec spec = form.with(rest.first(keys.size()));
+    all.push_back(friction_or_none(spec, &laws));
+    if (refusal.empty()) refusal = friction_refusal(spec);
+  }
+  return std::make_unique<FileJoints>(
+      JointSet(shape, std::move(all), std::move(refusal)), laws.size());
+}
+
+}  // namespace
+
+void bind_joints(py::module_& m) {
+  py::class_<FileJoints, JointSet>(m, "Joints")
+      .def(py::init(&make_joints), py::arg("text"), py::arg("source"),
+           py::arg("folder"), py::arg("settings"), py::arg("keys"),
+           py::arg("numbers"))
+      .def_property_readonly(
+          "laws", &FileJoints::laws,
+          "How many laws of half-angle and pressure were made for all of "
+          "them.");
+}
+
+}  // namespace contact_python

@@ -1,0 +1,144 @@
+// What solvers of several bodies iterate on.
+#include <pybind11/stl.h>
+
+#include "libcontact/quantities/tables.hpp"
+#include "python/file_joint.hpp"
+#include "python/rows_doc.hpp"
+#include "python/starts.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::JointSolution;
+using contact::MomentSet;
+using Eigen::Vector3d;
+
+// Moments that the contacts of solutions hold, at fixed n, R_n and theta0.
+class MomentSets {
+ public:
+  MomentSets(const JointSet& joints, const Answers<JointSolution>& solution)
+      : joints_(joints), solution_(solution), numbers_(solution.rows.size()) {
+    joints.require_friction();
+    if (joints.size() > 0 && joints[0].is_pin()) {
+      throw contact::Error(contact::detail::must_be(
+          "the joint of moment_set()", "a ball, whose moments are a set"));
+    }
+    if (solution.rows.empty() && solution.arrays) {
+      throw contact::Error(contact::detail::must_be(
+          "solution", "what solve() has returned, and not unpickled"));
+    }
+    for (std::size_t i = 0; i < numbers_.size(); ++i)
+      numbers_[i] = static_cast<double>(i);
+  }
+
+  Argument joints() const { return joints_.argument(); }
+  Argument solutions() const { return {numbers_.data(), 0, solution_.shape}; }
+  // at[0] and at[1] are these.
+  MomentSet operator()(const double* const* at) const {
+    return joints_(at).moment_set(
+        solution_.rows[static_cast<std::size_t>(*at[1])]);
+  }
+
+ private:
+  const JointSet& joints_;  // kept alive by Python
+  Answers<JointSolution> solution_;
+  std::vector<double> numbers_;
+};
+
+py::object prox(const MomentSets& self, const Numbers& inertia,
+                const Numbers& free, const WantedRows& wanted) {
+  const Rows rows({self.joints(),
+                   self.solutions(),
+                   Argument::matrix("inertia", inertia),
+                   {"free", free, 3}});
+  return answered(rows, contact::prox_quantities(), wanted, [&] {
+    return [&](const double* const* at, std::size_t /*i*/) {
+      return self(at).prox(matrix_at(at[2]), vector_at(at[3]));
+    };
+  });
+}
+
+// NAME(argument) of a set.
+template <class Value>
+void bind_of_set(py::class_<MomentSets>& type, const char* name,
+                 const char* argument,
+                 Value (MomentSet::*of)(const Vector3d&) const noexcept,
+                 const std::string& doc) {
+  type.def(
+      name,
+      [argument, of](const MomentSets& self, const Numbers& numbers,
+                     const py::object& out, int threads) {
+        return evaluate(
+            {self.joints(), self.solutions(), {argument, numbers, 3}},
+            [&](const double* const* at) {
+              return (self(at).*of)(vector_at(at[2]));
+            },
+            {out, threads});
+      },
+      py::arg(argument), py::kw_only(), py::arg("out") = py::none(),
+      py::arg("threads") = 1,
+      (std::string(name) + "(self, " + argument +
+       ", *, out=None, threads=1)\n--\n\n" + doc + "\n\n" CONTACT_NUMBERS_DOC)
+          .c_str());
+}
+
+constexpr const char* prox_doc =
+    R"(prox(self, inertia, free, *, fields=None, out=None, threads=1)
+--
+
+The motion that friction leaves of a free one: W (alpha - free) = M_t(alpha),
+alpha exactly 0 where the set holds W free.
+
+inertia: W, inertia about the joint (of velocities: over the time step),
+    symmetric and positive definite, (..., 3, 3).
+free: relative angular acceleration or velocity without friction, (..., 3).
+)" CONTACT_ROWS_DOC R"(
+Returns a Prox.)";
+
+}  // namespace
+
+void bind_moment_set(py::module_& m, py::class_<JointSet>& joints) {
+  bind_answers(m, "Prox", contact::prox_quantities(),
+               "What MomentSet.prox() returns.");
+  py::class_<MomentSets> type(
+      m, "MomentSet",
+      "The friction moments of contacts whose normal, normal force and "
+      "half-angle are\nfixed, see Joint.moment_set().");
+  bind_of_set(type, "support", "angular_velocity", &MomentSet::support,
+              "The largest M . Dw of the set, W; Dw in rad/s, (..., 3).");
+  bind_of_set(type, "moment", "angular_velocity", &MomentSet::moment,
+              "The moment of the set that opposes Dw most, N m; Dw in rad/s, "
+              "(..., 3).");
+  bind_of_set(type, "utilisation", "moment", &MomentSet::utilisation,
+              "The share of the set that a moment needs: it is held if it is "
+              "<= 1. moment: M on\nthe body, N m, (..., 3).");
+  bind_of_set(type, "project", "moment", &MomentSet::project,
+              "The moment of the set that is nearest. moment: M on the body, N "
+              "m, (..., 3).");
+  type.def(
+      "prox",
+      [](const MomentSets& self, const Numbers& inertia, const Numbers& free,
+         const Fields& fields, const Out& out, int threads) {
+        return prox(self, inertia, free, {fields, out, threads});
+      },
+      py::arg("inertia"), py::arg("free"), py::kw_only(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, prox_doc);
+  joints.def(
+      "moment_set",
+      [](const JointSet& self, const Answers<JointSolution>& solution) {
+        return std::make_unique<MomentSets>(self, solution);
+      },
+      py::arg("solution"), py::keep_alive<0, 1>(),
+      R"(moment_set(self, solution)
+--
+
+What the contact of a ball holds at fixed n, R_n and theta0: what a solver of
+several bodies iterates on.
+
+solution: what solve() has returned.
+
+Returns a MomentSet, whose functions broadcast against the solution's rows.)");
+}
+
+}  // namespace contact_python

@@ -1,0 +1,205 @@
+// Joints that slide or rest under a known reaction.
+#include <pybind11/stl.h>
+
+#include "libcontact/quantities/tables.hpp"
+#include "python/file_joint.hpp"
+#include "python/rows_doc.hpp"
+#include "python/starts.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::JointSolution;
+using contact::RestSolution;
+using Eigen::Vector3d;
+
+// Solutions of rows in turn, one from the other if they are warm.
+class Solver {
+ public:
+  Solver(const JointSet& joints, const Starts<JointSolution>& start, bool warm,
+         LargestContacts& largest)
+      : joints_(&joints), start_(&start), largest_(&largest), warm_(warm) {}
+
+  const JointSolution& operator()(const double* const* at, std::size_t i) {
+    const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
+                                    vector_at(at[3])};
+    const contact::Joint& joint = (*joints_)(at);
+    const JointSolution* start = (*start_)(i);
+    if (warm_ && has_last_) start = &last_;
+    last_ = start ? joint.solve(slip, *start) : joint.solve(slip);
+    has_last_ = true;
+    largest_->add(at, last_);
+    return last_;
+  }
+
+ private:
+  const JointSet* joints_;
+  const Starts<JointSolution>* start_;
+  LargestContacts* largest_;
+  bool warm_;
+  bool has_last_ = false;
+  JointSolution last_;
+};
+
+py::object solve(const JointSet& self, const Numbers& reaction,
+                 const Numbers& angular_velocity,
+                 const std::optional<Numbers>& axis, bool warm,
+                 const Answers<JointSolution>* last, const WantedRows& wanted) {
+  self.require_friction();
+  const Rows rows({self.argument(),
+                   {"reaction", reaction, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   axis_argument(axis)});
+  const Starts starts(last, rows);
+  LargestContacts largest(self);
+  py::object all = answered(rows, contact::solution_quantities(), wanted, [&] {
+    return Solver(self, starts, warm, largest);
+  });
+  largest.warn();
+  return all;
+}
+
+py::object solve_contact(const JointSet& self, const Numbers& normal_force,
+                         const Numbers& angular_velocity,
+                         const std::optional<Numbers>& axis,
+                         const WantedRows& wanted) {
+  self.require_friction();
+  const Rows rows({self.argument(),
+                   {"normal_force", normal_force, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   axis_argument(axis)});
+  LargestContacts largest(self);
+  py::object all = answered(rows, contact::solution_quantities(), wanted, [&] {
+    return [&](const double* const* at, std::size_t /*i*/) {
+      const JointSolution s = self(at).solve_contact(
+          {vector_at(at[1]), vector_at(at[2]), vector_at(at[3])});
+      largest.add(at, s);
+      return s;
+    };
+  });
+  largest.warn();
+  return all;
+}
+
+py::object at_rest(const JointSet& self, const Numbers& reaction,
+                   const Numbers& moment, const std::optional<Numbers>& axis,
+                   const Answers<RestSolution>* last,
+                   const WantedRows& wanted) {
+  self.require_friction();
+  const Rows rows({self.argument(),
+                   {"reaction", reaction, 3},
+                   {"moment", moment, 3},
+                   axis_argument(axis)});
+  const Starts starts(last, rows);
+  LargestContacts largest(self);
+  py::object all = answered(rows, contact::rest_quantities(), wanted, [&] {
+    return [&](const double* const* at, std::size_t i) {
+      const contact::Joint::Hold hold{vector_at(at[1]), vector_at(at[2]),
+                                      vector_at(at[3])};
+      const RestSolution* const start = starts(i);
+      const RestSolution s =
+          start ? self(at).at_rest(hold, *start) : self(at).at_rest(hold);
+      largest.add(at, s.slip);
+      return s;
+    };
+  });
+  largest.warn();
+  return all;
+}
+
+constexpr const char* solve_doc =
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, fields=None, out=None, threads=1)
+--
+
+Friction of the joint while its halves turn, under a known reaction.
+
+reaction: R on the body, N, (..., 3).
+angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
+axis: of a pin, unit vector, (..., 3); the direction of Dw if it is None.
+warm: begin each row from the solution of the row before. Rows that are near
+    each other take 0.2 to 0.7 of the time; the last digits differ.
+last: a Solution of this joint for similar rows, from which each row begins,
+    of their shape or a single one; an unpickled one has nothing to begin from.
+)" CONTACT_ROWS_DOC R"(
+Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
+the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE. Warm rows
+begin anew every 1024 where several threads share them.)";
+
+constexpr const char* solve_contact_doc =
+    R"(solve_contact(self, normal_force, angular_velocity, *, axis=None, fields=None, out=None, threads=1)
+--
+
+Friction under a known normal force: nothing to solve. With the reaction in its
+place it is the traditional estimate.
+
+normal_force: R_n n on the body, N, (..., 3).
+angular_velocity, axis: as in solve().
+)" CONTACT_ROWS_DOC;
+
+constexpr const char* at_rest_doc =
+    R"(at_rest(self, reaction, moment, *, axis=None, last=None, fields=None, out=None, threads=1)
+--
+
+Whether the joint rests under a reaction while friction supplies a moment, and
+how near it is to sliding.
+
+reaction: R on the body, N, (..., 3).
+moment: M on the body that friction has to supply, N m, (..., 3).
+last: a RestSolution for similar rows, as in solve(): a fifth of the time.
+)" CONTACT_ROWS_DOC R"(
+Returns a RestSolution.)";
+
+void bind_sliding(py::class_<JointSet>& type) {
+  type.def(
+      "solve",
+      [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
+         const std::optional<Numbers>& axis, bool warm,
+         const Answers<JointSolution>* last, const Fields& fields,
+         const Out& out, int threads) {
+        return solve(self, reaction, rate, axis, warm, last,
+                     {fields, out, threads});
+      },
+      py::arg("reaction"), py::arg("angular_velocity"), py::kw_only(),
+      py::arg("axis") = py::none(), py::arg("warm") = false,
+      py::arg("last") = py::none(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(), py::arg("threads") = 1, solve_doc);
+  type.def(
+      "solve_contact",
+      [](const JointSet& self, const Numbers& normal_force, const Numbers& rate,
+         const std::optional<Numbers>& axis, const Fields& fields,
+         const Out& out, int threads) {
+        return solve_contact(self, normal_force, rate, axis,
+                             {fields, out, threads});
+      },
+      py::arg("normal_force"), py::arg("angular_velocity"), py::kw_only(),
+      py::arg("axis") = py::none(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(), py::arg("threads") = 1, solve_contact_doc);
+}
+
+void bind_rest(py::class_<JointSet>& type) {
+  type.def(
+      "at_rest",
+      [](const JointSet& self, const Numbers& reaction, const Numbers& moment,
+         const std::optional<Numbers>& axis, const Answers<RestSolution>* last,
+         const Fields& fields, const Out& out, int threads) {
+        return at_rest(self, reaction, moment, axis, last,
+                       {fields, out, threads});
+      },
+      py::arg("reaction"), py::arg("moment"), py::kw_only(),
+      py::arg("axis") = py::none(), py::arg("last") = py::none(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, at_rest_doc);
+}
+
+}  // namespace
+
+void bind_solutions(py::module_& m, py::class_<JointSet>& joints) {
+  bind_answers(m, "Solution", contact::solution_quantities(),
+               "What Joint.solve() returns, and Joint.solve_contact().");
+  bind_answers(m, "RestSolution", contact::rest_quantities(),
+               "What Joint.at_rest() returns.");
+  bind_sliding(joints);
+  bind_rest(joints);
+}
+
+}  // namespace contact_python

@@ -1,0 +1,162 @@
+// Steps of a simulator, and how friction answers to its causes.
+#include <pybind11/stl.h>
+
+#include "libcontact/joint/derivatives.hpp"
+#include "libcontact/joint/step.hpp"
+#include "libcontact/quantities/tables.hpp"
+#include "python/file_joint.hpp"
+#include "python/rows_doc.hpp"
+#include "python/starts.hpp"
+
+namespace contact_python {
+namespace {
+
+using contact::JointSolution;
+using contact::JointStep;
+using contact::RestSolution;
+using Eigen::Vector3d;
+
+py::object step(const JointSet& self, const Numbers& reaction,
+                const Numbers& angular_velocity, const Numbers& free,
+                const Numbers& inertia, const std::optional<Numbers>& axis,
+                const Answers<JointStep>* last, const WantedRows& wanted) {
+  self.require_friction();
+  const Rows rows({self.argument(),
+                   {"reaction", reaction, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   {"free", free, 3},
+                   Argument::matrix("inertia", inertia),
+                   axis_argument(axis)});
+  const Starts starts(last, rows);
+  LargestContacts largest(self);
+  py::object all = answered(rows, contact::step_quantities(), wanted, [&] {
+    return [&](const double* const* at, std::size_t i) {
+      const JointStep* const start = starts(i);
+      const JointStep s =
+          contact::step(self(at),
+                        {vector_at(at[1]), vector_at(at[2]), vector_at(at[3]),
+                         vector_at(at[5])},
+                        matrix_at(at[4]), start ? *start : JointStep());
+      largest.add(at, s.solution);
+      return s;
+    };
+  });
+  largest.warn();
+  return all;
+}
+
+// A part of steps, row by row.
+template <class Part>
+Answers<Part> part_of(const Answers<JointStep>& steps, const char* name,
+                      Part JointStep::*part) {
+  if (steps.rows.empty() && steps.arrays) {
+    throw contact::Error(contact::detail::must_be(
+        std::string(name) + " of a Step", "asked for before it is pickled"));
+  }
+  Answers<Part> all{steps.shape};
+  for (const JointStep& step : steps.rows) all.rows.push_back(step.*part);
+  return all;
+}
+
+py::dict derivatives(const JointSet& self, const Numbers& reaction,
+                     const Numbers& angular_velocity,
+                     const std::optional<Numbers>& axis, int threads) {
+  self.require_friction();
+  Wanted{.threads = threads}.check();
+  const Rows rows({self.argument(),
+                   {"reaction", reaction, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   axis_argument(axis)});
+  Shape shape = rows.shape();
+  shape.insert(shape.end(), {3, 3});
+  py::dict all;
+  std::vector<RowMajor*> to;
+  for (const char* name : {"over_rate", "over_reaction", "at_contact"}) {
+    py::array_t<double> array(shape);
+    to.push_back(reinterpret_cast<RowMajor*>(array.mutable_data()));
+    all[name] = array;
+  }
+  rows.for_each(threads, [&] {
+    return [&](const double* const* at, std::size_t i) {
+      const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
+                                      vector_at(at[3])};
+      const contact::SlipDerivatives d =
+          contact::derivatives(self(at), slip, self(at).solve(slip));
+      to[0][i] = d.over_rate;
+      to[1][i] = d.over_reaction;
+      to[2][i] = d.at_contact;
+    };
+  });
+  return all;
+}
+
+constexpr const char* step_doc =
+    R"(step(self, reaction, angular_velocity, free, inertia, *, axis=None, last=None, fields=None, out=None, threads=1)
+--
+
+One implicit step of a simulator with friction, which comes to rest, holds and
+lets go: M_t = W (Dw - free), M_t opposite to Dw. A torque of solve() alone never
+stops a body, it creeps.
+
+reaction: R on the body, N, of the step before, (..., 3).
+angular_velocity: Dw, rad/s, (..., 3); exactly 0: the joint rests.
+free: Dw at the end of the step if the joint had no friction, rad/s, (..., 3).
+inertia: W, inertia about the joint over the time step, N m s, symmetric and
+    positive definite, (..., 3, 3); of a pin its part along the axis counts.
+axis: of a pin, unit vector, (..., 3); the direction of Dw or of free if it is
+    None.
+last: the Step before, from which this one is found faster.
+)" CONTACT_ROWS_DOC R"(
+Returns a Step; its `solution` is friction at the start, its `rest` what a joint
+had to hold that rested.)";
+
+void bind_steps(py::class_<JointSet>& joints) {
+  joints.def(
+      "step",
+      [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
+         const Numbers& free, const Numbers& inertia,
+         const std::optional<Numbers>& axis, const Answers<JointStep>* last,
+         const Fields& fields, const Out& out, int threads) {
+        return step(self, reaction, rate, free, inertia, axis, last,
+                    {fields, out, threads});
+      },
+      py::arg("reaction"), py::arg("angular_velocity"), py::arg("free"),
+      py::arg("inertia"), py::kw_only(), py::arg("axis") = py::none(),
+      py::arg("last") = py::none(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(), py::arg("threads") = 1, step_doc);
+  joints.def(
+      "derivatives", &derivatives, py::arg("reaction"),
+      py::arg("angular_velocity"), py::kw_only(), py::arg("axis") = py::none(),
+      py::arg("threads") = 1,
+      R"(derivatives(self, reaction, angular_velocity, *, axis=None, threads=1)
+--
+
+How M_t answers, a dict of arrays (..., 3, 3) whose rows are parts of M_t:
+"over_rate", dM_t/dDw under a known reaction, N m s; "over_reaction", dM_t/dR, m;
+"at_contact", dM_t/dDw at fixed n, R_n and theta0. NaN at rest.
+
+reaction, angular_velocity, axis: as in solve().
+threads: how many share the rows.)");
+}
+
+}  // namespace
+
+void bind_step(py::module_& m, py::class_<JointSet>& joints) {
+  auto type = bind_answers(m, "Step", contact::step_quantities(),
+                           "What Joint.step() returns.");
+  type.def_property_readonly(
+      "solution",
+      [](const Answers<JointStep>& s) {
+        return part_of(s, "solution", &JointStep::solution);
+      },
+      "Friction at the start, a Solution.");
+  type.def_property_readonly(
+      "rest",
+      [](const Answers<JointStep>& s) {
+        return part_of(s, "rest", &JointStep::rest);
+      },
+      "What a joint had to hold that rested, a RestSolution.");
+  bind_steps(joints);
+}
+
+}  // namespace contact_python
