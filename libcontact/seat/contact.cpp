@@ -8,16 +8,10 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/seat/patch.hpp"
 #include "libcontact/seat/readout.hpp"
+#include "libcontact/seat/windows.hpp"
 
 namespace contact {
-
-// In the plane of the force, x to its side, and units of detail::SeatPatch.
-struct detail::SeatSolution {
-  std::shared_ptr<const SeatPatchSolver> solver;
-  SeatPatch patch;
-};
 
 namespace {
 
@@ -38,7 +32,14 @@ JointContact exact_contact(JointSpec joint) {
 }
 
 LayeredPair pair_of(const JointSpec& joint) {
-  return {joint.geometry.radius(), joint.inner, joint.outer};
+  const LayeredPair pair(joint.geometry.radius(), joint.inner, joint.outer);
+  const double least = SeatContact::smallest_relative_thickness * pair.radius();
+  detail::require(
+      pair.relative_thickness() >= SeatContact::smallest_relative_thickness,
+      "seat", "thickness of the surface layer",
+      pair.relative_thickness() * pair.radius(),
+      detail::message("at least 0.001 radii ({:.4g} m)", least));
+  return pair;
 }
 
 // Axes whose x is that of the force's component across the seat's axis.
@@ -63,10 +64,10 @@ double polar_angle(const Eigen::Vector3d& force) {
 
 SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
                          const Grid& grid)
-    : pair_(pair_of(joint)),
+    : radius_(joint.geometry.radius()),
       contact_(exact_contact(joint)),
       zone_(zone),
-      grid_(grid) {
+      report_distance_(grid.report_distance) {
   detail::require(grid.cells >= 8 && grid.cells <= 200, "seat", "cells",
                   grid.cells, "8 to 200");
   detail::require(grid.longitudes >= 16 && grid.longitudes <= 720, "seat",
@@ -74,92 +75,12 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
   detail::require(grid.report_distance > 0 && grid.report_distance < 1, "seat",
                   "report_distance", grid.report_distance,
                   "above 0 and below 1 radius");
-  detail::require(
-      pair_.relative_thickness() >= smallest_relative_thickness, "seat",
-      "thickness of the surface layer",
-      pair_.relative_thickness() * pair_.radius(),
-      detail::message("at least 0.001 radii ({:.4g} m)",
-                      smallest_relative_thickness * pair_.radius()));
+  windows_ = std::make_unique<const detail::SeatWindows>(
+      pair_of(joint), zone, grid.cells, grid.longitudes,
+      joint.geometry.radial_clearance());
 }
 
 SeatContact::~SeatContact() = default;
-
-// A grid over the share 2^(-step/2) of the zone from one of its ends; step 0:
-// over all of it.
-SeatContact::Solver SeatContact::solver(int end, int step) const {
-  if (step == 0) end = 0;
-  const std::lock_guard lock(making_);
-  Solver& one = solvers_[{end, step}];
-  if (!one) {
-    detail::SeatWindow window(zone_);
-    const double width = zone_.width() * std::exp2(-step / 2.0);
-    if (step > 0 && end == 0) window.to = window.from + width;
-    if (step > 0 && end == 1) window.from = window.to - width;
-    if (step > 0) window.rim[1 - end] = false;
-    one = std::make_shared<const detail::SeatPatchSolver>(
-        pair_, window, grid_.cells, grid_.longitudes,
-        contact_.geometry().radial_clearance());
-  }
-  return one;
-}
-
-namespace {
-
-// How many times 2^(-1/2) a window may be narrower: it has a quarter of its
-// width to spare beyond the contact, which is at one of its ends.
-std::pair<int, int> narrower(const detail::SeatSolution& of) {
-  const detail::SeatCells& cells = of.solver->cells();
-  const auto in_contact = (of.patch.contact.rowwise().sum() > 0).eval();
-  const bool lower = in_contact(0) && cells.window.rim[0];
-  const bool upper = in_contact(cells.size() - 1) && cells.window.rim[1];
-  if (lower == upper) return {0, 0};
-  double wide = 0;
-  for (int i = 0; i < cells.size(); ++i) {
-    if (!in_contact(i)) continue;
-    wide = std::max(wide, lower ? cells.bound(i + 1) - cells.window.from
-                                : cells.window.to - cells.bound(i));
-  }
-  constexpr double spare = 4.0 / 3;
-  const double share = spare * wide / cells.window.width();
-  const int step = static_cast<int>(std::floor(-2 * std::log2(share)));
-  return {lower ? 0 : 1, std::clamp(step, 0, 16)};
-}
-
-bool reaches_artificial_end(const detail::SeatSolution& of) {
-  const detail::SeatCells& cells = of.solver->cells();
-  const auto& contact = of.patch.contact;
-  return (!cells.window.rim[0] && cells.window.from > 0 &&
-          (contact.row(0) > 0).any()) ||
-         (!cells.window.rim[1] && cells.window.to < pi &&
-          (contact.row(cells.size() - 1) > 0).any());
-}
-
-}  // namespace
-
-bool SeatContact::solve(const Eigen::Vector3d& force,
-                        detail::SeatSolution& to) const {
-  const double unit = contact_.pair().effective_modulus() * pair_.radius() / 4;
-  const Eigen::Vector2d goal = in_plane(force) / unit;
-  if (!to.solver) {
-    to.solver = solver(0, 0);
-    // Deep enough to touch: an overlap of the size that the load makes.
-    const double direction = polar_angle(force);
-    const double eps = contact_.geometry().radial_clearance();
-    const double deep = std::max(0.3 * std::abs(eps), goal.norm() / 4);
-    const double slope = std::cos(direction - zone_.nearest(direction));
-    to.patch.shift = (std::max(eps, 0.0) + deep) / slope * goal.normalized();
-  }
-  to.solver->balance(goal, to.patch);
-  const auto [end, finer] = narrower(to);
-  if (!to.patch.converged || finer == 0) return to.patch.converged;
-  for (int step = finer; step >= 0; --step) {
-    to.solver = solver(end, step);
-    to.patch = detail::SeatPatch(to.patch.shift);
-    to.solver->balance(goal, to.patch);
-    if (to.patch.converged && !reaches_artificial_end(to)) return true;
-  }
-  return false;
-}
 
 SeatState SeatContact::under(const Eigen::Vector3d& force) const {
   return under(force, {});
@@ -186,7 +107,7 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   auto solution = near.solution
                       ? std::make_shared<detail::SeatSolution>(*near.solution)
                       : std::make_shared<detail::SeatSolution>();
-  const bool converged = solve(force, *solution);
+  const bool converged = windows_->balance(in_plane(force), *solution);
   state.status = converged ? SeatStatus::ok : SeatStatus::not_converged;
   state.solution = std::move(solution);
   set_confined(direction, state);
@@ -211,29 +132,29 @@ void SeatContact::set_free(double half_angle, double direction,
 void SeatContact::set_confined(double direction, SeatState& state) const {
   const detail::SeatPatchSolver& solver = *state.solution->solver;
   const detail::SeatPatch& patch = state.solution->patch;
-  const double radius = pair_.radius();
   const double modulus = contact_.pair().effective_modulus();
-  const double unit = modulus / (4 * radius);  // of pressures
+  const double unit = modulus / (4 * radius_);  // of pressures
   const detail::SeatReadout read(solver, patch);
   const bool is_axial = in_plane(state.force).x() == 0;
   state.shift = plane_axes(state.force) *
                 Eigen::Vector3d(patch.shift.x(), 0, patch.shift.y());
   const bool on_seat = direction >= zone_.from() && direction <= zone_.to();
   state.pressure_at_load = on_seat ? unit * read.pressure(direction, 0) : nan;
-  const auto peak = read.peak(grid_.report_distance);
+  const auto peak = read.peak(report_distance_);
   state.peak_pressure = unit * peak.pressure;
   state.peak_place = {peak.polar_angle, is_axial ? nan : peak.longitude};
   for (const int rim : {0, 1}) {
     const auto at = read.rim(rim);
-    state.rims[rim].intensity = at.strength * unit * std::sqrt(2 * pi * radius);
+    state.rims[rim].intensity =
+        at.strength * unit * std::sqrt(2 * pi * radius_);
     state.rims[rim].longitude = is_axial ? nan : at.longitude;
     state.rims[rim].half_arc = at.half_arc;
   }
   const auto ends = read.ends(0);
   state.lower_end = ends.lower;
   state.upper_end = ends.upper;
-  state.force_ratio = patch.sum * modulus * radius / 4 / state.force.norm();
-  state.area = radius * radius * read.area();
+  state.force_ratio = patch.sum * windows_->unit_force() / state.force.norm();
+  state.area = radius_ * radius_ * read.area();
   set_rims(state);
 }
 
@@ -280,8 +201,7 @@ Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
   Eigen::Matrix3d in_axes;
   in_axes << k(0, 0), 0, cross, 0, across, 0, cross, 0, k(1, 1);
   const Eigen::Matrix3d axes = plane_axes(state.force);
-  const double unit = contact_.pair().effective_modulus() * pair_.radius() / 4;
-  return unit * axes * in_axes * axes.transpose();
+  return windows_->unit_force() * axes * in_axes * axes.transpose();
 }
 
 RoundedRim SeatContact::rounded_rim(double intensity, double radius) const {

@@ -3,20 +3,17 @@
 #include <Eigen/Core>
 #include <array>
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 #include <string>
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/spec.hpp"
-#include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/seat_zone.hpp"
 
 namespace contact {
 
 namespace detail {
-class SeatPatchSolver;
+class SeatWindows;
 struct SeatSolution;
 }  // namespace detail
 
@@ -142,20 +139,15 @@ class SeatContact {
   const JointContact& unbounded() const { return contact_; }
 
  private:
-  struct Window;
-  using Solver = std::shared_ptr<const detail::SeatPatchSolver>;
-  Solver solver(int end, int step) const;
-  bool solve(const Eigen::Vector3d& force, detail::SeatSolution& to) const;
   void set_free(double half_angle, double direction, SeatState& state) const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;
 
-  LayeredPair pair_;
+  double radius_;
   JointContact contact_;
   SeatZone zone_;
-  Grid grid_;
-  mutable std::mutex making_;
-  mutable std::map<std::pair<int, int>, Solver> solvers_;
+  double report_distance_;  // over the radius
+  std::unique_ptr<const detail::SeatWindows> windows_;
 };
 
 }  // namespace contact
