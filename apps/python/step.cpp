@@ -4,6 +4,7 @@
 #include "libcontact/joint/derivatives.hpp"
 #include "libcontact/joint/step.hpp"
 #include "libcontact/quantities/tables.hpp"
+#include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows_doc.hpp"
 #include "python/starts.hpp"
@@ -43,6 +44,52 @@ py::object step(const JointSet& self, const Numbers& reaction,
   });
   largest.warn();
   return all;
+}
+
+// Joints of one mechanism: their steps, and how they have come to fit.
+py::tuple step_together(const std::vector<const FileJoint*>& joints,
+                        const Numbers& reaction,
+                        const Numbers& angular_velocity, const Numbers& free,
+                        const Numbers& inertia,
+                        const std::optional<Numbers>& axis,
+                        const Answers<JointStep>* last) {
+  std::vector<const contact::Joint*> all;
+  for (const FileJoint* joint : joints) all.push_back(&joint->joint());
+  const Rows rows({{"reaction", reaction, 3},
+                   {"angular_velocity", angular_velocity, 3},
+                   {"free", free, 3},
+                   axis_argument(axis)});
+  Answers<JointStep> result{{static_cast<py::ssize_t>(all.size())}};
+  if (rows.shape() != result.shape) {
+    throw contact::Error(contact::detail::must_be(
+        "the arguments of step()", "(n, 3), a row for each joint"));
+  }
+  if (inertia.ndim() != 2) {
+    throw contact::Error(contact::detail::must_be("inertia", "a matrix"));
+  }
+  const Starts starts(last, rows);
+  std::vector<contact::StepStart> begin;
+  rows.for_each([&](const double* const* at) {
+    const JointStep* const start = starts(begin.size());
+    result.rows.push_back(start ? *start : JointStep());
+    begin.push_back({vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
+                     vector_at(at[3])});
+  });
+  // Symmetric, so that the order of its numbers does not matter.
+  const contact::StepSweeps sweeps =
+      contact::step(all, begin,
+                    Eigen::Map<const Eigen::MatrixXd>(
+                        inertia.data(), inertia.shape(1), inertia.shape(0)),
+                    result.rows);
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const JointSolution& s = result.rows[i].solution;
+    warn_of(joints[i]->limits(), {s.half_angle, s.peak_pressure});
+  }
+  py::dict told;
+  told["status"] = static_cast<int>(sweeps.status);
+  told["sweeps"] = sweeps.sweeps;
+  told["residual"] = sweeps.residual;
+  return py::make_tuple(std::move(result), told);
 }
 
 // A part of steps, row by row.
@@ -110,6 +157,23 @@ last: the Step before, from which this one is found faster.
 Returns a Step; its `solution` is friction at the start, its `rest` what a joint
 had to hold that rested.)";
 
+constexpr const char* step_together_doc =
+    R"(step(joints, reaction, angular_velocity, free, inertia, *, axis=None, last=None)
+--
+
+One implicit step of several joints of one mechanism, whose motions depend on
+each other: M_i = sum_j W_ij (Dw_j - free_j), by sweeps over the joints.
+
+joints: n of them.
+reaction, angular_velocity, free: as in Joint.step(), (n, 3).
+inertia: W, mass matrix over the time step in the joints' angular velocities,
+    three rows for a ball and one, about its axis, for a pin.
+axis: of pins, unit vectors, (n, 3).
+last: the Step before, from which this one is found faster.
+
+Returns a Step of n rows, and a dict of how they have come to fit: "status",
+"sweeps" and "residual", the change of the last sweep over the largest W free.)";
+
 void bind_steps(py::class_<JointSet>& joints) {
   joints.def(
       "step",
@@ -157,6 +221,10 @@ void bind_step(py::module_& m, py::class_<JointSet>& joints) {
       },
       "What a joint had to hold that rested, a RestSolution.");
   bind_steps(joints);
+  m.def("step", &step_together, py::arg("joints"), py::arg("reaction"),
+        py::arg("angular_velocity"), py::arg("free"), py::arg("inertia"),
+        py::kw_only(), py::arg("axis") = py::none(),
+        py::arg("last") = py::none(), step_together_doc);
 }
 
 }  // namespace contact_python

@@ -11,8 +11,8 @@
 namespace contact {
 
 /// Joints of one text with other numbers of some keys, by one thread at a time.
-/// The text is parsed and the keys are looked up once: 10 us a joint, where
-/// parse_joint() takes 100. With SharedLaws they are as soon ready for use.
+/// The text is parsed and the keys are looked up once; with SharedLaws a joint
+/// is ready in some 16 us.
 class JointForm {
  public:
   /// @param settings  of other keys

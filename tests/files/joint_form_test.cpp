@@ -46,14 +46,15 @@ TEST(JointForm, GivesTheJointsOfSettings) {
 
 TEST(JointForm, SaysWhatIsWrongAsSettingsDo) {
   JointForm form = form_of(hip_file, {"geometry.radius_mm"});
-  EXPECT_ERROR(
-      form.with(std::vector{-14.0}),
-      "hip_cocr_uhmwpe.toml with geometry.radius_mm: geometry.radius_mm "
-      "= -14 must be above 0");
+  EXPECT_ERROR(form.with(std::vector{-14.0}),
+               "hip_cocr_uhmwpe.toml with geometry.radius_mm = -14: "
+               "geometry.radius_mm = -14 must be above 0");
   // And goes on.
   EXPECT_EQ(form.with(std::vector{14.0}).geometry.radius(), 0.014);
-  EXPECT_ERROR(form_of(hip_file, {"name"}),
-               "name = 1 must be a string, not empty");
+  JointForm name = form_of(hip_file, {"name"});
+  EXPECT_ERROR(name.with(std::vector{1.0}),
+               "hip_cocr_uhmwpe.toml with name = 1: name = 1 must be a string, "
+               "not empty");
 }
 
 // How many laws are made for joints that differ by a key.

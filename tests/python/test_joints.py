@@ -54,7 +54,7 @@ class Joints(unittest.TestCase):
         np.testing.assert_array_equal(out, several.half_angle(700))
 
     def test_share_laws_that_do_not_change(self):
-        """A law takes milliseconds, a joint some 10 us."""
+        """A law takes milliseconds, a joint 16 us."""
         many = np.linspace(0.01, 0.1, 1000)
         for keys, laws in (
             ({f0: many}, 2),
@@ -75,7 +75,7 @@ class Joints(unittest.TestCase):
         all_of_them = time.process_time()
         hip.vary({f0: many})
         per_joint = time.process_time() - all_of_them - (all_of_them - one)
-        # 10 us; 20 times that where other tests share the machine.
+        # 16 us; 10 times that where other tests share the machine.
         self.assertLess(per_joint / len(many), 200e-6)
 
     def test_say_what_is_wrong_as_replace_does(self):

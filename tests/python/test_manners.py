@@ -160,7 +160,7 @@ class Results(unittest.TestCase):
             hip.half_angle(force, threads=0)
 
     def test_of_ten_million_rows_need_little_memory(self):
-        """A million here; ten million moments took 0.24 GB once."""
+        """A million here; ten million moments took 0.23 GB once."""
         done = python(
             "import libcontact, numpy as np, resource\n"
             f"pin = libcontact.Joint.from_file({str(pin_file)!r})\n"

@@ -63,6 +63,43 @@ class Step(unittest.TestCase):
         self.assertAlmostEqual(s.moment[2], -10)
 
 
+class Together(unittest.TestCase):
+    def test_satisfy_their_equation(self):
+        axis = [[0, 0, 0], [0, 0, 1]]
+        reaction, rate, free = random_start(2)
+        rate[1, :2] = free[1, :2] = 0
+        mass = np.array(
+            [[20, 1, 0, 3], [1, 30, 0, 2], [0, 0, 10, 1], [3, 2, 1, 50.0]])
+        s, fit = libcontact.step([hip, pin], reaction, rate, free, mass, axis=axis)
+        self.assertEqual(fit["status"], libcontact.Status.OK)
+        self.assertLess(fit["residual"], 1e-12)
+
+        def joined(v):
+            return np.append(v[0], v[1, 2])
+
+        np.testing.assert_allclose(
+            joined(s.moment), mass @ joined(s.angular_velocity - free), rtol=0,
+            atol=1e-11 * np.abs(mass @ joined(free)).max())  # fmt: skip
+        _, again = libcontact.step(
+            [hip, pin], reaction, rate, free, mass, axis=axis, last=s)
+        self.assertEqual(again["sweeps"], fit["sweeps"])
+        # That of one joint is its own.
+        alone, _ = libcontact.step([hip], reaction[:1], rate[:1], free[:1], inertia)
+        own = hip.step(reaction[0], rate[0], free[0], inertia)
+        np.testing.assert_array_equal(alone.moment[0], own.moment)
+
+    def test_say_what_is_wrong(self):
+        rows = np.ones((2, 3))
+        for joints, arguments, said in (
+            ([hip], (rows, rows, rows, inertia), "a row for each joint"),
+            ([hip, pin], (rows, rows, rows, np.eye(4)), "pin 1 requires axis"),
+            ([hip, hip], (rows, rows, rows, np.eye(4)), "must be 6 by 6"),
+            ([hip, hip], (rows, rows, rows, 1), "inertia must be a matrix"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, said):
+                libcontact.step(joints, *arguments)
+
+
 class MomentSet(unittest.TestCase):
     def test_has_the_moment_of_its_solution(self):
         reaction, rate, _ = random_start(50)

@@ -37,6 +37,7 @@ from ._core import (
     WearIn,
     __version__,
     damping_of_restitution,
+    step,
 )
 from ._examples import examples, materials
 from ._joint import (
@@ -124,5 +125,6 @@ __all__ = [
     "load_parameter",
     "materials",
     "pressure",
+    "step",
     "study",
 ]
