@@ -113,8 +113,8 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
   if (g.kind() == JointKind::pin) toml.number("length_m", g.length());
   if (const auto& seat = g.seat()) {
     toml.table("[seat]");
-    toml.number("from_rad", seat->from());
-    toml.number("to_rad", seat->to());
+    toml.number("lower_rim_rad", seat->from());
+    toml.number("upper_rim_rad", seat->to());
   }
 }
 

@@ -194,10 +194,11 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_FALSE(parsed(ball_file()).geometry.seat());
   EXPECT_EQ(seat("ring_width_mm = 28"), SeatZone::ring(0.028, 0.05));
   EXPECT_EQ(seat("cup_rad = 1"), SeatZone::cup(1));
-  EXPECT_EQ(seat("from_rad = 0.5\nto_rad = 2"), SeatZone(0.5, 2));
-  EXPECT_EQ(error_message([&] { seat("cup_deg = 80\nto_deg = 90"); }),
-            "joint.toml:22: seat.cup_deg = 80 conflicts with seat.to_deg = 90 "
-            "(line 23)");
+  EXPECT_EQ(seat("lower_rim_rad = 0.5\nupper_rim_rad = 2"), SeatZone(0.5, 2));
+  EXPECT_EQ(
+      error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
+      "joint.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg = 90 "
+      "(line 23)");
 }
 
 TEST(JointFile, Walls) {

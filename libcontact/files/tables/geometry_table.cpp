@@ -83,10 +83,10 @@ std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
 // [seat] by a ring's width, a cup's opening, or polar angles.
 SeatZone zone_from_table(const TomlTable& seat, double radius) {
   for (const auto& [key, other] : {std::pair{"ring_width", "cup"},
-                                   {"ring_width", "from"},
-                                   {"ring_width", "to"},
-                                   {"cup", "from"},
-                                   {"cup", "to"}}) {
+                                   {"ring_width", "lower_rim"},
+                                   {"ring_width", "upper_rim"},
+                                   {"cup", "lower_rim"},
+                                   {"cup", "upper_rim"}}) {
     seat.refuse_both(key, other);
   }
   const auto made = [&](const char* key, const auto& make) {
@@ -105,12 +105,12 @@ SeatZone zone_from_table(const TomlTable& seat, double radius) {
     const double half_angle = seat.number("cup", {0, pi, true});
     return made("cup", [&] { return SeatZone::cup(half_angle); });
   }
-  if (!seat.has("from") && !seat.has("to")) {
-    seat.needs("ring_width, cup, or from and to");
+  if (!seat.has("lower_rim") && !seat.has("upper_rim")) {
+    seat.needs("ring_width, cup, or lower_rim and upper_rim");
   }
-  const double from = seat.number("from", {0, pi, false, true});
-  const double to = seat.number("to", {from, pi, true});
-  return made("to", [&] { return SeatZone(from, to); });
+  const double from = seat.number("lower_rim", {0, pi, false, true});
+  const double to = seat.number("upper_rim", {from, pi, true});
+  return made("upper_rim", [&] { return SeatZone(from, to); });
 }
 
 }  // namespace
@@ -214,8 +214,8 @@ KnownKeys geometry_keys() {
                                  {"length", Dimension::length}}),
           table_key("seat", {{"ring_width", Dimension::length},
                              {"cup", Dimension::angle},
-                             {"from", Dimension::angle},
-                             {"to", Dimension::angle}}),
+                             {"lower_rim", Dimension::angle},
+                             {"upper_rim", Dimension::angle}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
                                {"length", Dimension::length}})};
