@@ -138,7 +138,11 @@ TEST(PressedHinge, SwingsThroughLiftOff) {
   const Case c = parse_case(R"(
 name = "pendulum"
 gravity_m_per_s2 = [0, 0, -10]
-run = { end_time_s = 6, output_step_s = 0.01 }
+[run]
+end_time_s = 6
+output_step_s = 0.01
+relative_tolerance = 1e-10
+absolute_tolerance = 1e-9
 [carrier]
 name = "base"
 mass_kg = 100
@@ -169,6 +173,7 @@ file = ")" + pressed_joint + "\"\n",
   }
   EXPECT_LT(least, 0.5 * lift_off);
   EXPECT_GT(most, 1.5 * lift_off);
+  // Steps over a kink: 2e-8 at these tolerances, 7e-7 at the usual ones.
   EXPECT_LE(outcome.memory.largest_drift, 1e-7 * outcome.memory.largest_energy);
 }
 
