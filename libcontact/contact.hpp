@@ -18,6 +18,7 @@
 #include "libcontact/friction.hpp"
 #include "libcontact/joint.hpp"
 #include "libcontact/play.hpp"
+#include "libcontact/finite_pin.hpp"
 #include "libcontact/duty.hpp"
 #include "libcontact/identify.hpp"
 // clang-format on

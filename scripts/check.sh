@@ -7,7 +7,7 @@
 #   clang     clang++ builds everything, warnings are errors; all tests pass
 #   tidy      clang-tidy finds nothing (an hour)
 #   sanitize  no test has errors of memory or undefined behaviour (an hour)
-#   fuzz      every fuzz program runs for a minute
+#   fuzz      every fuzz program runs for a minute, or CONTACT_FUZZ_SECONDS
 #   packages  Debian packages of build/ install, work and go in a clean root
 #   all       all of them
 # The first two are tests of the gate too.
@@ -93,18 +93,25 @@ check_sanitize() {
 fuzz() { # NAME FOLDER...: from the corpus of that name and files there
   local found=build-fuzz/found/$1
   mkdir -p "$found"
-  "build-fuzz/tests/$1_fuzz" -max_total_time=60 -artifact_prefix="$found-" \
+  # What programs say on the way is not to be seen.
+  "build-fuzz/tests/$1_fuzz" -max_total_time="${CONTACT_FUZZ_SECONDS:-60}" \
+    -close_fd_mask=1 -artifact_prefix="$found-" \
     "$found" "tests/fuzz/corpus/$1" "${@:2}"
 }
 
 check_fuzz() {
   cmake --preset fuzz
-  cmake --build --preset fuzz --target joint_file_fuzz csv_fuzz case_file_fuzz \
-    saved_state_fuzz
-  fuzz joint_file data/joints data/materials
-  fuzz csv
-  fuzz case_file data/cases
-  fuzz saved_state
+  local names=(tests/fuzz/*_fuzz.cpp) name
+  names=("${names[@]##*/}")
+  cmake --build --preset fuzz --target "${names[@]%.cpp}"
+  for name in "${names[@]%_fuzz.cpp}"; do
+    case $name in
+      joint_file) fuzz "$name" data/joints data/materials ;;
+      case_file) fuzz "$name" data/cases ;;
+      study_file) fuzz "$name" data/studies ;;
+      *) fuzz "$name" ;;
+    esac
+  done
 }
 
 check_packages() {

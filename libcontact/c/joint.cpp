@@ -80,11 +80,11 @@ contact_status contact_joint_read(const char* path,
                                   const contact_setting* settings,
                                   std::size_t count, contact_joint** joint) {
   return call([=] {
+    contact_joint** const to = emptied(joint, "contact_joint_read: joint");
     return hand_over(
-        emptied(joint, "contact_joint_read: joint"),
-        contact::read_joint(
-            &given(path, "contact_joint_read: path"),
-            contact::c::settings_of(settings, count, "contact_joint_read")));
+        to, contact::read_joint(&given(path, "contact_joint_read: path"),
+                                contact::c::settings_of(settings, count,
+                                                        "contact_joint_read")));
   });
 }
 
@@ -92,21 +92,21 @@ contact_status contact_joint_parse(const char* text, const char* folder,
                                    const contact_setting* settings,
                                    std::size_t count, contact_joint** joint) {
   return call([=] {
+    contact_joint** const to = emptied(joint, "contact_joint_parse: joint");
     return hand_over(
-        emptied(joint, "contact_joint_parse: joint"),
-        contact::parse_joint(
-            &given(text, "contact_joint_parse: text"), "joint",
-            contact::c::settings_of(settings, count, "contact_joint_parse"),
-            folder ? folder : ""));
+        to, contact::parse_joint(
+                &given(text, "contact_joint_parse: text"), "joint",
+                contact::c::settings_of(settings, count, "contact_joint_parse"),
+                folder ? folder : ""));
   });
 }
 
 contact_status contact_joint_make(const contact_joint_numbers* numbers,
                                   contact_joint** joint) {
   return call([=] {
+    contact_joint** const to = emptied(joint, "contact_joint_make: joint");
     return hand_over(
-        emptied(joint, "contact_joint_make: joint"),
-        contact::c::spec_of(given(numbers, "contact_joint_make: numbers")));
+        to, contact::c::spec_of(given(numbers, "contact_joint_make: numbers")));
   });
 }
 

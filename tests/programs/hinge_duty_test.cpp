@@ -47,6 +47,10 @@ TEST_F(HingeDuty, Cycles) {
   ASSERT_GT(blocks.size(), 20u);
   for (std::size_t column = 0; column < blocks[0].size(); ++column) {
     const std::string& name = blocks[0][column];
+    if (name == "clearance_mm") {  // of pins
+      EXPECT_EQ(blocks.back()[column], "");
+      continue;
+    }
     EXPECT_EQ(std::stod(blocks.back()[column]),
               value(text, name == "worn_share" ? name : "worn_" + name));
   }
@@ -296,6 +300,8 @@ TEST_F(HingeDuty, SeveralJoints) {
                 thickness);
       std::size_t cells = 2;
       for (std::size_t i = 1; i < one.size(); ++i) {
+        // A quantity that a ball has not, has a column nevertheless.
+        cells += one[i][1].empty() && one[i][2].empty() ? 1 : 0;
         for (std::size_t j = 1; j + 1 < one[0].size(); ++j) {
           if (one[i][j].empty()) continue;
           const std::string column =

@@ -15,7 +15,8 @@ folder = source / "data/reference/duty"
 def columns(file):
     with open(file) as lines:
         rows = list(csv.reader(line for line in lines if line[0] != "#"))
-    return dict(zip(rows[0], np.array(rows[1:], dtype=float).T))
+    return dict(zip(rows[0], np.array(
+        [[cell or "nan" for cell in row] for row in rows[1:]], dtype=float).T))
 
 
 def force(c):

@@ -26,6 +26,7 @@ const std::vector<std::string> rooms = {
     "libcontact/friction",
     "libcontact/joint",
     "libcontact/play",
+    "libcontact/finite_pin",
     "libcontact/duty",
     "libcontact/identify",
     "libcontact/quantities",

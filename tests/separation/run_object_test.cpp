@@ -274,10 +274,8 @@ TEST(Run, RefusesWhatCannotBe) {
   const Case c = case_of("slosh");
   CaseRun run(c);
   run.advance_to(1);
-  EXPECT_ERROR(run.advance_to(0.5),
-               "time = 0.5 must be 1 s or later");
-  EXPECT_ERROR(run.advance_to(NAN),
-               "time = nan must be 1 s or later");
+  EXPECT_ERROR(run.advance_to(0.5), "time = 0.5 must be 1 s or later");
+  EXPECT_ERROR(run.advance_to(NAN), "time = nan must be 1 s or later");
   CaseRun other(case_of("soyuz"));
   EXPECT_ERROR(other.restore(run.save()),
                "the state to restore must be of a run of the same case and "

@@ -89,7 +89,8 @@ void expect_read_alike(const study::Plan& plan, const study::Model& model,
   const std::string anew = text_of([&] { return model.run(settings, {}, {}); });
   EXPECT_EQ(anew, drawn()) << draws[0].key;
   EXPECT_NE(anew, nominal) << draws[0].key;
-  if (draws.size() > 1) EXPECT_EQ(anew, drawn()) << draws[0].key;
+  if (draws.size() == 1) return;
+  EXPECT_EQ(anew, drawn()) << draws[0].key;
 }
 
 const std::string hinge = "body[booster].hinge.";

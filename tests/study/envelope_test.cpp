@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -53,8 +54,7 @@ TEST(Envelope, EndsWithTheRunsThatFail) {
   }
   ASSERT_GT(failed, 0u);
   ASSERT_LT(failed, 12u);
-  const auto all =
-      study::envelopes(study, study::find(study, journal));
+  const auto all = study::envelopes(study, study::find(study, journal));
   const auto angles = std::ranges::find(all, "angles", &study::Envelope::name);
   ASSERT_NE(angles, all.end());
   // The twelve and the nominal one; a run that has ended has no numbers.

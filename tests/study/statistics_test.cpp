@@ -297,6 +297,21 @@ TEST(Drivers, RegressionOfALinearFunction) {
   EXPECT_NEAR(answer.explained, 1, 1e-9);
 }
 
+// As many rows as a plane has numbers fit whatever they say: no answer.
+TEST(Drivers, RegressionNeedsMoreRowsThanItFits) {
+  study::Regression regression(2);
+  const auto add = [&](double a, double b) {
+    regression.add(std::vector<double>{a, b}, 2 * a + b);
+  };
+  add(0, 0);
+  add(1, 0);
+  add(0, 1);
+  EXPECT_TRUE(std::isnan(regression.solve().explained));
+  EXPECT_TRUE(std::isnan(regression.solve().standardised[0]));
+  add(1, 1);
+  EXPECT_NEAR(regression.solve().explained, 1, 1e-12);
+}
+
 study::Plan plan_of(study::Sampling sampling, std::uint64_t runs,
                     std::size_t keys) {
   const TomlTable table = TomlTable::from_text("", "s.toml", {});

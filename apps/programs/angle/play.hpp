@@ -20,6 +20,11 @@ struct PlayOptions {
   double density = 0;                     ///< kg/m^3; 0: not known
 };
 
+/// The joint of the options, whose lengths have to be known.
+/// @param for_option  that needs it, for messages
+/// @throws contact::Error without a size
+cli::Joint sized_joint(cli::JointOptions options, const char* for_option);
+
 /// Adds --force-law, --impact and what belongs to them.
 void add_play_options(cli::Program& program, PlayOptions& options);
 

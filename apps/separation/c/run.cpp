@@ -51,11 +51,11 @@ contact_status contact_run_open(const char* path,
                                 const contact_setting* settings,
                                 std::size_t count, contact_run** run) {
   return call([=] {
+    contact_run** const to = contact::c::emptied(run, "contact_run_open: run");
     return contact::c::hand_over(
-        contact::c::emptied(run, "contact_run_open: run"),
-        separation::read_case(
-            &given(path, "contact_run_open: path"), {},
-            contact::c::settings_of(settings, count, "contact_run_open")));
+        to, separation::read_case(
+                &given(path, "contact_run_open: path"), {},
+                contact::c::settings_of(settings, count, "contact_run_open")));
   });
 }
 

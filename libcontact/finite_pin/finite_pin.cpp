@@ -1,0 +1,403 @@
+#include "libcontact/finite_pin/finite_pin.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <cmath>
+#include <limits>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
+
+namespace contact {
+namespace {
+
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+using Eigen::Vector4d;
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+// For 1e-9 of the sums, ends of contact included.
+constexpr int nodes = 40;
+
+Vector2d turned(const Vector2d& v) { return {-v.y(), v.x()}; }
+
+// Real zeros in (low, high) of the polynomial with these coefficients, the
+// constant first: between those of its derivative it is monotone.
+std::vector<double> zeros(const std::vector<double>& of, double low,
+                          double high) {
+  if (of.size() < 2) return {};
+  std::vector<double> slope;
+  for (std::size_t k = 1; k < of.size(); ++k) {
+    slope.push_back(static_cast<double>(k) * of[k]);
+  }
+  const auto value = [&](double x) {
+    double sum = 0;
+    for (auto c = of.rbegin(); c != of.rend(); ++c) sum = sum * x + *c;
+    return sum;
+  };
+  std::vector<double> ends = zeros(slope, low, high);
+  ends.push_back(high);
+  std::vector<double> found;
+  double from = low;
+  for (const double to : ends) {
+    const double a = value(from);
+    const double b = value(to);
+    if ((a < 0) != (b < 0)) {
+      std::uintmax_t steps = 100;
+      const auto [x, y] = boost::math::tools::toms748_solve(
+          value, from, to, a, b, boost::math::tools::eps_tolerance<double>(),
+          steps);
+      found.push_back((x + y) / 2);
+    }
+    from = to;
+  }
+  return found;
+}
+
+JointSpec with_exact_laws(JointSpec joint) {
+  const auto refuse = [](const std::string& needed) {
+    throw Error(detail::needs("a pin of finite length", needed));
+  };
+  if (joint.geometry.kind() != JointKind::pin) refuse("kind = pin");
+  if (joint.friction && !std::holds_alternative<FrictionLaw>(*joint.friction)) {
+    refuse("dry friction: a coefficient and an adhesion");
+  }
+  joint.half_angle_law = joint.pressure_law = "exact";
+  return joint;
+}
+
+}  // namespace
+
+/// Of a length of 1 m at z.
+struct FinitePin::Slice {
+  Vector2d direction;  ///< of the force
+  double distance;     ///< |a + psi z|, m
+  double force;        ///< N/m
+  double slope;        ///< N/m^2
+  double energy;       ///< J/m
+  double half_angle, force_ratio;
+  double peak;  ///< p, Pa
+};
+
+/// A piece of contact along z, within one of the relief's.
+struct FinitePin::Interval {
+  double from, to;
+  const Relief::Piece* piece;
+};
+
+struct FinitePin::Sums {
+  Vector4d load = Vector4d::Zero();  // F, G
+  double energy = 0;
+  Eigen::Matrix4d stiffness = Eigen::Matrix4d::Zero();
+  double pressure_moment = 0;
+  Vector4d area = Vector4d::Zero();  // tangent, its z-moment
+  double area_moment = 0;
+  double peak = 0;
+  double peak_place = nan;
+};
+
+FinitePin::FinitePin(const JointSpec& joint, Relief relief)
+    : joint_(with_exact_laws(joint)),
+      law_(joint_),
+      pressure_(joint_.make_pressure_law()),
+      pieces_(relief.pieces(joint.geometry.length())),
+      clearance_(joint.geometry.radial_clearance()),
+      half_length_(joint.geometry.length() / 2) {}
+
+// The exact law belongs to any clearance e: F = E e l f(delta/e).
+FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
+                                  const Relief::Piece& piece) const noexcept {
+  const Vector2d d = place.head<2>() + z * place.tail<2>();
+  const double e = clearance_ + piece.at(z);
+  const double scale = e / clearance_;
+  const double length = 2 * half_length_;
+  const double distance = d.norm();
+  const ForceState law = law_.at((distance - e) / scale);
+  const double force = law.force * scale / length;
+  const double peak = force > 0 ? pressure_->peak(law.half_angle) *
+                                      joint_.geometry.pressure_unit(force)
+                                : force;
+  return {d / distance,
+          distance,
+          force,
+          law.slope / length,
+          law.energy * scale * scale / length,
+          law.half_angle,
+          law.force_ratio,
+          peak};
+}
+
+// Where |a + psi z| > e(z), as zeros of a polynomial of z over l/2.
+std::vector<FinitePin::Interval> FinitePin::intervals(
+    const Vector4d& place) const noexcept {
+  std::vector<Interval> found;
+  for (const Relief::Piece& piece : pieces_) {
+    if (!(piece.to > piece.from)) continue;
+    const Vector2d a = place.head<2>() + piece.centre * place.tail<2>();
+    const Vector2d psi = half_length_ * place.tail<2>();
+    const double relief = piece.curvature * half_length_ * half_length_;
+    std::vector<double> polynomial = {
+        a.squaredNorm() - clearance_ * clearance_, 2 * a.dot(psi),
+        psi.squaredNorm() - 2 * clearance_ * relief};
+    if (relief > 0) {
+      polynomial.push_back(0);
+      polynomial.push_back(-relief * relief);
+    }
+    const auto over = [&](double z) {
+      return (z - piece.centre) / half_length_;
+    };
+    std::vector<double> ends = {piece.from};
+    for (const double x : zeros(polynomial, over(piece.from), over(piece.to))) {
+      ends.push_back(piece.centre + half_length_ * x);
+    }
+    ends.push_back(piece.to);
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double z = (ends[i] + ends[i + 1]) / 2;
+      const double d = (place.head<2>() + z * place.tail<2>()).norm();
+      if (d > clearance_ + piece.at(z)) {
+        found.push_back({ends[i], ends[i + 1], &piece});
+      }
+    }
+  }
+  return found;
+}
+
+// Substituted so that contact may end at both ends of an interval.
+FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
+  static const detail::GaussLegendre rule(nodes);
+  const double rho = joint_.geometry.radius();
+  Sums sums;
+  if (!place.allFinite()) {
+    sums.load.setConstant(nan);
+    sums.peak = nan;
+    return sums;
+  }
+  for (const auto& [from, to, piece] : intervals(place)) {
+    for (int i = 0; i < nodes; ++i) {
+      const double u = (1 + rule.node(i)) / 2;
+      const double z = from + (to - from) * u * u * u * (10 - u * (15 - 6 * u));
+      const double weight =
+          rule.weight(i) / 2 * (to - from) * 30 * u * u * (1 - u) * (1 - u);
+      const Slice s = slice(place, z, *piece);
+      const Vector2d force = weight * s.force * s.direction;
+      sums.load.head<2>() += force;
+      sums.load.tail<2>() += z * force;
+      sums.energy += weight * s.energy;
+      const Matrix2d along = s.direction * s.direction.transpose();
+      const Matrix2d k =
+          weight * (s.slope * along +
+                    s.force / s.distance * (Matrix2d::Identity() - along));
+      sums.stiffness.topLeftCorner<2, 2>() += k;
+      sums.stiffness.topRightCorner<2, 2>() += z * k;
+      sums.stiffness.bottomRightCorner<2, 2>() += z * z * k;
+      sums.pressure_moment += weight * rho * s.force * s.force_ratio;
+      const Vector2d tangent =
+          weight * 2 * rho * std::sin(s.half_angle) * turned(s.direction);
+      sums.area.head<2>() += tangent;
+      sums.area.tail<2>() += z * tangent;
+      sums.area_moment += weight * 2 * rho * rho * s.half_angle;
+      if (!(s.peak <= sums.peak)) {
+        sums.peak = s.peak;
+        sums.peak_place = z;
+      }
+    }
+  }
+  sums.stiffness.bottomLeftCorner<2, 2>() =
+      sums.stiffness.topRightCorner<2, 2>();
+  return sums;
+}
+
+FinitePinState FinitePin::state(const Vector4d& place) const noexcept {
+  const Sums all = sums(place);
+  FinitePinState s{.shift = place.head<2>(),
+                   .tilt = place.tail<2>(),
+                   .force = all.load.head<2>(),
+                   .force_moment = all.load.tail<2>(),
+                   .energy = all.energy,
+                   .stiffness = all.stiffness,
+                   .low = nan,
+                   .high = nan,
+                   .peak_pressure = all.peak,
+                   .peak_place = all.peak_place,
+                   .end_pressure = {},
+                   .end_half_angle = {},
+                   .pressure_moment = all.pressure_moment,
+                   .area_tangent = all.area.head<2>(),
+                   .area_tangent_moment = all.area.tail<2>(),
+                   .area_moment = all.area_moment};
+  if (!all.load.allFinite()) s.status = Status::out_of_range;
+  for (const auto& [from, to, piece] : intervals(place)) {
+    // Those of the relief's pieces are one where they meet.
+    if (s.pieces == 0) s.low = from;
+    if (s.pieces == 0 || from > s.high) ++s.pieces;
+    s.high = to;
+    const auto depth = [&](double z) { return -slice(place, z, *piece).peak; };
+    for (const double end : {from, to}) {
+      if (-depth(end) > s.peak_pressure) {
+        s.peak_pressure = -depth(end);
+        s.peak_place = end;
+      }
+    }
+    if (!(all.peak_place > from && all.peak_place < to)) continue;
+    constexpr int bits = 26;
+    std::uintmax_t steps = 60;
+    const double width = 0.1 * (to - from);
+    const auto [z, least] = boost::math::tools::brent_find_minima(
+        depth, std::max(from, all.peak_place - width),
+        std::min(to, all.peak_place + width), bits, steps);
+    if (-least > s.peak_pressure) {
+      s.peak_pressure = -least;
+      s.peak_place = z;
+    }
+  }
+  for (const int end : {0, 1}) {
+    const double z = end == 0 ? -half_length_ : half_length_;
+    const Slice at =
+        slice(place, z, end == 0 ? pieces_.front() : pieces_.back());
+    s.end_pressure[end] = at.peak;
+    s.end_half_angle[end] = at.half_angle;
+  }
+  return s;
+}
+
+FinitePinState FinitePin::at(const Vector2d& shift,
+                             const Vector2d& tilt) const noexcept {
+  return state((Vector4d() << shift, tilt).finished());
+}
+
+// Where the pin first lies a third of the clearance deep, as the force pushes:
+// there the stiffness is regular.
+Vector4d FinitePin::start(const Vector2d& force,
+                          const Vector2d& tilt) const noexcept {
+  Vector4d place = (Vector4d() << Vector2d::Zero(), tilt).finished();
+  const Vector2d step = clearance_ / 4 * force.stableNormalized();
+  if (step.isZero(0)) return place;
+  const auto depth = [&](const Relief::Piece& piece, double z) {
+    return (place.head<2>() + z * tilt).norm() - clearance_ - piece.at(z);
+  };
+  constexpr int most = 8;
+  for (int i = 0; i < most; ++i) {
+    double deepest = 0;
+    for (const Relief::Piece& piece : pieces_) {
+      for (const double z :
+           {piece.from, (piece.from + piece.to) / 2, piece.to}) {
+        deepest = std::max(deepest, depth(piece, z));
+      }
+    }
+    if (deepest > clearance_ / 3) break;
+    place.head<2>() += step;
+  }
+  return place;
+}
+
+// Newton's steps to the least of U - F.a - G.psi, which is convex.
+FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
+                                 const Vector2d& tilt) const noexcept {
+  // Lengths, and forces, of one size.
+  const double turn = tilts ? 1 / half_length_ : 0;
+  const Vector4d unit(1, 1, turn, turn);
+  const double size = load.cwiseProduct(unit).norm();
+  Vector4d place = start(load.head<2>(), tilt);
+  Sums now = sums(place);
+  const auto rest = [&](const Sums& of) -> Vector4d {
+    return (of.load - load).cwiseProduct(unit);
+  };
+  const auto merit = [&](const Sums& of, const Vector4d& at) {
+    return of.energy - load.dot(at);
+  };
+  constexpr int most = 60;
+  constexpr double tolerance = 1e-12;
+  FinitePinState found;
+  Status status = Status::not_converged;
+  for (found.iterations = 0; found.iterations < most; ++found.iterations) {
+    const Vector4d missing = rest(now);
+    if (missing.norm() <= tolerance * size) {
+      status = Status::ok;
+      break;
+    }
+    Eigen::Matrix4d k = unit.asDiagonal() * now.stiffness * unit.asDiagonal();
+    // A tilt that is known has no equations.
+    if (!tilts) k.bottomRightCorner<2, 2>() = Matrix2d::Identity();
+    const Vector4d step = -unit.cwiseProduct(k.ldlt().solve(missing));
+    bool taken = false;
+    for (double share = 1; share > 1e-9 && !taken; share /= 2) {
+      const Vector4d there = place + share * step;
+      const Sums next = sums(there);
+      // Rounding hides the energy's last steps.
+      taken =
+          next.load.allFinite() && (merit(next, there) < merit(now, place) ||
+                                    rest(next).norm() < missing.norm() / 2);
+      if (!taken) continue;
+      place = there;
+      now = next;
+    }
+    if (!taken) break;
+  }
+  const int iterations = found.iterations;
+  const double residual = size == 0 ? 0 : rest(now).norm() / size;
+  found = state(place);
+  found.iterations = iterations;
+  found.residual = residual;
+  if (found.status == Status::ok && !(residual <= 1e-9)) found.status = status;
+  return found;
+}
+
+FinitePinState FinitePin::under(const Vector2d& force,
+                                const Vector2d& tilt) const noexcept {
+  Vector4d load;
+  load << force, Vector2d::Zero();
+  return solved(load, false, tilt);
+}
+
+FinitePinState FinitePin::under_moment(const Vector2d& force,
+                                       const Vector2d& moment) const noexcept {
+  Vector4d load;
+  load << force, moment;
+  return solved(load, true, Vector2d::Zero());
+}
+
+// R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg: without adhesion F
+// is known at once.
+FinitePinSolution FinitePin::solve(const Vector2d& reaction,
+                                   const Vector2d& tilt,
+                                   double rate) const noexcept {
+  const FrictionLaw friction = joint_.friction
+                                   ? std::get<FrictionLaw>(*joint_.friction)
+                                   : FrictionLaw(0);
+  const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const double sign = rate > 0 ? 1 : rate < 0 ? -1 : 0;
+  const double slip = sign * friction.coefficient();
+  const double stick = sign * friction.adhesion();
+  Matrix2d of_force;
+  of_force << s, slip, -slip, s;
+  const Matrix2d to_force = of_force.inverse();
+  FinitePinSolution found;
+  Vector2d area = Vector2d::Zero();
+  constexpr int most = 100;
+  for (int i = 0; i < most; ++i) {
+    const Vector2d force = to_force * (reaction + stick * area);
+    found.contact = under(force, tilt);
+    const double change =
+        stick * (found.contact.area_tangent - area).norm() / reaction.norm();
+    area = found.contact.area_tangent;
+    if (!(std::abs(change) > 1e-12)) break;
+    if (i + 1 == most) found.contact.status = Status::not_converged;
+  }
+  const FinitePinState& at = found.contact;
+  found.friction_force = -slip * turned(at.force) - stick * at.area_tangent;
+  const Vector2d g = s * at.force_moment - slip * turned(at.force_moment) -
+                     stick * at.area_tangent_moment;
+  found.moment = {-g.y(), g.x(),
+                  -slip * at.pressure_moment - stick * at.area_moment};
+  return found;
+}
+
+double FinitePin::largest_pv(const FinitePinState& state,
+                             double rate) const noexcept {
+  return state.peak_pressure * joint_.geometry.radius() * std::abs(rate);
+}
+
+}  // namespace contact
