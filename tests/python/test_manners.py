@@ -1,5 +1,6 @@
 """Manners: joints and results behave as Python's and NumPy's own."""
 
+import ast
 import os
 import pickle
 import tempfile
@@ -202,6 +203,23 @@ class Others(unittest.TestCase):
         self.assertRegex(repr(cycle.wear(points=20)), "^libcontact.Wear of the body")
         run = libcontact.Run(libcontact.Case.from_file(case_file))
         self.assertEqual(repr(run), "<libcontact.Run at 0 s of 2.6 s, running>")
+
+
+class Stub(unittest.TestCase):
+    def test_says_what_functions_do(self):
+        text = (Path(libcontact.__file__).parent / "_core.pyi").read_text()
+        body = ast.parse(text).body
+        classes = {c.name: c for c in body if isinstance(c, ast.ClassDef)}
+        for name in "_JointSet", "Joint", "MomentSet", "Solution", "Play":
+            first = {}
+            for function in classes[name].body:
+                if isinstance(function, ast.FunctionDef):
+                    first.setdefault(function.name, function)
+            for key, function in first.items():
+                if not key.startswith("_"):
+                    self.assertTrue(ast.get_docstring(function), f"{name}.{key}")
+        of_law = next(f for f in body if getattr(f, "name", "") == "half_angle")
+        self.assertIn("load_parameter:", ast.get_docstring(of_law))
 
 
 class Arguments(unittest.TestCase):

@@ -14,7 +14,8 @@ exact = libcontact.half_angle(mu, "exact", inner=steel, outer=bronze)
 figure, (above, below) = plt.subplots(
     2, 1, sharex=True, figsize=(6, 5), height_ratios=[2, 1])
 above.semilogx(mu, np.degrees(exact), "k", lw=2, label="exact")
-for law in "fitted", "tanh", "arctan", "hertz":
+laws: list[libcontact.HalfAngleLaw] = ["fitted", "tanh", "arctan", "hertz"]
+for law in laws:
     theta0 = libcontact.half_angle(mu, law, inner=steel, outer=bronze)
     above.semilogx(mu, np.degrees(theta0), "--", label=law)
     below.semilogx(mu, 100 * (theta0 / exact - 1), "--")

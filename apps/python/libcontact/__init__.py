@@ -59,6 +59,8 @@ if TYPE_CHECKING:  # the stub of _core has all keys
         load_parameter,
         pressure,
     )
+    from ._core import _HalfAngle as HalfAngleLaw
+    from ._core import _Pressure as PressureLaw
 else:
     from ._joint import (
         friction_coefficients,
@@ -68,6 +70,7 @@ else:
     )
 
     Layer = Material = Wall = dict
+    HalfAngleLaw = PressureLaw = str
 
 
 class Status(enum.IntEnum):
@@ -96,6 +99,7 @@ __all__ = [
     "Event",
     "Fit",
     "ForceState",
+    "HalfAngleLaw",
     "Impact",
     "Joint",
     "Joints",
@@ -105,6 +109,7 @@ __all__ = [
     "Outcome",
     "Play",
     "PlayForce",
+    "PressureLaw",
     "Prox",
     "Rating",
     "RestSolution",
