@@ -12,6 +12,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
+#include "support/seat.hpp"
 #include "support/wall.hpp"
 
 // Balls in seats that end against solutions by a program of its own, on two
@@ -19,33 +20,9 @@
 namespace contact::test {
 namespace {
 
-JointSpec joint_of(const ReferenceTable::Row& row) {
-  const ReferenceBodies bodies = reference_bodies(row);
-  return {
-      .geometry = JointGeometry::ball(row.value("rho"), row.value("clearance")),
-      .inner = bodies.inner,
-      .outer = bodies.outer};
-}
-
-SeatZone zone_of(const ReferenceTable::Row& row) {
-  return {row.value("v1_deg") * degree, row.value("v2_deg") * degree};
-}
-
-Eigen::Vector3d force_of(const ReferenceTable::Row& row) {
-  const SineCosine at = detail::sine_cosine_deg(row.value("dir_deg"));
-  return row.value("load") * Eigen::Vector3d(at.sin, 0, at.cos);
-}
-
 double value_or(const ReferenceTable::Row& row, const char* name,
                 double other) {
   return row.given(name) ? row.value(name) : other;
-}
-
-// The reference solved this row in a window of latitudes that ends at 82 deg,
-// where it cuts the contact off: v_high_deg is 82.000. TheCutRow has it.
-bool is_cut(const ReferenceTable::Row& row) {
-  return row.text("id") == "ge50_steel" && row.text("load") == "300000" &&
-         row.text("dir_deg") == "60";
 }
 
 // The contact does not lie about the load, but at a rim beside it.
