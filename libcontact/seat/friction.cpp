@@ -13,14 +13,14 @@ constexpr double pi = std::numbers::pi;
 // these degrees.
 void legendre(double cosine, double sine, const Eigen::MatrixXd& ratio,
               Eigen::MatrixXd& n_m) {
-  const auto degrees = n_m.rows() - 1;
+  const int degrees = static_cast<int>(n_m.rows()) - 1;
   n_m(0, 0) = std::sqrt(0.5);
-  for (Eigen::Index m = 0; m <= degrees; ++m) {
+  for (int m = 0; m <= degrees; ++m) {
     if (m > 0) {
       n_m(m, m) = std::sqrt((2 * m + 1) / (2.0 * m)) * sine * n_m(m - 1, m - 1);
     }
     double before = 0;
-    for (Eigen::Index n = m; n < degrees; ++n) {
+    for (int n = m; n < degrees; ++n) {
       n_m(n + 1, m) =
           (cosine * n_m(n, m) - ratio(n, m) * before) / ratio(n + 1, m);
       before = n_m(n, m);
@@ -73,10 +73,10 @@ Eigen::Vector3d expand(const Eigen::MatrixXd& c, const Eigen::MatrixXd& n_m,
 
 // p = sum a_im cos(m phi) in each cell, (i, m).
 Eigen::MatrixXd by_order(const Eigen::MatrixXd& pressure) {
-  const auto last = pressure.cols() - 1;
+  const int last = static_cast<int>(pressure.cols()) - 1;
   Eigen::MatrixXd transform(last + 1, last + 1);
-  for (Eigen::Index j = 0; j <= last; ++j) {
-    for (Eigen::Index m = 0; m <= last; ++m) {
+  for (int j = 0; j <= last; ++j) {
+    for (int m = 0; m <= last; ++m) {
       const double ends =
           (j == 0 || j == last ? 0.5 : 1) * (m == 0 || m == last ? 0.5 : 1);
       transform(j, m) =

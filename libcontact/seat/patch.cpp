@@ -160,8 +160,13 @@ void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
     }
     before = rest.norm();
     step = tangent(patch).ldlt().solve(rest);
+    // A narrow zone may need a long shift for a little overlap.
     const double most = 1.5 * overlap(shift);
-    if (step.norm() > most) step *= most / step.norm();
+    const double change = (step.x() * lever_x_ + step.y() * lever_z_)
+                              .cwiseQuotient(unit_)
+                              .cwiseAbs()
+                              .maxCoeff();
+    if (change > most) step *= most / change;
     shift += step;
     // So that something stays in contact.
     while (!(overlap(shift) > 0)) {

@@ -42,7 +42,7 @@ struct Reports {
   AccuracyReport sum{"S, over 5e-5 or acc_S", 1};
   AccuracyReport area{"area, over 2e-2 or acc_area", 1};
   AccuracyReport stiffness{"stiffness, over 3e-3 or acc_k", 1};
-  AccuracyReport ends{"ends, over 0.5 deg or acc_area of their distance", 1};
+  AccuracyReport ends{"ends, over 0.6 deg or acc_area of their distance", 1};
   AccuracyReport arcs{"arcs on rims, over 1.5 deg: a step", 1};
 };
 
@@ -131,7 +131,7 @@ void compare_extent(const ReferenceTable::Row& row, const SeatState& state,
                               std::abs(state.upper_end / degree - high));
   // The reference's areas are only as good as its ends.
   to.ends.add_error(
-      off / bar(row, "acc_area", 0.5 / (high - low)) / (high - low),
+      off / bar(row, "acc_area", 0.6 / (high - low)) / (high - low),
       row.label());
   to.area.add_error(relative_error(state.area, row.value("area")) /
                         bar(row, "acc_area", 2e-2),
