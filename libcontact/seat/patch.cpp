@@ -145,13 +145,15 @@ void SeatPatchSolver::solve(Eigen::Vector2d shift, SeatPatch& patch) const {
 
 // Newton's method on D for the minimum of the convex U(D) - F.D.
 void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
-  // Ten times what the solution at a shift leaves.
-  const double goal = 1e-8 * force.norm();
+  double farthest = 1.5;
   Eigen::Vector2d shift = patch.shift, step(0, 0);
   double before = std::numeric_limits<double>::infinity();
   for (int round = 0; round < 40; ++round) {
     solve(shift, patch);
     const Eigen::Vector2d rest = force - patch.force;
+    // Ten times what the solution at a shift leaves. With interference the sum
+    // of the pressures is much larger than the force.
+    const double goal = 1e-8 * std::max(force.norm(), patch.sum);
     if (!patch.converged || rest.norm() <= goal) return;
     if (rest.norm() > 2 * before) {  // far beyond: half as far
       step /= 2;
@@ -160,8 +162,17 @@ void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
     }
     before = rest.norm();
     step = tangent(patch).ldlt().solve(rest);
-    const double most = 1.5 * overlap(shift);
-    if (step.norm() > most) step *= most / step.norm();
+    // By overlap: a narrow zone may need a long shift for a little of it. The
+    // way to where a load beyond the rims is carried is long too.
+    const double most = farthest * overlap(shift);
+    const double change = (step.x() * lever_x_ + step.y() * lever_z_)
+                              .cwiseQuotient(unit_)
+                              .cwiseAbs()
+                              .maxCoeff();
+    if (change > most) {
+      step *= most / change;
+      farthest *= 2;
+    }
     shift += step;
     // So that something stays in contact.
     while (!(overlap(shift) > 0)) {
