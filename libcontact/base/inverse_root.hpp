@@ -34,6 +34,12 @@ template <class V>
   const V inverse = 1.0 / (root_x * root_y);
   return {inverse * root_y, inverse * root_x};
 }
+/// sqrt(x), where 1/sqrt(x) is known as `inverse`.
+template <class V>
+[[gnu::always_inline]] inline V root(const V& x, const V&) {
+  using std::sqrt;
+  return sqrt(x);
+}
 
 #ifdef __AVX512VL__
 namespace avx512 {
@@ -64,27 +70,23 @@ template <class V>
   return y + (y * e) * (0.5 + e * (0.375 + e * 0.3125));
 }
 
+template <class V>
+concept Any = std::is_same_v<V, Lanes<8>> || std::is_same_v<V, Lanes<4>>;
+
 }  // namespace avx512
 
-template <>
-[[gnu::always_inline]] inline avx512::Lanes<8> inverse_root(
-    const avx512::Lanes<8>& x) {
+template <avx512::Any V>
+[[gnu::always_inline]] inline V inverse_root(const V& x) {
   return avx512::refined(x);
 }
-template <>
-[[gnu::always_inline]] inline avx512::Lanes<4> inverse_root(
-    const avx512::Lanes<4>& x) {
-  return avx512::refined(x);
-}
-template <>
-[[gnu::always_inline]] inline InverseRoots<avx512::Lanes<8>> inverse_roots(
-    const avx512::Lanes<8>& x, const avx512::Lanes<8>& y) {
+template <avx512::Any V>
+[[gnu::always_inline]] inline InverseRoots<V> inverse_roots(const V& x,
+                                                            const V& y) {
   return {inverse_root(x), inverse_root(y)};
 }
-template <>
-[[gnu::always_inline]] inline InverseRoots<avx512::Lanes<4>> inverse_roots(
-    const avx512::Lanes<4>& x, const avx512::Lanes<4>& y) {
-  return {inverse_root(x), inverse_root(y)};
+template <avx512::Any V>
+[[gnu::always_inline]] inline V root(const V& x, const V& inverse) {
+  return x * inverse;
 }
 #endif
 

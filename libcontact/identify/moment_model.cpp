@@ -39,7 +39,7 @@ Vector3d trial(const JointContact& contact, const JointSolution& solution,
   const SlipEquation equation(contact, 1, solution.reaction.stableNorm(),
                               {b.sin, std::abs(b.cos)});
   const SlipPoint p = equation.at(tangent);
-  const SlipAxis a = p.triangle.axis;
+  const SlipAxis a = {p.triangle.axis_sin, p.triangle.axis_cos};
   const double scale = contact.geometry().radius() * p.normal_force;
   return {
       p.friction, -scale * (p.sliding * a.cos + p.spinning * a.sin),

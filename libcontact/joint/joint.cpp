@@ -13,7 +13,6 @@ namespace {
 
 using detail::SlipEquation;
 using detail::SlipRoot;
-using detail::SlipTriangle;
 using detail::taken;
 using Eigen::Vector3d;
 
@@ -186,11 +185,11 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   s.residual = root.residual;
   s.memory = root.memory;
   s.reaction = reaction;
-  const SlipTriangle& t = root.point.triangle;
+  const detail::SlipTriangle<double>& t = root.point.triangle;
   const double sin_g = sin_b * t.sin_psi;
   s.reaction_direction = {sin_b, cos_b};
   s.friction_direction = {sin_g, t.cos_g};
-  s.slip_axis = {std::copysign(t.axis.sin, cos_b), t.axis.cos};
+  s.slip_axis = {std::copysign(t.axis_sin, cos_b), t.axis_cos};
   s.force_coefficient = sin_g / t.cos_g;
   s.sliding_coefficient = root.point.sliding;
   s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);

@@ -17,8 +17,8 @@ constexpr double smallest_cosine = 1e-150;
 // are taken here: g differs from b by some 1e-150.
 constexpr double largest_tangent = 1e150;
 
-double positive_cosine(const SlipTriangle& triangle) {
-  return std::max(triangle.axis.cos, smallest_cosine);
+double positive_cosine(const SlipTriangle<double>& triangle) {
+  return std::max(triangle.axis_cos, smallest_cosine);
 }
 
 // A residual that is no rounding: the function jumps there.
@@ -49,12 +49,12 @@ double exponential(double x) {
 //   dln R_n     = dln R - sin b cos b sin^2 psi/cos^2 g db
 //                 - sin^2 psi cos^2 a dln tan psi
 //   dln cos^2 a = 2 cos b/(sin b cos^2 g) db - 2 sin^2 psi sin^2 a dln tan psi
-void set_responses(JointSolution::Memory& m, const SlipTriangle& t) {
+void set_responses(JointSolution::Memory& m, const SlipTriangle<double>& t) {
   const double sin2_psi = t.sin_psi * t.sin_psi;
   const double sin_b = std::max(m.reaction.sin, smallest_cosine);
   m.residual_slope =
-      1 + sin2_psi * (m.force_slope * t.axis.cos * t.axis.cos +
-                      2 * m.cosine_slope * t.axis.sin * t.axis.sin);
+      1 + sin2_psi * (m.force_slope * t.axis_cos * t.axis_cos +
+                      2 * m.cosine_slope * t.axis_sin * t.axis_sin);
   m.force_response = m.force_slope / m.residual_slope;
   m.angle_response =
       m.reaction.cos / (t.cos_g * t.cos_g * m.residual_slope) *
@@ -84,7 +84,7 @@ void measure_slopes(JointSolution::Memory& memory, const SlipEquation& equation,
   // Balances rounding (4e-15/h) against curvature (h).
   constexpr double h = 1e-6;
   const double force = point.normal_force;
-  const SlipAxis axis = {point.triangle.axis.sin,
+  const SlipAxis axis = {point.triangle.axis_sin,
                          positive_cosine(point.triangle)};
   const SlipAxis turned = {
       std::hypot(axis.sin, axis.cos * std::sqrt(h * (2 - h))),
@@ -102,7 +102,7 @@ void remember(JointSolution::Memory& memory, const SlipEquation& equation,
   memory.valid = std::isfinite(point.friction);
   memory.reaction_force = equation.reaction_force();
   memory.reaction = equation.reaction();
-  memory.tangent = point.tangent;
+  memory.tangent = point.triangle.tangent;
   memory.normal_force = point.normal_force;
   memory.cosine = positive_cosine(point.triangle);
   memory.friction = point.friction;
@@ -148,7 +148,7 @@ SlipRoot polish(const SlipEquation& equation, Start start,
     return root;
   }
   while (std::abs(step) < largest_step) {
-    equation.move(point, before.tangent * exponential(step), before);
+    equation.move(point, before.triangle.tangent * exponential(step), before);
     ++root.evaluations;
     const double slope = (point.residual - before.residual) / step;
     const double next = -point.residual / slope;
@@ -206,32 +206,22 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
 }  // namespace
 
 void SlipEquation::set_triangle(SlipPoint& point, double tangent) const {
-  point.tangent = std::min(tangent, largest_tangent);
-  point.triangle = SlipTriangle(point.tangent, reaction_);
+  point.triangle.set(std::min(tangent, largest_tangent), reaction_.sin,
+                     reaction_.cos);
   point.normal_force = reaction_force_ * point.triangle.cos_g;
 }
 
 void SlipEquation::shift_triangle(SlipPoint& point, double step) const {
   constexpr double small = 1e-8;  // leaves small^2
   if (!(std::abs(step) < small)) {
-    return set_triangle(point, point.tangent * (1 + step));
+    return set_triangle(point, point.triangle.tangent * (1 + step));
   }
-  SlipTriangle& t = point.triangle;
-  const double sine = t.sin_psi * t.sin_psi * step;
-  const double cosine = t.cos_psi * t.cos_psi * step;
-  const double axis_sine = sine * t.axis.sin * t.axis.sin;
-  const double axis_cosine = sine * t.axis.cos * t.axis.cos;
-  point.tangent *= 1 + step;
-  point.normal_force *= 1 - axis_cosine;
-  t.sin_psi *= 1 + cosine;
-  t.cos_psi *= 1 - sine;
-  t.cos_g *= 1 - axis_cosine;
-  t.axis.sin *= 1 + axis_cosine;
-  t.axis.cos *= 1 - axis_sine;
+  point.normal_force *= 1 - point.triangle.response().force * step;
+  point.triangle.shift(step);
 }
 
 void SlipEquation::set_friction(SlipPoint& p) const {
-  const SlipAxis axis = {p.triangle.axis.sin, positive_cosine(p.triangle)};
+  const SlipAxis axis = {p.triangle.axis_sin, positive_cosine(p.triangle)};
   const FrictionIntegrals i = contact_.integrals(p.half_angle.half_angle, axis,
                                                  {p.normal_force, speed_});
   const double pressure = strength_.pressure_part;
@@ -240,7 +230,7 @@ void SlipEquation::set_friction(SlipPoint& p) const {
       (pressure * i.coefficient.force + area * i.area.force) / axis.cos;
   p.sliding = pressure * i.coefficient.sliding + area * i.area.sliding;
   p.spinning = pressure * i.coefficient.spinning + area * i.area.spinning;
-  p.residual = log_ratio(p.tangent, p.friction);
+  p.residual = log_ratio(p.triangle.tangent, p.friction);
 }
 
 SlipPoint SlipEquation::at(double tangent) const {
@@ -269,7 +259,8 @@ void SlipEquation::move(SlipPoint& p, double tangent,
 
 double SlipEquation::friction(double normal_force, SlipAxis axis) const {
   SlipPoint p;
-  p.triangle.axis = axis;
+  p.triangle.axis_sin = axis.sin;
+  p.triangle.axis_cos = axis.cos;
   p.normal_force = normal_force;
   p.half_angle = contact_.half_angle(normal_force);
   set_friction(p);

@@ -8,8 +8,7 @@ namespace contact::detail {
 
 /// The contact at one trial value of tan psi.
 struct SlipPoint {
-  double tangent = 0;
-  SlipTriangle triangle = {};
+  SlipTriangle<double> triangle = {};
   double normal_force = 0;  ///< R_n
   HalfAngleResult half_angle = {};
   double friction = 0;  ///< f/cos a

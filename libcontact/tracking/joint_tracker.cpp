@@ -214,6 +214,7 @@ void JointTracker::start(int joint, const JointSolution& solution,
   s.last_move = {0, 0};
   s.inverse_square = 0;
   s.slope_error = 1;  // not known yet
+  s.is_known = 0;
   s.window.inverse_half_width = std::numeric_limits<double>::quiet_NaN();
   is_smooth_[joint] = true;
 
@@ -231,7 +232,9 @@ void JointTracker::start(int joint, const JointSolution& solution,
   at(&Exchange::tracked, joint) = 1;
 }
 
-void JointTracker::predict() noexcept { largest_ = kernel_->predict(joints()); }
+void JointTracker::predict(double enough) noexcept {
+  largest_ = kernel_->predict(joints(), enough);
+}
 
 void JointTracker::extend() noexcept { largest_ = kernel_->extend(joints()); }
 

@@ -58,7 +58,11 @@ class JointTracker {
   void start(int joint, const JointSolution& solution,
              const Eigen::Vector3d& rate) noexcept;
   /// No longer: the joint is left out of correct().
-  void stop(int joint) noexcept { at(&Exchange::tracked, joint) = 0; }
+  void stop(int joint) noexcept {
+    for (auto row : {&Exchange::tracked, &Exchange::asked, &Exchange::exact}) {
+      at(row, joint) = 0;
+    }
+  }
   bool is_tracked(int joint) const noexcept {
     return at(&Exchange::tracked, joint) != 0;
   }
@@ -76,7 +80,9 @@ class JointTracker {
   }
 
   /// M_t by the slopes, nothing evaluated.
-  void predict() noexcept;
+  /// @param enough  joints whose error() is at most this may be left to
+  ///                extend(), here and in correct(); below 0: none
+  void predict(double enough = -1) noexcept;
   /// The same for reactions close to those of the last predict() or correct(),
   /// Dw as it was there: a linear function of R.
   void extend() noexcept;
@@ -125,9 +131,10 @@ class JointTracker {
   /// Applied moments beyond that end, by this share of the stretch.
   void extrapolate(double share) noexcept;
 
-  /// Of all joints: what set_reaction() sets (beyond size() it is not read) and
-  /// step() tells, 0 beyond size().
+  /// Of all joints: what set_reaction() and set_applied_moment() set (beyond
+  /// size() it is not read) and step() tells, 0 beyond size().
   VectorRows reactions() noexcept { return rows(&Exchange::reaction); }
+  VectorRows applied_moments() noexcept { return rows(&Exchange::applied); }
   VectorRows steps() noexcept { return rows(&Exchange::step); }
 
  private:

@@ -30,6 +30,7 @@ struct TrackerExchange {
   Row tracked;       ///< 1 or 0
   Row trust;         ///< moves over the radius in which slopes are trusted
   Row error;         ///< of M_t, relative
+  Row due;           ///< 1: its contact is to be evaluated
 
   // The contact to be evaluated.
   Row force;                           ///< R_n, N

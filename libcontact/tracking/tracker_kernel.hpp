@@ -17,7 +17,8 @@ struct TrackerJoints {
 /// lanes over joints, compiled once per instruction set.
 struct TrackerKernel {
   int lanes;
-  TrackerLargest (*predict)(const TrackerJoints&);
+  /// @param enough  errors of joints that are left to extend()
+  TrackerLargest (*predict)(const TrackerJoints&, double enough);
   TrackerLargest (*extend)(const TrackerJoints&);
   /// extend(), and the contacts to be evaluated.
   TrackerLargest (*prepare)(const TrackerJoints&);

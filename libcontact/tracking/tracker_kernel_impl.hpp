@@ -17,14 +17,24 @@ static_assert(TrackerExchange::size % width == 0);
 // The kernel's functions are flattened: they call so many small ones that the
 // compiler's limits on the growth of a file would leave some of them out.
 
+// f(state, exchange, lane) of every packet of joints.
 template <class F>
-[[gnu::always_inline]] inline void for_joints(const TrackerJoints& joints,
-                                              F f) {
+[[gnu::always_inline]] inline void for_all(const TrackerJoints& joints, F f) {
   constexpr int size = TrackerExchange::size;
   auto* state = static_cast<State*>(joints.states);
   for (int i = 0; i < joints.size; i += width) {
     f(*state++, joints.exchange[i / size], i % size);
   }
+}
+// The same of those in which a joint is tracked.
+template <class F>
+[[gnu::always_inline]] inline void for_joints(const TrackerJoints& joints,
+                                              F f) {
+  for_all(
+      joints, [&](State & s, TrackerExchange & e, int k)
+                  __attribute__((always_inline)) {
+                    if (any_of(load(e.tracked + k) != 0.0)) f(s, e, k);
+                  });
 }
 
 // The largest numbers of the joints tracked, NaN as infinity.
@@ -35,9 +45,7 @@ class Largest {
   [[gnu::always_inline]] void add(const TrackerExchange& e, int k) {
     const auto none = load(e.tracked + k) == 0.0;
     const auto raise = [&](Lanes& most, const Lanes& x) {
-      constexpr double infinity = std::numeric_limits<double>::infinity();
-      most = max(
-          most, select(none, Lanes(0.0), select(x >= 0.0, x, Lanes(infinity))));
+      most = max(most, select(none, zero_, select(x >= zero_, x, infinity_)));
     };
     const Vector moment = load(e.moment, k);
     const Vector residual = moment - load(e.applied, k);
@@ -54,6 +62,9 @@ class Largest {
  private:
   double floor_;
   Lanes trust_ = 0.0, error_ = 0.0, residual_ = 0.0;
+  // Once: inside add() compilers make functions of them.
+  const Lanes zero_ = 0.0;
+  const Lanes infinity_ = std::numeric_limits<double>::infinity();
 };
 
 // The worst of 1200 random joints on paths of steps of 1e-3 was wrong by 3.1
@@ -82,16 +93,6 @@ constexpr double error_safety = 5;
         e.trust + k);
 }
 
-[[gnu::flatten]] TrackerLargest predict(const TrackerJoints& joints) {
-  Largest most(joints);
-  for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
-    set_slip(s, e, k);
-    set_prediction(s, e, k);
-    most.add(e, k);
-  });
-  return most.result();
-}
-
 [[gnu::always_inline]] inline void extend(State& s, TrackerExchange& e, int k) {
   const Frame& f = s.frame;
   const Vector change = load(e.reaction, k) - s.reaction;
@@ -103,6 +104,26 @@ constexpr double error_safety = 5;
   store(error_safety * (s.error + shift * (2.0 * s.slope_error + shift)),
         e.error + k);
 }
+// Packets in which a joint is wrong by more than that.
+[[gnu::flatten]] TrackerLargest predict(const TrackerJoints& joints,
+                                        double enough) {
+  Largest most(joints);
+  for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
+    const Lanes error = load(e.error + k);  // below 0 where M_t is far off
+    const auto settled = error >= 0.0 && error <= enough;
+    if (all_of(settled || load(e.tracked + k) == 0.0)) {
+      for (double* row : {e.due, e.asked, e.exact}) store(Lanes(0.0), row + k);
+      extend(s, e, k);
+    } else {
+      store(Lanes(1.0), e.due + k);
+      set_slip(s, e, k);
+      set_prediction(s, e, k);
+    }
+    most.add(e, k);
+  });
+  return most.result();
+}
+
 [[gnu::flatten]] TrackerLargest extend(const TrackerJoints& joints) {
   Largest most(joints);
   for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
@@ -121,8 +142,8 @@ constexpr double error_safety = 5;
   const Lanes first = s.window.value(s.window.first, place);
   const Lanes second = s.window.value(s.window.second, place);
   store(force, e.force + k);
-  store(max(s.slip.axis_sine, Lanes(smallest_axis)), e.axis_sin + k);
-  store(max(s.slip.axis_cosine, Lanes(smallest_axis)), e.axis_cos + k);
+  store(max(s.slip.axis_sin, Lanes(smallest_axis)), e.axis_sin + k);
+  store(max(s.slip.axis_cos, Lanes(smallest_axis)), e.axis_cos + k);
   store(first, e.half_angle_sin + k);
   store(second, e.half_angle_cos + k);
   store(first, e.friction + k);
@@ -142,9 +163,30 @@ constexpr double error_safety = 5;
   for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
     extend(s, e, k);
     most.add(e, k);
-    set_contact(s, e, k);
+    if (e.due[k] != 0) set_contact(s, e, k);
   });
   return most.result();
+}
+
+// What depends on R_n alone need not be learnt: of a pin the window tells it
+// all.
+[[gnu::always_inline]] inline void take_window(State& s,
+                                               const TrackerExchange& e,
+                                               int k) {
+  const auto known = s.is_ball == 0.0 && load(e.outside + k) == 0.0;
+  s.is_known = select(known, Lanes(1.0), Lanes(0.0));
+  if (none_of(known)) return;
+  const Lanes force = load(e.force + k);
+  const auto take = [&](Secants<Lanes> & f, const Lanes(&differences)[12])
+      __attribute__((always_inline)) {
+    const Secants<Lanes> told = s.window.tangent(differences, force);
+    f.by_force = select(known, told.by_force, f.by_force);
+    f.by_cosine = select(known, told.by_cosine, f.by_cosine);
+    f.curvature = select(known, told.curvature, f.curvature);
+  };
+  take(s.friction, s.window.first);
+  take(s.sliding, s.window.second);
+  s.slope_error = select(known, Lanes(0.0), s.slope_error);
 }
 
 // By (3.7), (3.8) from the integrals where they have not been told.
@@ -200,8 +242,8 @@ constexpr double error_safety = 5;
   const Lanes sliding = update(s.sliding, load(e.sliding + k));
   const Lanes spinning = update(s.spinning, load(e.spinning + k));
   // As far as each counts in the moment.
-  const Lanes y = s.sliding.value * s.slip.axis_cosine;
-  const Lanes z = s.spinning.value * s.slip.axis_sine;
+  const Lanes y = s.sliding.value * s.slip.axis_cos;
+  const Lanes z = s.spinning.value * s.slip.axis_sin;
   const Lanes missed =
       friction * s.slip.sin_psi + (sliding * y + spinning * z) / (y + z);
   // Slopes across the line that the contact has gone are not looked at: errors
@@ -215,35 +257,40 @@ constexpr double error_safety = 5;
   s.inverse_square = select(tells, inverse, s.inverse_square);
 }
 
+// What has been found at the contact of s.slip, and a Newton step from there.
+[[gnu::always_inline]] inline void correct(State& s, TrackerExchange& e,
+                                           int k) {
+  const Frame& f = s.frame;
+  Slip& t = s.slip;
+  s.inverse_force = 1.0 / load(e.force + k);
+  s.inverse_axis_cosine = 1.0 / load(e.axis_cos + k);
+  take_integrals(s, e, k);
+  learn(s, e, k);
+  take_window(s, e, k);
+  t.move = {Lanes(0.0), Lanes(0.0)};
+  const Lanes value = s.friction.value * f.speed;
+  newton(t, s, log_ratio(t.tangent, value));
+  store(larger(load(e.trust + k), abs(t.step) * (1 / trust_radius)),
+        e.trust + k);
+  set_prediction(s, e, k);
+  s.last_inverse_reaction = f.inverse_reaction;
+  s.last_sine = f.sine;
+  s.last_cosine = f.cosine;
+  s.last_speed = f.speed;
+  s.last_tangent = t.tangent;
+  s.last_residual = log_ratio(t.tangent, value);
+}
 [[gnu::flatten]] TrackerLargest correct(const TrackerJoints& joints) {
   Largest most(joints);
   for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
-    const Frame& f = s.frame;
-    Slip& t = s.slip;
-    s.inverse_force = 1.0 / load(e.force + k);
-    s.inverse_axis_cosine = 1.0 / load(e.axis_cos + k);
-    take_integrals(s, e, k);
-    learn(s, e, k);
-    // From there a Newton step to the root.
-    t.move = {Lanes(0.0), Lanes(0.0)};
-    const Lanes value = s.friction.value * f.speed;
-    newton(t, s, log_ratio(t.tangent, value));
-    store(larger(load(e.trust + k), abs(t.step) * (1 / trust_radius)),
-          e.trust + k);
-    set_prediction(s, e, k);
-    s.last_inverse_reaction = f.inverse_reaction;
-    s.last_sine = f.sine;
-    s.last_cosine = f.cosine;
-    s.last_speed = f.speed;
-    s.last_tangent = t.tangent;
-    s.last_residual = log_ratio(t.tangent, value);
+    if (e.due[k] != 0) correct(s, e, k);
     most.add(e, k);
   });
   return most.result();
 }
 
 [[gnu::flatten]] void step(const TrackerJoints& joints) {
-  for_joints(joints, [](State&, TrackerExchange& e, int k) {
+  for_all(joints, [](State&, TrackerExchange& e, int k) {
     const Vector applied = load(e.applied, k);
     const Vector residual = load(e.moment, k) - applied;
     // Who reads lanes without a joint finds nothing there.
@@ -257,7 +304,7 @@ constexpr double error_safety = 5;
 }
 
 [[gnu::flatten]] void keep(const TrackerJoints& joints) {
-  for_joints(joints, [](State& s, TrackerExchange& e, int k) {
+  for_all(joints, [](State& s, TrackerExchange& e, int k) {
     const Vector applied = load(e.applied, k);
     s.stretch = applied - s.kept;
     s.kept = applied;
@@ -265,7 +312,7 @@ constexpr double error_safety = 5;
 }
 
 [[gnu::flatten]] void extrapolate(const TrackerJoints& joints, double share) {
-  for_joints(joints, [&](State& s, TrackerExchange& e, int k) {
+  for_all(joints, [&](State& s, TrackerExchange& e, int k) {
     store(s.kept + share * s.stretch, e.applied, k);
   });
 }

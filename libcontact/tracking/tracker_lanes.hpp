@@ -92,38 +92,18 @@ using Move = ContactMove<Lanes>;
   return f;
 }
 
-// SlipTriangle, in lanes.
-[[gnu::always_inline]] inline void set_triangle(Slip& t, const Frame& f) {
-  const Lanes leg = f.cosine * t.tangent;
-  const Lanes r2 = 1.0 + t.tangent * t.tangent;
-  const Lanes s2 = 1.0 + leg * leg;
-  const auto [inverse_r, inverse_s] = inverse_roots(r2, s2);
-  t.cos_psi = inverse_r;
-  t.sin_psi = t.tangent * inverse_r;
-  t.cos_g = s2 * inverse_s * inverse_r;
-  t.axis_sine = f.cosine * (r2 * inverse_r * inverse_s);
-  t.axis_cosine = f.sine * inverse_s;
-}
-
 // Newton's step in ln tan psi; what depends on it by differentials.
 [[gnu::always_inline]] inline void newton(Slip& t, const State& s,
                                           const Lanes& residual) {
-  const Lanes sin2_psi = t.sin_psi * t.sin_psi;
-  const Lanes by_sine = sin2_psi * t.axis_sine * t.axis_sine;
-  const Lanes by_cosine = sin2_psi * t.axis_cosine * t.axis_cosine;
+  const auto fall = t.response();
   // docs/joint.md (6)
-  t.inverse_slope = 1.0 / (1.0 + s.friction.by_force * by_cosine +
-                           2.0 * s.friction.by_cosine * by_sine);
+  t.inverse_slope = 1.0 / (1.0 + s.friction.by_force * fall.force +
+                           2.0 * s.friction.by_cosine * fall.cosine);
   t.step = -residual * t.inverse_slope;
   t.squares += t.step * t.step;
-  t.tangent *= 1.0 + t.step;
-  t.sin_psi *= 1.0 + t.cos_psi * t.cos_psi * t.step;
-  t.cos_psi *= 1.0 - sin2_psi * t.step;
-  t.cos_g *= 1.0 - by_cosine * t.step;
-  t.axis_sine *= 1.0 + by_cosine * t.step;
-  t.axis_cosine *= 1.0 - by_sine * t.step;
-  t.move.force -= by_cosine * t.step;
-  t.move.cosine -= 2.0 * by_sine * t.step;
+  t.shift(t.step);
+  t.move.force -= fall.force * t.step;
+  t.move.cosine -= 2.0 * fall.cosine * t.step;
 }
 
 // Along the move v to the last contact, where slopes are those of this move,
@@ -138,7 +118,9 @@ using Move = ContactMove<Lanes>;
 // mostly rounding, and motions that begin go on in ever longer ones.
 [[gnu::always_inline]] inline Lanes useful_bend(const State& s, const Move& m) {
   const Lanes p = along(s, m);
-  return select(abs(p) * s.inverse_square < 3.0, bend(s, p), Lanes(0.0));
+  return select(
+      s.is_known != 0.0, m.force * m.force,
+      select(abs(p) * s.inverse_square < 3.0, bend(s, p), Lanes(0.0)));
 }
 // Change of ln F by a move.
 [[gnu::always_inline]] inline Lanes growth(const Secants<Lanes>& f,
@@ -161,11 +143,10 @@ using Move = ContactMove<Lanes>;
   const Lanes guess = s.tangent_by_reaction * reaction +
                       s.tangent_by_angle * angle + s.slip.inverse_slope * speed;
   Slip t;
-  t.tangent = s.last_tangent * exponential(guess);
-  set_triangle(t, f);
+  t.set(s.last_tangent * exponential(guess), f.sine, f.cosine);
   const Move move = {
       log_of_growth(f.reaction * t.cos_g * s.inverse_force - 1.0),
-      2.0 * log_of_growth(t.axis_cosine * s.inverse_axis_cosine - 1.0)};
+      2.0 * log_of_growth(t.axis_cos * s.inverse_axis_cosine - 1.0)};
   t.move = move;
   t.squares = 0.0;
   const Lanes expected = growth(s.friction, move, useful_bend(s, move)) + speed;
@@ -188,9 +169,9 @@ using Move = ContactMove<Lanes>;
   const Lanes spinning = s.spinning.value * f.speed *
                          exponential(growth(s.spinning, t.move, second));
   const Lanes scale = -s.radius * f.reaction * t.cos_g;
-  const Lanes c2 = t.axis_cosine * t.axis_cosine;
-  const Lanes s2 = t.axis_sine * t.axis_sine;
-  const Lanes sc = f.sign * t.axis_sine * t.axis_cosine;
+  const Lanes c2 = t.axis_cos * t.axis_cos;
+  const Lanes s2 = t.axis_sin * t.axis_sin;
+  const Lanes sc = f.sign * t.axis_sin * t.axis_cos;
   const Lanes difference = spinning - sliding;
   const Lanes length = sliding * c2 + spinning * s2;
   const Lanes across = sc * difference;
@@ -214,9 +195,9 @@ using Move = ContactMove<Lanes>;
     const Lanes d_length =
         d_sliding * c2 + d_spinning * s2 - difference * c2 * move.cosine;
     // sin a = cos b/cos g
-    const Lanes d_sine = -f.sine * inverse_g * angle - t.axis_sine * cos_g;
+    const Lanes d_sine = -f.sine * inverse_g * angle - t.axis_sin * cos_g;
     const Lanes d_sc =
-        f.sign * t.axis_cosine * (d_sine + 0.5 * t.axis_sine * move.cosine);
+        f.sign * t.axis_cos * (d_sine + 0.5 * t.axis_sin * move.cosine);
     const Lanes d_across = sc * (d_spinning - d_sliding) + d_sc * difference;
     return scale * ((d_length + move.force * length) * f.w +
                     (d_across + move.force * across) * d +

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "libcontact/base/vec3.hpp"
+#include "libcontact/joint/slip_triangle.hpp"
 
 /// What JointTracker keeps: numbers of one joint (T = double), or of
 /// several in lanes.
@@ -54,6 +55,24 @@ struct Window {
     }
     return sum;
   }
+  /// With its slope over ln R_n and half the curvature, both of ln F.
+  [[gnu::always_inline]] Secants<T> tangent(const T (&differences)[size],
+                                            const T& force) const {
+    T sum = differences[size - 1];
+    T slope = T(0.0), bend = T(0.0);  // over the place; half of the curvature
+#pragma GCC unroll 12
+    for (int i = size - 2; i >= 0; --i) {
+      const T from = place(force) - nodes[i];
+      bend = bend * from + slope;
+      slope = slope * from + sum;
+      sum = sum * from + differences[i];
+    }
+    const T scale = force * inverse_half_width;
+    const T inverse = 1.0 / sum;
+    const T by_force = slope * scale * inverse;
+    return {sum, by_force, T(0.0),
+            bend * scale * scale * inverse + 0.5 * by_force * (1.0 - by_force)};
+  }
 };
 
 /// R and Dw: e = w cos b + p sin b, q = w x p.
@@ -67,11 +86,9 @@ struct ReactionFrame {
   T speed;  ///< |Dw|, 1 if friction is dry
 };
 
-/// SlipTriangle, and what a Newton step by the secants made of it.
+/// The triangle, and what a Newton step by the secants made of it.
 template <class T>
-struct SlipState {
-  T tangent;  ///< tan psi
-  T sin_psi, cos_psi, cos_g, axis_sine, axis_cosine;
+struct SlipState : SlipTriangle<T> {
   ContactMove<T> move;  ///< from the contact last evaluated
   T step;               ///< of ln tan psi, the last
   T squares;            ///< of its steps, their sum
@@ -99,6 +116,7 @@ struct TrackerState {
   ContactMove<T> last_move;  ///< to it, from the one before
   T inverse_square;          ///< 1/length^2 of this move
   T slope_error;  ///< how wrong slopes have lately been: d ln F per length
+  T is_known;     ///< 1: slopes and curvatures are those of a pin's window
   Window<T> window;
 
   // The last prediction, and M_t from there.
