@@ -35,6 +35,8 @@ printf 'R_x_N,R_y_N,R_z_N,M_x_N_m,M_y_N_m,M_z_N_m\n0,0,9,1,0,0\n' \
 table columns hinge-joint hinge-joint $ball $one --pv
 table columns hinge-joint-fitted hinge-joint $open $one --law fitted
 table columns hinge-joint-pressed hinge-joint $pressed --reaction 2000
+table columns hinge-pressure-direction hinge-pressure \
+  --joint data/joints/spherical_plain_bearing_ge50.toml --load 1e5 --direction 90
 table columns hinge-joint-tilt hinge-joint --joint data/joints/relieved_bush.toml \
   --reaction 1e4 --tilt 0.01 --pv
 table columns hinge-joint-rest hinge-joint $ball $rest
