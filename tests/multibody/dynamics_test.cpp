@@ -199,15 +199,20 @@ Vectors reaction_forces(const multibody::Dynamics& dynamics) {
 // The same at once, in rows.
 void expect_rows_agree(const multibody::Dynamics& dynamics) {
   const int bodies = dynamics.size();
-  Rows forces(bodies);
-  dynamics.forces(forces.rows());
+  Rows forces(bodies), moments(bodies);
+  const contact::VectorRows rows = moments.rows();
+  dynamics.reactions(forces.rows(), &rows);
   EXPECT_TRUE(forces.guards_are_untouched());
+  EXPECT_TRUE(moments.guards_are_untouched());
+  std::vector<multibody::Reaction<double>> reactions(bodies);
+  dynamics.reactions(reactions);
   std::vector<multibody::Vec3<double>> at_once(bodies);
   dynamics.relative_accelerations(at_once);
-  const Vectors expected_forces = reaction_forces(dynamics);
   const Vectors expected = relative_accelerations(dynamics);
   for (int i = 0; i < bodies; ++i) {
-    EXPECT_EQ(forces.get(i), expected_forces[i]) << bodies << " bodies, " << i;
+    const auto& [force, moment] = reactions[i];
+    EXPECT_EQ(forces.get(i), multibody::vec3(force)) << bodies << ", " << i;
+    EXPECT_EQ(moments.get(i), multibody::vec3(moment)) << bodies << ", " << i;
     EXPECT_EQ(multibody::vec3(at_once[i]), expected[i])
         << bodies << " bodies, " << i;
   }

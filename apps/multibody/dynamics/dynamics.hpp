@@ -91,8 +91,11 @@ class Dynamics {
     assert(static_cast<int>(to.size()) == size());
     kernel_->reactions(to.data());
   }
-  /// Their forces; numbers beyond size() in the last packet may be written.
-  void forces(const VectorRows& to) const { kernel_->forces(to); }
+  /// The same in rows; numbers beyond size() in the last packet may be written.
+  /// @param moment  null: not wanted
+  void reactions(const VectorRows& force, const VectorRows* moment) const {
+    kernel_->reactions(force, moment);
+  }
   /// C_i: link axes to carrier axes; 0 if released.
   Mat3<double> axes(int body) const { return kernel_->axes(body); }
 

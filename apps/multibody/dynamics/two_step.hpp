@@ -137,14 +137,6 @@ class TwoStep {
     });
   }
 
-  /// Of all bodies: the forces of reactions().
-  void forces(const VectorRows& to) const {
-    const CarrierAcceleration<S> carrier = L::spread(carrier_);
-    for_packets([&](const auto& packet) {
-      L::write(packet, packet.kernel.reaction(carrier).force, to);
-    });
-  }
-
   /// Of all bodies.
   void reactions(Reaction<T>* to) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
@@ -153,6 +145,14 @@ class TwoStep {
       for_lanes(packet, [&](int body, int lane) {
         to[body] = {L::at(r.force, lane), L::at(r.moment, lane)};
       });
+    });
+  }
+  void reactions(const VectorRows& force, const VectorRows* moment) const {
+    const CarrierAcceleration<S> carrier = L::spread(carrier_);
+    for_packets([&](const auto& packet) {
+      const Reaction<S> r = packet.kernel.reaction(carrier);
+      L::write(packet, r.force, force);
+      if (moment) L::write(packet, r.moment, *moment);
     });
   }
 

@@ -1,13 +1,12 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 #include <vector>
 
+#include "libcontact/base/vector_rows.hpp"
 #include "libcontact/tracking/joint_tracker.hpp"
 #include "multibody/dynamics/dynamics.hpp"
 #include "multibody/friction/hinge_solver.hpp"
-#include "multibody/system/active_forces.hpp"
 
 namespace multibody {
 
@@ -30,57 +29,74 @@ class FrictionTracker {
   int count() const { return count_; }
 
   void set_rate(int hinge, const Eigen::Vector3d& rate) {
-    const auto [first, end, is_axis] = hinges_[hinge];
-    for (int k = first; k < end; ++k) joints_.set_rate(k, rate);
+    for (int k = 0; k < hinges_[hinge].joints; ++k) {
+      joints_.set_rate(joint(hinge, k), rate);
+    }
   }
   /// M_t that the motion has been worked out with (axis: along z).
   void set_applied_moment(int hinge, const Eigen::Vector3d& moment);
   Eigen::Vector3d applied_moment(int hinge) const {
-    return sum(hinge, [&](int k) { return joints_.applied_moment(k); });
+    const auto [count, is_axis] = hinges_[hinge];
+    Eigen::Vector3d sum = joints_.applied_moment(hinge);
+    for (int k = 1; k < count; ++k) {
+      sum += joints_.applied_moment(joint(hinge, k));
+    }
+    return is_axis ? Eigen::Vector3d(0, 0, sum.z()) : sum;
   }
 
-  /// Whether motion and joints exchange rows of vectors: every hinge has one
-  /// joint.
-  bool is_direct() const { return is_direct_; }
   /// Reactions that the motion causes.
-  /// @param reactions  filled by Dynamics::reactions() unless is_direct()
-  void take_reactions(const Dynamics& dynamics, std::span<const int> hinges,
-                      std::span<Reaction<double>> reactions);
-
-  /// The force on a hinge of one joint among them.
+  void take_reactions(const Dynamics& dynamics);
+  /// The force on a hinge among them.
   Vec3<double> force(int hinge) const {
-    const Eigen::Vector3d r = joints_.reaction(hinges_[hinge].first);
-    return {r.x(), r.y(), r.z()};
+    if (is_direct_) {
+      const Eigen::Vector3d r = joints_.reaction(hinge);
+      return {r.x(), r.y(), r.z()};
+    }
+    constexpr int next = contact::VectorRows::lanes;
+    const double* const f = rows_[hinge / next].force + hinge % next;
+    return {f[0], f[next], f[2 * next]};
   }
 
   /// The joints of all hinges.
   contact::JointTracker& joints() { return joints_; }
   /// What joints().apply() changed: the motion follows.
-  /// @param change  of each hinge, filled unless is_direct()
-  void move(Dynamics& dynamics, std::span<const int> hinges,
-            std::span<Vec3<double>> change);
+  void move(Dynamics& dynamics);
 
  private:
   struct Hinge {
-    int first, end;  ///< its joints, none: cannot be tracked
+    int joints;  ///< 0: cannot be tracked
     bool is_axis;
   };
-  void add(const HingeFriction& friction);
-  void set_reactions(const Hinge& hinge, const Reaction<double>& reaction);
-  /// Of vectors of a hinge's joints; on an axis along it.
-  template <class F>
-  Eigen::Vector3d sum(int hinge, F of) const {
-    const auto [first, end, is_axis] = hinges_[hinge];
-    Eigen::Vector3d sum = of(first);
-    for (int k = first + 1; k < end; ++k) sum += of(k);
-    return is_axis ? Eigen::Vector3d(0, 0, sum.z()) : sum;
+  /// How joints share the force on a hinge and the moment of it, as
+  /// contact::JointGroup::Share; a number for each joint.
+  struct Shares {
+    std::vector<double> force, moment, axial;
+  };
+  /// 8 hinges.
+  struct alignas(64) HingeRows {
+    double force[24], moment[24], change[24];
+  };
+  contact::VectorRows rows(double (HingeRows::*vector)[24]) {
+    return {rows_[0].*vector, sizeof(HingeRows) / sizeof(double)};
   }
+  /// The k-th joints of all hinges lie side by side, so that lanes over hinges
+  /// are lanes over joints; those that are missing are never tracked.
+  int joint(int hinge, int k) const { return k * row_ + hinge; }
+  std::vector<contact::JointContact> lay_out(
+      const std::vector<HingeFriction>& friction);
+  void set_shares(int hinge, const HingeFriction& friction);
+  void share_reactions();
 
   std::vector<Hinge> hinges_;
-  contact::JointTracker joints_;
-  std::vector<contact::JointGroup::Share> shares_;
-  int count_ = 0;
+  int row_ = 0;    ///< joints side by side, a multiple of 4
+  int depth_ = 0;  ///< most joints of a hinge
+  /// Every hinge has one joint: rows of hinges are rows of joints.
   bool is_direct_ = true;
+  contact::JointTracker joints_;
+  Shares shares_;
+  std::vector<double> across_;  ///< 1: moments across the axis count as well
+  std::vector<HingeRows> rows_;
+  int count_ = 0;
 };
 
 }  // namespace multibody

@@ -89,7 +89,6 @@ void Hinges::set_state(const double* state) {
   if (state != at_.state.data()) {
     at_.state.assign(state, state + dynamics.layout().size());
   }
-  std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
   for (const int i : active()) {
     const Hinge& hinge = hinges_[i];
     const Vector3d& direction = memory(i).direction;
@@ -159,8 +158,7 @@ void Hinges::apply_changes() {
 }
 
 void Hinges::give_reactions(FrictionTracker& tracker) {
-  tracker.take_reactions(at_.dynamics, active(), at_.reactions);
-  at_.reactions_known = !tracker.is_direct();
+  tracker.take_reactions(at_.dynamics);
 }
 
 void Hinges::take_moment(int body, const Vector3d& moment) {
@@ -172,7 +170,8 @@ void Hinges::move(FrictionTracker& tracker) {
   if (is_prescribed()) {
     evaluate();
   } else {
-    tracker.move(at_.dynamics, active(), at_.change);
+    tracker.move(at_.dynamics);
+    at_.reactions_known = false;
   }
   give_reactions(tracker);
 }

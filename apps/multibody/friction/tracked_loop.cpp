@@ -124,8 +124,7 @@ void TrackedLoop::take_applied_moments(Hinges& hinges) {
     const double square = moment.squaredNorm();
     const double leverage = hinges[i].leverage;
     const double bound = leverage * leverage * square;
-    const Vec3<double> force =
-        tracker_.is_direct() ? tracker_.force(i) : hinges.reaction(i).force;
+    const Vec3<double> force = tracker_.force(i);
     largest_applied_ = std::max(largest_applied_, square);
     const double share = bound / dot(force, force);
     largest_leverage_ =
@@ -165,7 +164,8 @@ bool TrackedLoop::track_joints(Hinges& hinges) {
   CoupledProgress& report = hinges.report();
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
-    joints.predict();
+    // The first time all of them, then those that are not good enough.
+    joints.predict(report.iterations == 1 ? -1 : 0.5 * tolerance_);
     last_residual_ = 0;
     if (!found.is_trusted()) return false;
     relax(hinges, near);

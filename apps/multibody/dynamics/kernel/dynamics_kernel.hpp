@@ -31,7 +31,8 @@ class DynamicsKernel {
   virtual void rates(const double* state, const Vec3<double>& gravity,
                      double* to) const = 0;
   virtual void reactions(Reaction<double>* to) const = 0;
-  virtual void forces(const VectorRows& to) const = 0;
+  virtual void reactions(const VectorRows& force,
+                         const VectorRows* moment) const = 0;
 };
 
 /// @param constants  kept by reference

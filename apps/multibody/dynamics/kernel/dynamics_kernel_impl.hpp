@@ -52,7 +52,10 @@ class DynamicsKernelOf final : public DynamicsKernel {
   void reactions(Reaction<double>* to) const override {
     two_step_.reactions(to);
   }
-  void forces(const VectorRows& to) const override { two_step_.forces(to); }
+  void reactions(const VectorRows& force,
+                 const VectorRows* moment) const override {
+    two_step_.reactions(force, moment);
+  }
 
  private:
   static const double* numbers(const LinkForces<double>* bodies) {
