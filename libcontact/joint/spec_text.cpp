@@ -200,7 +200,7 @@ void write_laws(Toml& toml, const JointSpec& joint) {
     toml.table("[relief]");
     toml.text("kind", ends ? "ends" : "barrel");
     toml.number("depth_m", relief.depth());
-    if (ends) toml.number("length_m", relief.length());
+    if (ends) toml.number("relieved_length_m", relief.length());
   }
   if (!joint.loading.is_back()) return;
   toml.table("[loading]");

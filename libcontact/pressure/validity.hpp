@@ -38,11 +38,14 @@ struct LargestContact {
 ///   reaches a rim.
 class ContactLimits {
  public:
+  /// Those of a joint with a clearance, in a seat without end.
   /// @param law   half-angle law of the joint
   /// @param pair  its surfaces, moduli in Pa
-  /// @param geometry  the joint's: contacts of interference may be of any
-  ///                  half-angle, seats may end; without it neither
   ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair);
+  /// @param law       half-angle law of the joint
+  /// @param pair      its surfaces, moduli in Pa
+  /// @param geometry  the joint's: contacts of interference may be of any
+  ///                  half-angle, and seats may end
   ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                 const JointGeometry& geometry);
 

@@ -197,8 +197,8 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(seat("lower_rim_rad = 0.5\nupper_rim_rad = 2"), SeatZone(0.5, 2));
   EXPECT_EQ(
       error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
-      "joint.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg = 90 "
-      "(line 23)");
+      "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
+      "23)");
 }
 
 TEST(JointFile, Walls) {

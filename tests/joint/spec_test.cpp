@@ -56,7 +56,7 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
           bodies +
           "[half_angle]\nlaw = \"blend:0.3\"\nlimit_half_angle_deg = 80\n"
           "degrees_per_radian = 57.3\n[pressure]\nlaw = \"cosine\"\n"
-          "[relief]\nkind = \"ends\"\ndepth_um = 7\nlength_mm = 5\n",
+          "[relief]\nkind = \"ends\"\ndepth_um = 7\nrelieved_length_mm = 5\n",
       "fit");
   EXPECT_EQ(fitted.relief, Relief::ends(7e-6, 5e-3));
   EXPECT_EQ(parse_joint(fitted.canonical_text(), "text"), fitted);

@@ -189,9 +189,12 @@ Relief relief_from_table(const TomlTable& file, const JointGeometry& geometry) {
   const double depth = table->number("depth", Interval::positive());
   if (!barrel) {
     const double half = geometry.length() / 2;
-    return Relief::ends(depth, table->number("length", {0, half, true}));
+    return Relief::ends(depth,
+                        table->number("relieved_length", {0, half, true}));
   }
-  if (table->has("length")) table->needs("length", "kind = \"ends\"");
+  if (table->has("relieved_length")) {
+    table->needs("relieved_length", "kind = \"ends\"");
+  }
   return Relief::barrel(depth);
 }
 
@@ -218,7 +221,7 @@ KnownKeys geometry_keys() {
                              {"upper_rim", Dimension::angle}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
-                               {"length", Dimension::length}})};
+                               {"relieved_length", Dimension::length}})};
 }
 
 }  // namespace contact
