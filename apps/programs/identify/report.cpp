@@ -48,12 +48,12 @@ void add_lines(const FrictionFit& fit, bool profile, cli::Report& to) {
   }
   for (const contact::FitQuantity& q : contact::fit_quantities()) {
     if (q.key == "condition") add_correlations(fit, to);
-    if (const auto* get = std::get_if<0>(&q.of)) {
-      to.add(q.symbol, (*get)(fit), q.meaning);
-    } else if (const auto* get = std::get_if<1>(&q.of)) {
-      to.add(q.symbol, static_cast<double>((*get)(fit)), q.meaning);
-    } else if (const auto* get = std::get_if<2>(&q.of)) {
-      const Estimate& e = (*get)(fit);
+    if (const auto* number = std::get_if<0>(&q.of)) {
+      to.add(q.symbol, (*number)(fit), q.meaning);
+    } else if (const auto* count = std::get_if<1>(&q.of)) {
+      to.add(q.symbol, static_cast<double>((*count)(fit)), q.meaning);
+    } else if (const auto* estimate = std::get_if<2>(&q.of)) {
+      const Estimate& e = (*estimate)(fit);
       to.add(q.symbol, e.value, q.meaning, errors(e, profile));
     }
   }

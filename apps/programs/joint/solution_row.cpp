@@ -87,14 +87,14 @@ double AnswerColumn::operator()(const Answer& a) const {
   double solved = 0;
   if (const auto* column = std::get_if<0>(&of)) {
     solved = (*column)(a.rest.slip);
-  } else if (const auto* column = std::get_if<1>(&of)) {
-    solved = (*column)(a);
-  } else if (const auto* column = std::get_if<2>(&of)) {
-    solved = (*column)(a.rating);
-  } else if (const auto* column = std::get_if<3>(&of)) {
-    solved = (*column)(a.rest);
-  } else if (const auto* column = std::get_if<4>(&of)) {
-    solved = (*column)(a.approach);
+  } else if (const auto* own = std::get_if<1>(&of)) {
+    solved = (*own)(a);
+  } else if (const auto* rated = std::get_if<2>(&of)) {
+    solved = (*rated)(a.rating);
+  } else if (const auto* held = std::get_if<3>(&of)) {
+    solved = (*held)(a.rest);
+  } else if (const auto* approached = std::get_if<4>(&of)) {
+    solved = (*approached)(a.approach);
   } else {
     solved = std::get<5>(of)(*a.patch);
   }
