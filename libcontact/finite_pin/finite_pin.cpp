@@ -3,12 +3,12 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 #include <limits>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/root_finding.hpp"
 #include "libcontact/finite_pin/sums.hpp"
 
 namespace contact {
@@ -42,15 +42,12 @@ std::vector<double> zeros(const std::vector<double>& of, double low,
   ends.push_back(high);
   std::vector<double> found;
   double from = low;
+  constexpr int bits = 53;
   for (const double to : ends) {
     const double a = value(from);
     const double b = value(to);
     if ((a < 0) != (b < 0)) {
-      std::uintmax_t steps = 100;
-      const auto [x, y] = boost::math::tools::toms748_solve(
-          value, from, to, a, b, boost::math::tools::eps_tolerance<double>(),
-          steps);
-      found.push_back((x + y) / 2);
+      found.push_back(shrink_bracket(value, from, to, a, b, bits).middle());
     }
     from = to;
   }
@@ -199,8 +196,8 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
   return sums;
 }
 
-FinitePinState FinitePin::state(const Vector4d& place) const noexcept {
-  const Sums all = sums(place);
+FinitePinState FinitePin::state(const Vector4d& place,
+                                const Sums& all) const noexcept {
   FinitePinState s{.shift = place.head<2>(),
                    .tilt = place.tail<2>(),
                    .force = all.load.head<2>(),
@@ -254,7 +251,8 @@ FinitePinState FinitePin::state(const Vector4d& place) const noexcept {
 
 FinitePinState FinitePin::at(const Vector2d& shift,
                              const Vector2d& tilt) const noexcept {
-  return state((Vector4d() << shift, tilt).finished());
+  const Vector4d place = (Vector4d() << shift, tilt).finished();
+  return state(place, sums(place));
 }
 
 double FinitePin::largest_pv(const FinitePinState& state,

@@ -105,7 +105,8 @@ class FinitePin {
               const Relief::Piece& piece) const noexcept;
   std::vector<Interval> intervals(const Eigen::Vector4d& place) const noexcept;
   Sums sums(const Eigen::Vector4d& place) const noexcept;
-  FinitePinState state(const Eigen::Vector4d& place) const noexcept;
+  FinitePinState state(const Eigen::Vector4d& place,
+                       const Sums& all) const noexcept;
   Eigen::Vector4d start(const Eigen::Vector2d& force,
                         const Eigen::Vector2d& tilt) const noexcept;
   FinitePinState solved(const Eigen::Vector4d& load, bool tilts,

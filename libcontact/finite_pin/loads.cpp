@@ -88,10 +88,13 @@ FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
     }
     if (!taken) break;
   }
-  if (status != Status::ok && beyond) place.setConstant(nan);
   const int iterations = found.iterations;
   const double residual = size == 0 ? 0 : rest(now).norm() / size;
-  found = state(place);
+  if (status != Status::ok && beyond) {
+    place.setConstant(nan);
+    now = sums(place);
+  }
+  found = state(place, now);
   found.iterations = iterations;
   found.residual = residual;
   if (found.status == Status::ok && !(residual <= 1e-9)) found.status = status;
