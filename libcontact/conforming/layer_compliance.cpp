@@ -160,6 +160,12 @@ struct LayerCompliance::Harmonic {
 };
 
 LayerCompliance::LayerCompliance(JointKind kind, Side side,
+                                 const LayeredPair& pair)
+    : LayerCompliance(kind, side,
+                      side == Side::inner ? pair.inner() : pair.outer(),
+                      pair.radius(), pair.surfaces().effective_modulus()) {}
+
+LayerCompliance::LayerCompliance(JointKind kind, Side side,
                                  const LayeredBody& body, double radius,
                                  double modulus)
     : kind_(kind), side_(side), backing_(body.backing.kind()) {

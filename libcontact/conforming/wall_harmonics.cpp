@@ -14,19 +14,13 @@ namespace {
 
 using Side = LayerCompliance::Side;
 
-LayerCompliance compliance_of(JointKind kind, Side side,
-                              const LayeredPair& pair) {
-  return {kind, side, side == Side::inner ? pair.inner() : pair.outer(),
-          pair.radius(), pair.surfaces().effective_modulus()};
-}
-
 // How much long waves of the pressure press in, over the shortest that count:
 // roundings and the truncation of the series are enlarged by its inverse.
 double conditioning(JointKind kind, const LayeredPair& pair) {
   constexpr int long_wave = 16;
   double compliance = 0;
   for (const Side side : {Side::inner, Side::outer}) {
-    compliance += compliance_of(kind, side, pair)(long_wave).total;
+    compliance += LayerCompliance(kind, side, pair)(long_wave).total;
   }
   return compliance * pair.relative_thickness();
 }
@@ -65,7 +59,7 @@ WallHarmonics::WallHarmonics(JointKind kind, const LayeredPair& pair)
     : mean(0), first(0) {
   require_conditioning(kind, pair);
   for (const Side side : {Side::inner, Side::outer}) {
-    const LayerCompliance compliance = compliance_of(kind, side, pair);
+    const LayerCompliance compliance(kind, side, pair);
     const int count = compliance.corrected();
     correction.resize(std::max<std::size_t>(correction.size(), count));
     for (int n = 0; n < count; ++n) {
@@ -86,10 +80,18 @@ double free_ring_thickness(const LayeredPair& pair) {
   return thickness / pair.radius();
 }
 
+namespace {
+
+// How wide the layer at the edge of the contact is, over the radius.
+double edge_layer(const LayeredPair& pair) {
+  return std::min(pair.relative_thickness(), free_ring_thickness(pair) / 5);
+}
+
+}  // namespace
+
 int walled_unknowns(const LayeredPair& pair) {
   // Measured: docs/walls.md, "The edge".
-  const double thickness =
-      std::min(pair.relative_thickness(), free_ring_thickness(pair) / 5);
+  const double thickness = edge_layer(pair);
   if (thickness > 0.09) return 16;
   if (thickness > 0.025) return 24;
   if (thickness > 0.009) return 32;
@@ -98,8 +100,7 @@ int walled_unknowns(const LayeredPair& pair) {
 
 int gap_unknowns(const LayeredPair& pair) {
   // Measured: conforming/gap_test.cpp.
-  const double thickness =
-      std::min(pair.relative_thickness(), free_ring_thickness(pair) / 5);
+  const double thickness = edge_layer(pair);
   if (thickness > 0.5) return 16;
   if (thickness > 0.15) return 24;
   if (thickness > 0.05) return 32;
@@ -109,8 +110,8 @@ int gap_unknowns(const LayeredPair& pair) {
 bool can_have_interference(JointKind kind, const LayeredPair& pair) {
   // Rounding of c_0, which is of the order of the thickness otherwise.
   constexpr double incompressible = 1e-12;
-  const double mean = compliance_of(kind, Side::inner, pair)(0).total +
-                      compliance_of(kind, Side::outer, pair)(0).total;
+  const double mean = LayerCompliance(kind, Side::inner, pair)(0).total +
+                      LayerCompliance(kind, Side::outer, pair)(0).total;
   return mean > incompressible;
 }
 

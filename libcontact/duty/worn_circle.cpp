@@ -20,17 +20,14 @@ constexpr double pi = std::numbers::pi;
 // pin in an infinite body has none.
 VectorXd compliances(const LayeredPair& pair, Index count) {
   using Side = LayerCompliance::Side;
-  const double modulus = pair.surfaces().effective_modulus();
-  const auto of = [&](Side side, const LayeredBody& body) {
-    return LayerCompliance(JointKind::pin, side, body, pair.radius(), modulus);
-  };
-  const LayerCompliance inner = of(Side::inner, pair.inner());
-  const LayerCompliance outer = of(Side::outer, pair.outer());
+  const double unit = 4 * pair.radius() / pair.surfaces().effective_modulus();
+  const LayerCompliance inner(JointKind::pin, Side::inner, pair);
+  const LayerCompliance outer(JointKind::pin, Side::outer, pair);
   VectorXd all(count);
   for (Index n = 0; n < count; ++n) {
     const int harmonic = static_cast<int>(n);
     const double c = inner(harmonic).total + outer(harmonic).total;
-    all[n] = std::isnan(c) ? 0 : 4 * pair.radius() / modulus * c;
+    all[n] = std::isnan(c) ? 0 : unit * c;
   }
   return all;
 }

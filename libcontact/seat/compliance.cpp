@@ -69,11 +69,9 @@ class LegendreFunctions {
 
 // c_n of both bodies, in units of 4 rho/E.
 Eigen::VectorXd compliances(const LayeredPair& pair, int degree) {
-  const double modulus = pair.surfaces().effective_modulus();
-  const LayerCompliance inner(JointKind::ball, LayerCompliance::Side::inner,
-                              pair.inner(), pair.radius(), modulus);
-  const LayerCompliance outer(JointKind::ball, LayerCompliance::Side::outer,
-                              pair.outer(), pair.radius(), modulus);
+  using Side = LayerCompliance::Side;
+  const LayerCompliance inner(JointKind::ball, Side::inner, pair);
+  const LayerCompliance outer(JointKind::ball, Side::outer, pair);
   Eigen::VectorXd c(degree + 1);
   for (int n = 0; n <= degree; ++n) c(n) = inner(n).total + outer(n).total;
   return c;
