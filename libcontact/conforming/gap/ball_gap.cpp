@@ -16,9 +16,6 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Harmonics of the pressure near the edge, where 1e-7 is enough.
-constexpr int profile_harmonics = 400;
-
 BallConstants constants_of(const ElasticPair& pair) {
   return {pair.inner_compliance_share(), pair.inner().poissons_ratio,
           pair.outer_compliance_share(), pair.outer().poissons_ratio};
@@ -158,9 +155,8 @@ void BallGap::harmonics(const GapField& field, std::span<double> out) const {
 // sum (1/c_n - N) Phi_n P_n(cos t'), n >= 2. Of a constant in the bracket the
 // whole sum, n >= 0, is 0 beyond the gap.
 double BallGap::smooth(const GapField& field, double opposite) const {
-  const HarmonicFade fade(
-      opposite - field.opening,
-      std::max(profile_harmonics, static_cast<int>(correction_.size())));
+  const HarmonicFade fade(opposite - field.opening,
+                          static_cast<int>(correction_.size()));
   std::vector<double> moment(static_cast<std::size_t>(fade.end()));
   moments(field, moment);
   const double limit = rest_limit();

@@ -9,8 +9,9 @@ namespace contact::detail {
 /// exp(-(s margin)^2/2) of what the gap's edge has.
 class HarmonicFade {
  public:
-  /// @param most  terms without fading, where the margin is too small for it
-  HarmonicFade(double margin, int most);
+  /// @param corrected  harmonics that walls change: so many terms are there, or
+  ///                   400, where the margin is too small for fading
+  HarmonicFade(double margin, int corrected);
 
   int end() const { return end_; }
   /// Weight of term n < end().

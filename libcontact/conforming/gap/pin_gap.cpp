@@ -23,9 +23,6 @@ int harmonics(double opening, double share, std::size_t corrected) {
   return std::max(static_cast<int>(smooth), static_cast<int>(corrected));
 }
 
-// Harmonics of the pressure near the edge, where 1e-7 is enough.
-constexpr int profile_harmonics = 400;
-
 }  // namespace
 
 PinGap::PinGap(const LayeredPair& pair, int unknowns, double harmonics)
@@ -130,9 +127,8 @@ double PinGap::smooth(const GapField& field, double opposite) const {
                            static_cast<int>(field.series.size()));
   const Eigen::VectorXd series =
       b / pi * (modes.transformation() * field.series);
-  const HarmonicFade fade(
-      opposite - field.opening,
-      std::max(profile_harmonics, static_cast<int>(correction_.size())));
+  const HarmonicFade fade(opposite - field.opening,
+                          static_cast<int>(correction_.size()));
   std::vector<double> order;
   for (int n = 2; n < fade.end(); ++n) order.push_back(n);
   double sum = 0;
