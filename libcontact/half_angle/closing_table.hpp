@@ -1,9 +1,9 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 
 #include "libcontact/conforming/gap/signed_contact.hpp"
+#include "libcontact/half_angle/opening_series.hpp"
 
 namespace contact::detail {
 
@@ -48,23 +48,10 @@ class ClosingTable {
   Root opening(double inverse) const;
 
  private:
-  static constexpr int columns = 4;
-  struct Value {
-    double value;
-    double slope;  // over psi
-  };
-  void tabulate(const Solver& solver, int count);
-  bool is_resolved() const;
-  double variable(double opening) const;
-  Eigen::RowVectorXd series(double opening) const;
-  Value logarithm(double opening) const;  // w
-
   double largest_;
-  double thickness_;
-  double range_;
   double mean_;
   double first_;
-  Eigen::MatrixXd coefficients_;  // a degree a row
+  OpeningSeries series_;  // the first is w
 };
 
 }  // namespace contact::detail

@@ -80,22 +80,14 @@ std::unique_ptr<ClosingTable> make_closing(JointKind kind,
       gap.first_compliance(), closing_nodes(kind, pair));
 }
 
-template <class... Types>
-void add_closing(ExactRelation& relation, JointKind kind,
-                 const LayeredPair& pair) {
-  relation.make_closing = [kind, pair](double limit) {
-    return make_closing<Types...>(kind, pair, limit);
-  };
-}
-
 void add_closing(ExactRelation& relation, JointKind kind,
                  const LayeredPair& pair, const InnerLoading& loading) {
   if (loading.is_back() || !detail::can_have_interference(kind, pair)) return;
-  if (kind == JointKind::pin) {
-    add_closing<PinContact, detail::PinGap>(relation, kind, pair);
-  } else {
-    add_closing<BallContact, detail::BallGap>(relation, kind, pair);
-  }
+  relation.make_closing = [kind, pair](double limit) {
+    return kind == JointKind::pin
+               ? make_closing<PinContact, detail::PinGap>(kind, pair, limit)
+               : make_closing<BallContact, detail::BallGap>(kind, pair, limit);
+  };
 }
 
 template <class Contact>

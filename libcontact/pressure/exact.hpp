@@ -83,7 +83,7 @@ class ExactPressure final : public PressureLaw {
   const detail::LiftedPressure* lifted() const noexcept;
   /// Whether the other table has a half-angle.
   bool is_lifted(double half_angle) const noexcept {
-    return half_angle > largest_ && half_angle <= pi_ && lifted();
+    return half_angle > largest_ && half_angle <= std::numbers::pi && lifted();
   }
   bool harmonics(double half_angle,
                  std::span<double> out) const noexcept override;
@@ -119,8 +119,6 @@ class ExactPressure final : public PressureLaw {
   Column evaluate(double half_angle) const noexcept;
   double centre(double half_angle) const noexcept;
   double in_pressure_units(double value, double half_angle) const noexcept;
-
-  static constexpr double pi_ = std::numbers::pi;
 
   double largest_;
   // Of what the other table is made; none where there is no interference.

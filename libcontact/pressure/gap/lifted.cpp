@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "libcontact/conforming/gap/ball_gap.hpp"
@@ -10,8 +9,6 @@
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Before the gap's series.
 constexpr int leading = 4;
@@ -47,43 +44,22 @@ struct LiftedPressure::Gap {
 LiftedPressure::LiftedPressure(JointKind kind, const LayeredPair& pair,
                                double largest)
     : gap_(std::make_unique<const Gap>(kind, pair)),
-      thickness_(std::min(pair.relative_thickness(), 1.0)),
-      range_(std::log1p(largest / thickness_)) {
-  const int count = pair.relative_thickness() < 0.3 ? 48 : 24;
-  Eigen::MatrixXd chebyshev(count, count);
-  Eigen::MatrixXd values;
-  for (int i = 0; i < count; ++i) {
-    const double phi = pi * (i + 0.5) / count;
-    const double cosine = std::cos(phi / 2);
-    const double opening = thickness_ * std::expm1(range_ * cosine * cosine);
-    const GapField f = gap_->field(opening);
-    if (i == 0) values.resize(count, leading + f.series.size());
-    values.row(i) << gap_->centre(f), f.contact.mean_deficit / unit(opening),
-        f.contact.gap_shift / unit(opening), f.mean_gap / unit(opening),
-        f.series.transpose() / unit(opening);
-    for (int k = 0; k < count; ++k) {
-      chebyshev(k, i) = (k == 0 ? 1.0 : 2.0) / count * std::cos(k * phi);
-    }
-  }
-  coefficients_ = chebyshev * values;
+      series_(std::min(pair.relative_thickness(), 1.0), largest) {
+  series_.tabulate(
+      pair.relative_thickness() < 0.3 ? 48 : 24, [this](double opening) {
+        const GapField f = gap_->field(opening);
+        Eigen::RowVectorXd row(leading + f.series.size());
+        row << gap_->centre(f), f.contact.mean_deficit / unit(opening),
+            f.contact.gap_shift / unit(opening), f.mean_gap / unit(opening),
+            f.series.transpose() / unit(opening);
+        return row;
+      });
 }
 
 LiftedPressure::~LiftedPressure() = default;
 
-Eigen::RowVectorXd LiftedPressure::row(double opening, int columns) const {
-  const double v = 2 * std::log1p(opening / thickness_) / range_ - 1;
-  Eigen::RowVectorXd b0 = Eigen::RowVectorXd::Zero(columns);
-  Eigen::RowVectorXd b1 = b0;
-  for (Eigen::Index k = coefficients_.rows() - 1; k > 0; --k) {
-    b1 = 2 * v * b0 - b1 + coefficients_.row(k).head(columns);
-    b0.swap(b1);
-  }
-  return v * b0 - b1 + coefficients_.row(0).head(columns);
-}
-
 GapField LiftedPressure::field(double opening) const {
-  const Eigen::RowVectorXd values =
-      row(opening, static_cast<int>(coefficients_.cols()));
+  const Eigen::RowVectorXd values = series_.at(opening, series_.columns());
   GapField f{};
   f.opening = opening;
   f.contact.mean_deficit = unit(opening) * values(1);
@@ -94,11 +70,11 @@ GapField LiftedPressure::field(double opening) const {
 }
 
 double LiftedPressure::mean(double opening) const {
-  return 1 - unit(opening) * row(opening, 2)(1);
+  return 1 - unit(opening) * series_.at(opening, 2)(1);
 }
 
 double LiftedPressure::centre(double opening) const {
-  return row(opening, 1)(0);
+  return series_.at(opening, 1)(0);
 }
 
 double LiftedPressure::pressure(double theta, double opening) const {

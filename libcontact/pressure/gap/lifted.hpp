@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <memory>
 #include <span>
 
 #include "libcontact/conforming/gap/signed_contact.hpp"
+#include "libcontact/half_angle/opening_series.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/layers.hpp"
 
@@ -12,9 +12,8 @@ namespace contact::detail {
 
 /// The pressure of contacts that interference keeps closed over most of the
 /// seat or hole: from a half-angle above 100 deg to 180 deg, where they close
-/// all round. The gap's series (PinGap, BallGap) as Chebyshev series in
-/// ln(1 + psi/t), psi = pi - theta0; t as in ClosingTable. All over p_1, the
-/// pressure's first harmonic.
+/// all round. The gap's series (PinGap, BallGap) as an OpeningSeries, t
+/// as in ClosingTable. All over p_1, the pressure's first harmonic.
 ///
 /// Accuracy (pressure/interference_test.cpp): S and p(0) 1e-7, for walls below
 /// 0.1 radii 5e-6; p elsewhere 1e-6 of the peak.
@@ -35,13 +34,10 @@ class LiftedPressure {
 
  private:
   struct Gap;
-  Eigen::RowVectorXd row(double opening, int columns) const;
   GapField field(double opening) const;
 
   std::unique_ptr<const Gap> gap_;
-  double thickness_;
-  double range_;
-  Eigen::MatrixXd coefficients_;  // a degree a row
+  OpeningSeries series_;
 };
 
 }  // namespace contact::detail
