@@ -188,9 +188,9 @@ MatrixXd MomentModel::slopes(const Point& point,
   return at_bound - beyond;
 }
 
-// Of the clearance: leaves rounding of the integrals, 4e-15, over it, and its
-// square.
-constexpr double clearance_step = 1e-5;
+// Of the clearance or the friction angle's tangent: leaves rounding of the
+// integrals, 4e-15, over it, and its square.
+constexpr double relative_step = 1e-5;
 
 // The slope of a state's moment in a number of the point.
 // @param moved  the joints of unit numbers, or a step apart
@@ -201,7 +201,7 @@ Vector3d MomentModel::slope_at(const std::vector<JointContact>& moved,
   const auto difference = [&](const auto& of) {
     const auto first = of(moved[0]);
     if (number < 2) return first;
-    return decltype(first)((first - of(moved[1])) / (2 * clearance_step));
+    return decltype(first)((first - of(moved[1])) / (2 * relative_step));
   };
   if (state.reaction.isZero(0)) {  // interference alone
     const double slope = difference([](const JointContact& contact) {
@@ -224,7 +224,7 @@ MatrixXd MomentModel::solved_slopes(const Point& point,
   std::vector<Vector3d> by_tangent;
   for (std::size_t i = 0; i < states_.size(); ++i) {
     const double tangent = last_[i].memory.tangent;
-    const double move = 1e-5 * (1 + tangent);
+    const double move = relative_step * (1 + tangent);
     by_tangent.push_back(
         states_[i].reaction.isZero(0)
             ? Vector3d(Vector3d::Zero())
@@ -241,7 +241,7 @@ MatrixXd MomentModel::solved_slopes(const Point& point,
       moved.push_back(contact.with_friction(
           number == 0 ? FrictionLaw(1, 0) : FrictionLaw(0, unit_)));
     } else {
-      const Point step = clearance_step * Point::UnitZ();
+      const Point step = relative_step * Point::UnitZ();
       moved = {joint_at(point + step), joint_at(point - step)};
     }
     Eigen::Index at = 0;

@@ -55,7 +55,6 @@ ContactApproach JointContact::approach(const HalfAngleLaw& law,
                                        const JointGeometry& geometry,
                                        const ElasticPair& pair,
                                        double half_angle) noexcept {
-  const ContactApproach unit = law.approach(half_angle);
   const double length = geometry.kind() == JointKind::ball ? geometry.radius()
                                                            : geometry.length();
   if (!(geometry.radial_clearance() > 0)) {
@@ -63,6 +62,7 @@ ContactApproach JointContact::approach(const HalfAngleLaw& law,
     const double stiffness = law.shift(half_angle).stiffness;
     return {nan, stiffness * (pair.effective_modulus() * length)};
   }
+  const ContactApproach unit = law.approach(half_angle);
   return {unit.approach * geometry.radial_clearance(),
           unit.stiffness * (pair.effective_modulus() * length)};
 }
