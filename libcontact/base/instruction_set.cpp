@@ -8,18 +8,15 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/kernel_sets.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact {
 
 bool is_supported(InstructionSet set) {
-#ifdef CONTACT_AVX2_KERNELS
+#ifdef __x86_64__
   if (set == InstructionSet::avx2) {
     return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
   }
-#endif
-#ifdef CONTACT_AVX512_KERNELS
   if (set == InstructionSet::avx512) {
     return __builtin_cpu_supports("avx512f") &&
            __builtin_cpu_supports("avx512dq") &&

@@ -44,21 +44,11 @@ template <class V>
 #ifdef __AVX512VL__
 namespace avx512 {
 
-template <int size>
-using Lanes = std::experimental::simd<
-    double, std::experimental::simd_abi::deduce_t<double, size>>;
-
-// Of types that files for other instruction sets do not have.
-static_assert(
-    !std::is_same_v<Lanes<4>,
-                    std::experimental::simd<
-                        double, std::experimental::simd_abi::_VecBuiltin<32>>>);
-
-[[gnu::always_inline]] inline Lanes<8> estimate(const Lanes<8>& x) {
-  return Lanes<8>(_mm512_rsqrt14_pd(static_cast<__m512d>(x)));
+[[gnu::always_inline]] inline LanesOf<8> estimate(const LanesOf<8>& x) {
+  return LanesOf<8>(_mm512_rsqrt14_pd(x.native()));
 }
-[[gnu::always_inline]] inline Lanes<4> estimate(const Lanes<4>& x) {
-  return Lanes<4>(_mm256_rsqrt14_pd(static_cast<__m256d>(x)));
+[[gnu::always_inline]] inline LanesOf<4> estimate(const LanesOf<4>& x) {
+  return LanesOf<4>(_mm256_rsqrt14_pd(x.native()));
 }
 
 /// The 14-bit estimate and one step of fourth order: several times faster than
@@ -71,7 +61,7 @@ template <class V>
 }
 
 template <class V>
-concept Any = std::is_same_v<V, Lanes<8>> || std::is_same_v<V, Lanes<4>>;
+concept Any = std::is_same_v<V, LanesOf<8>> || std::is_same_v<V, LanesOf<4>>;
 
 }  // namespace avx512
 

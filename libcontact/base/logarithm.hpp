@@ -1,7 +1,5 @@
 #pragma once
 
-#include <bit>
-#include <cstdint>
 #include <numbers>
 
 #include "libcontact/base/simd.hpp"
@@ -10,17 +8,16 @@ namespace contact::detail {
 
 /// ln x of positive normal numbers, within 2e-12; anything else gives some
 /// finite number.
-template <class Abi>
-[[gnu::always_inline]] inline std::experimental::simd<double, Abi> logarithm(
-    const std::experimental::simd<double, Abi>& x) {
-  using V = std::experimental::simd<double, Abi>;
-  using Bits = std::experimental::rebind_simd_t<std::uint64_t, V>;
+template <int n, LaneSet set>
+[[gnu::always_inline]] inline LanesOf<n, set> logarithm(
+    const LanesOf<n, set>& x) {
+  using V = LanesOf<n, set>;
   // Mantissa, in [1/2, 1), and exponent by their bits: frexp is slow.
-  const Bits bits = std::bit_cast<Bits>(x);
+  const auto bits = x.bits();
   const V mantissa =
-      std::bit_cast<V>((bits & 0x000fffffffffffffULL) | 0x3fe0000000000000ULL);
+      V::of_bits((bits & 0x000fffffffffffffULL) | 0x3fe0000000000000ULL);
   // 2^52 plus the biased exponent is a double with the latter as its last bits.
-  const V power = std::bit_cast<V>((bits >> 52) | 0x4330000000000000ULL) -
+  const V power = V::of_bits((bits >> 52) | 0x4330000000000000ULL) -
                   (4503599627370496.0 + 1022.0);
   // ln(m sqrt 2) = 2 artanh(t), |t| <= 0.172: the first term left out is 2e-13.
   constexpr double middle = std::numbers::sqrt2 / 2;

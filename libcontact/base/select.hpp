@@ -21,20 +21,10 @@ using mask_of = typename MaskOf<V>::type;
                                             double b) {
   return condition ? a : b;
 }
-template <class Abi>
-[[gnu::always_inline]] inline std::experimental::simd<double, Abi> select(
-    const std::experimental::simd_mask<double, Abi>& condition,
-    const std::experimental::simd<double, Abi>& a,
-    const std::experimental::simd<double, Abi>& b) {
-  std::experimental::simd<double, Abi> result = b;
-  where(condition, result) = a;
-  return result;
-}
 
 [[gnu::always_inline]] inline bool any(bool condition) { return condition; }
-template <class Abi>
-[[gnu::always_inline]] inline bool any(
-    const std::experimental::simd_mask<double, Abi>& condition) {
+template <int n, LaneSet set>
+[[gnu::always_inline]] inline bool any(const LaneMask<n, set>& condition) {
   return any_of(condition);
 }
 

@@ -1,7 +1,5 @@
 #include "libcontact/tracking/tracker_kernel.hpp"
 
-#include "libcontact/base/kernel_sets.hpp"
-
 namespace contact::detail {
 
 extern const TrackerKernel tracker_kernel_baseline;
@@ -11,13 +9,11 @@ extern const TrackerKernel tracker_kernel_avx512_four;
 
 const TrackerKernel& tracker_kernel([[maybe_unused]] InstructionSet set,
                                     [[maybe_unused]] int joints) {
-#ifdef CONTACT_AVX512_KERNELS
+#ifdef __x86_64__
   // Four lanes for four joints: 18 % of a friction evaluation.
   if (set == InstructionSet::avx512) {
     return joints <= 4 ? tracker_kernel_avx512_four : tracker_kernel_avx512;
   }
-#endif
-#ifdef CONTACT_AVX2_KERNELS
   if (set == InstructionSet::avx2) return tracker_kernel_avx2;
 #endif
   return tracker_kernel_baseline;

@@ -1,5 +1,4 @@
-#include "libcontact/base/kernel_sets.hpp"
-#ifdef CONTACT_AVX512_KERNELS
+#ifdef __x86_64__
 #include "libcontact/tracking/tracker_kernel_impl.hpp"
 
 namespace contact::detail {

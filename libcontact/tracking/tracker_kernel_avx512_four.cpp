@@ -1,6 +1,5 @@
 // Few joints: half of the registers' width, but all 32 of them.
-#include "libcontact/base/kernel_sets.hpp"
-#ifdef CONTACT_AVX512_KERNELS
+#ifdef __x86_64__
 #define CONTACT_LANES 4
 #include "libcontact/tracking/tracker_kernel_impl.hpp"
 

@@ -19,10 +19,10 @@ using Slip = SlipState<Lanes>;
 using Move = ContactMove<Lanes>;
 
 [[gnu::always_inline]] inline Lanes load(const double* from) {
-  return {from, stdx::element_aligned};
+  return Lanes::load(from);
 }
 [[gnu::always_inline]] inline void store(const Lanes& x, double* to) {
-  x.copy_to(to, stdx::element_aligned);
+  x.store(to);
 }
 // Of the joint k and those after it.
 [[gnu::always_inline]] inline Vector load(const TrackerExchange::Vectors& from,

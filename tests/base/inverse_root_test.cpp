@@ -14,9 +14,9 @@
 namespace contact::test {
 namespace {
 
-namespace stdx = std::experimental;
 using detail::inverse_root;
 using detail::inverse_roots;
+using detail::LanesOf;
 
 // In units in the last place, infinite for NaN.
 double error(double found, double x) {
@@ -43,12 +43,7 @@ class Numbers {
 // Every lane by itself.
 template <class V>
 class InverseRootOf : public testing::Test {};
-using Types =
-    testing::Types<double, stdx::simd<double, stdx::simd_abi::scalar>,
-                   stdx::native_simd<double>,
-                   stdx::simd<double, stdx::simd_abi::deduce_t<double, 2>>,
-                   stdx::simd<double, stdx::simd_abi::deduce_t<double, 4>>,
-                   stdx::simd<double, stdx::simd_abi::deduce_t<double, 8>>>;
+using Types = testing::Types<double, LanesOf<2>, LanesOf<4>, LanesOf<8>>;
 TYPED_TEST_SUITE(InverseRootOf, Types);
 
 template <class V>
@@ -56,7 +51,7 @@ constexpr int width() {
   if constexpr (std::is_same_v<V, double>) {
     return 1;
   } else {
-    return static_cast<int>(V::size());
+    return V::size();
   }
 }
 template <class V>
@@ -64,7 +59,7 @@ V lanes(const double* x) {
   if constexpr (std::is_same_v<V, double>) {
     return *x;
   } else {
-    return V(x, stdx::element_aligned);
+    return V::load(x);
   }
 }
 template <class V>

@@ -247,19 +247,6 @@ TEST(PublicFace, IsTheOneThatIsWrittenDown) {
       << text;
 }
 
-// base/simd.hpp refuses lanes that the compiler gets wrong.
-TEST(Rooms, LanesHaveOneDoor) {
-  for (const std::string folder : {"libcontact", "apps", "tests"}) {
-    for (const std::string& file : sources(folder)) {
-      if (file == "libcontact/base/simd.hpp") continue;
-      std::ifstream stream(root / file);
-      for (std::string line; std::getline(stream, line);) {
-        EXPECT_FALSE(line.starts_with("#include <experimental/simd>")) << file;
-      }
-    }
-  }
-}
-
 // More and a folder no longer shows what is in it.
 TEST(Rooms, FoldersHaveAtMostThirtySources) {
   std::map<std::string, int> count;

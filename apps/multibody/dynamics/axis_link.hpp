@@ -1,7 +1,6 @@
 #pragma once
 
-#include <cmath>
-
+#include "libcontact/base/sine_cosine.hpp"
 #include "multibody/dynamics/carrier_equations.hpp"
 #include "multibody/dynamics/held_link.hpp"
 #include "multibody/dynamics/state_rates.hpp"
@@ -47,10 +46,9 @@ class AxisLink {
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
                                          const LinkForces<T>& forces) {
-    using std::cos;
-    using std::sin;
-    cos_ = cos(state[0]);
-    sin_ = sin(state[0]);
+    const auto [sine, cosine] = contact::detail::sine_cosine_of_any(state[0]);
+    cos_ = cosine;
+    sin_ = sine;
     const T& rate = state[1];
     c_ = turned_about_z(k_.zero, cos_, sin_);
     p_ = k_.p_1 + cos_ * k_.p_cos + sin_ * k_.p_sin;
@@ -186,11 +184,9 @@ class HeldAxis : public HeldLink<T, P> {
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,
                                          const LinkForces<T>& forces) {
-    using std::cos;
-    using std::sin;
-    HeldLink<T, P>::set_motion(
-        turned_about_z(this->k_.zero, cos(state[0]), sin(state[0])), carrier,
-        forces);
+    const auto [sine, cosine] = contact::detail::sine_cosine_of_any(state[0]);
+    HeldLink<T, P>::set_motion(turned_about_z(this->k_.zero, cosine, sine),
+                               carrier, forces);
   }
 };
 

@@ -15,7 +15,7 @@ namespace multibody {
 template <class S>
 constexpr int lane_count() {
   if constexpr (requires { S::size(); }) {
-    return static_cast<int>(S::size());
+    return S::size();
   } else {
     return 1;
   }
@@ -48,8 +48,7 @@ struct Lanes {
       if constexpr (width == 1) {
         return rows.at(packet.body[0])[k * VectorRows::lanes];
       } else if (packet.in_order) {
-        return S(rows.at(packet.body[0]) + k * VectorRows::lanes,
-                 std::experimental::element_aligned);
+        return S::load(rows.at(packet.body[0]) + k * VectorRows::lanes);
       } else {
         return S([&](auto lane) {
           const int body = packet.body[lane];
@@ -67,8 +66,7 @@ struct Lanes {
       if constexpr (width == 1) {
         rows.at(packet.body[0])[k * VectorRows::lanes] = x;
       } else if (packet.in_order) {
-        x.copy_to(rows.at(packet.body[0]) + k * VectorRows::lanes,
-                  std::experimental::element_aligned);
+        x.store(rows.at(packet.body[0]) + k * VectorRows::lanes);
       } else {
         for (int lane = 0; lane < width; ++lane) {
           const int body = packet.body[lane];

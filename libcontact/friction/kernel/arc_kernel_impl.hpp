@@ -34,7 +34,7 @@ struct ArcArrays {
 
   void set(int i, const Arc<Lanes>& arc) {
     const auto store = [i](const Lanes& x, Array& array) {
-      x.copy_to(array.data() + i, stdx::element_aligned);
+      x.store(array.data() + i);
     };
     store(arc.radius, radius);
     store(arc.constant, constant);

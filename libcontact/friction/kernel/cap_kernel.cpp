@@ -1,7 +1,5 @@
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 
-#include "libcontact/base/kernel_sets.hpp"
-
 namespace contact::detail {
 
 extern const CapKernel cap_kernel_baseline;
@@ -9,10 +7,8 @@ extern const CapKernel cap_kernel_avx2;
 extern const CapKernel cap_kernel_avx512;
 
 const CapKernel& cap_kernel([[maybe_unused]] InstructionSet set) {
-#ifdef CONTACT_AVX512_KERNELS
+#ifdef __x86_64__
   if (set == InstructionSet::avx512) return cap_kernel_avx512;
-#endif
-#ifdef CONTACT_AVX2_KERNELS
   if (set == InstructionSet::avx2) return cap_kernel_avx2;
 #endif
   return cap_kernel_baseline;

@@ -19,7 +19,7 @@ namespace {
 
 static_assert(CapRule::lanes % width == 0);
 
-Lanes load(const double* x) { return Lanes(x, stdx::element_aligned); }
+Lanes load(const double* x) { return Lanes::load(x); }
 
 /// Calls f.template operator()<pole_inside, range>().
 template <class F>
@@ -84,7 +84,7 @@ template <class V, class F>
 template <class V>
 void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
                bool pole_inside, ArcRange range, CapSums<V>& sums) {
-  constexpr int count = static_cast<int>(V::size());
+  constexpr int count = V::size();
   int most = 0;
   for (int i = 0; i < count; ++i) {
     if (group[i]) most = std::max(most, cap_rule_index(points.m[i]));
@@ -110,7 +110,8 @@ void sum_group(const CapPoint<V>& points, const mask_of<V>& group,
                                  points.q[i], points.k[i], points.m[i]};
     const CapSums<double> found =
         one(point, cap_rules[cap_rule_index(point.m)], pole_inside, range);
-    for_sums<V>([&](auto sum, auto of_one) { (sums.*sum)[i] = found.*of_one; });
+    for_sums<V>(
+        [&](auto sum, auto of_one) { (sums.*sum).set_lane(i, found.*of_one); });
   }
 }
 
@@ -120,9 +121,7 @@ template <class V>
                                 const double* axis_sin, const double* axis_cos,
                                 const double* wanted, int count,
                                 double* integrals) {
-  const auto read = [](const double* from) {
-    return V(from, stdx::element_aligned);
-  };
+  const auto read = [](const double* from) { return V::load(from); };
   const PreparedCap<V> cap =
       prepare(SineCosinePair<V>{read(half_angle_sin), read(half_angle_cos)},
               read(axis_sin), read(axis_cos));
@@ -141,7 +140,7 @@ template <class V>
   }
   const CapResult<V> r = assemble(cap, sums);
   const auto store = [&](const V& x, int row) {
-    x.copy_to(integrals + row * CapKernel::few_points, stdx::element_aligned);
+    x.store(integrals + row * CapKernel::few_points);
   };
   store(r.force, 0);
   store(r.sliding, 1);
@@ -155,7 +154,7 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
          const double* axis_sin, const double* axis_cos, const double* wanted,
          int count, double* integrals) {
   constexpr int half = (width + 1) / 2;
-  using HalfLanes = stdx::simd<double, stdx::simd_abi::deduce_t<double, half>>;
+  using HalfLanes = LanesOf<half>;
   static_assert(CapKernel::few_points % width == 0);
   for (int i = 0; i < count; i += width) {
     const auto with = [&]<class V>(V) {
@@ -163,7 +162,7 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
                    axis_cos + i, wanted + i, count - i, integrals + i);
     };
     const auto wants = [&]<class V>(const V&, int from) {
-      return any_of(V(wanted + from, stdx::element_aligned) != 0.0);
+      return any_of(V::load(wanted + from) != 0.0);
     };
     if (!wants(Lanes{}, i)) continue;
     if constexpr (width > 4) {
@@ -238,7 +237,7 @@ class Block {
 
   void prepare_lanes(int i, const PreparedCap<Lanes>& cap) {
     const auto store = [i](const Lanes& x, Array& array) {
-      x.copy_to(array.data() + i, stdx::element_aligned);
+      x.store(array.data() + i);
     };
     store(cap.point.s, s_);
     store(cap.point.c, c_);
@@ -315,7 +314,7 @@ class Block {
     const auto store = [&](const Lanes& x, std::span<double> to) {
       if (to.empty()) return;
       std::array<double, width> lanes;
-      x.copy_to(lanes.data(), stdx::element_aligned);
+      x.store(lanes.data());
       double* const start = to.data() + offset_;
       for (int lane = 0; lane < width; ++lane) start[at[lane]] = lanes[lane];
     };

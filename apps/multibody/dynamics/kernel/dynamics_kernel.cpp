@@ -1,7 +1,5 @@
 #include "multibody/dynamics/kernel/dynamics_kernel.hpp"
 
-#include "libcontact/base/kernel_sets.hpp"
-
 namespace multibody::detail {
 
 DynamicsKernel* new_dynamics_kernel_baseline(const SystemConstants& constants);
@@ -12,12 +10,10 @@ std::unique_ptr<DynamicsKernel> make_dynamics_kernel(
     const SystemConstants& constants,
     [[maybe_unused]] contact::InstructionSet set) {
   DynamicsKernel* kernel = nullptr;
-#ifdef CONTACT_AVX2_KERNELS
+#ifdef __x86_64__
   if (set == contact::InstructionSet::avx2) {
     kernel = new_dynamics_kernel_avx2(constants);
   }
-#endif
-#ifdef CONTACT_AVX512_KERNELS
   if (set == contact::InstructionSet::avx512) {
     kernel = new_dynamics_kernel_avx512(constants);
   }

@@ -5,7 +5,7 @@ namespace multibody::detail {
 
 DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants);
 DynamicsKernel* new_dynamics_kernel_avx2(const SystemConstants& constants) {
-  using Lanes = std::experimental::native_simd<double>;
+  using Lanes = contact::detail::LanesOf<4>;
   return new DynamicsKernelOf<Lanes>(constants);
 }
 

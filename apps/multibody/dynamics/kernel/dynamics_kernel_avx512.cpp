@@ -1,5 +1,4 @@
-#include "libcontact/base/kernel_sets.hpp"
-#ifdef CONTACT_AVX512_KERNELS
+#ifdef __x86_64__
 #include "libcontact/base/simd.hpp"
 #include "multibody/dynamics/kernel/dynamics_kernel_impl.hpp"
 
@@ -7,11 +6,10 @@ namespace multibody::detail {
 
 DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants& constants);
 DynamicsKernel* new_dynamics_kernel_avx512(const SystemConstants& constants) {
-  namespace stdx = std::experimental;
   // Few bodies: half of the registers' width, but all 32 of them.
-  using Four = stdx::simd<double, stdx::simd_abi::deduce_t<double, 4>>;
-  if (constants.size() <= 4) return new DynamicsKernelOf<Four>(constants);
-  return new DynamicsKernelOf<stdx::native_simd<double>>(constants);
+  using contact::detail::LanesOf;
+  if (constants.size() <= 4) return new DynamicsKernelOf<LanesOf<4>>(constants);
+  return new DynamicsKernelOf<LanesOf<8>>(constants);
 }
 
 }  // namespace multibody::detail
