@@ -201,9 +201,7 @@ void bind_quantities(py::class_<JointSet>& type) {
     const auto value = [&q](const JointContact& c, double half_angle,
                             const double* const* at) {
       const contact::ContactPatch patch{c, *at[1], half_angle};
-      return q.exists && !q.exists(patch)
-                 ? std::numeric_limits<double>::quiet_NaN()
-                 : number_of(q, patch);
+      return value_of(q, patch);
     };
     bind_quantity(type, q, "",
                   [&q, value](const JointSet& self, Arguments arguments,

@@ -1,7 +1,6 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -186,9 +185,7 @@ void bind_sums(py::class_<Cycle>& type) {
         q.key.data(),
         [&q](const Cycle& c) {
           const Unlocked unlocked;
-          return q.exists && !q.exists(c.on())
-                     ? std::numeric_limits<double>::quiet_NaN()
-                     : number_of(q, c.on());
+          return value_of(q, c.on());
         },
         documentation(q).c_str());
   }

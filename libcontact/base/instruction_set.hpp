@@ -10,7 +10,7 @@ namespace contact {
 /// whose numbers are the same, bit for bit, on any machine that has it.
 enum class InstructionSet { baseline, avx2, avx512 };
 
-/// Whether this machine and this build (clang: without `avx512`) can run `set`;
+/// Whether this machine and this build can run `set`;
 /// always true for `baseline`.
 bool is_supported(InstructionSet set);
 

@@ -1,6 +1,5 @@
 #include "libcontact/c/quantity.h"
 
-#include <limits>
 #include <string>
 #include <vector>
 
@@ -48,9 +47,7 @@ template <class T>
 contact_status get(const Quantity<T>& q, const T& of, double* value) {
   const int size = q.is_vector() ? 3 : 1;
   for (int k = 0; k < size; ++k) {
-    value[k] = q.exists && !q.exists(of)
-                   ? std::numeric_limits<double>::quiet_NaN()
-                   : number_of(q, of, q.is_vector() ? k : whole);
+    value[k] = value_of(q, of, q.is_vector() ? k : whole);
   }
   return CONTACT_OK;
 }

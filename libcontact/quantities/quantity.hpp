@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -90,6 +91,13 @@ double number_of(const Quantity<T>& q, const T& of, int part = whole) {
       q.of);
 }
 
+/// The same; NaN where it does not exist.
+template <class T>
+double value_of(const Quantity<T>& q, const T& of, int part = whole) {
+  return q.exists && !q.exists(of) ? std::numeric_limits<double>::quiet_NaN()
+                                   : number_of(q, of, part);
+}
+
 /// A quantity, the length of a vector or a part of it as tables print it.
 template <class T>
 struct Column {
@@ -101,9 +109,7 @@ struct Column {
 
   /// In `unit`; NaN where it does not exist.
   double operator()(const T& of) const {
-    return quantity->exists && !quantity->exists(of)
-               ? std::numeric_limits<double>::quiet_NaN()
-               : unit->from_si(number_of(*quantity, of, part));
+    return unit->from_si(value_of(*quantity, of, part));
   }
 };
 
@@ -137,6 +143,17 @@ std::vector<Column<T>> columns_of(const Quantity<T>& q, const Unit& unit) {
 template <class T>
 std::vector<Column<T>> columns_of(const Quantity<T>& q) {
   return columns_of(q, printed_unit(q.dimension));
+}
+/// Those of all quantities of a table.
+template <class T>
+std::vector<Column<T>> columns_of(std::span<const Quantity<T>> all) {
+  std::vector<Column<T>> columns;
+  for (const Quantity<T>& q : all) {
+    for (Column<T>& column : columns_of(q)) {
+      columns.push_back(std::move(column));
+    }
+  }
+  return columns;
 }
 
 }  // namespace contact

@@ -40,10 +40,11 @@ class JointPreload {
   /// length are per m of it: "R_lift_off_N_per_m".
   std::vector<std::string> columns() const {
     std::vector<std::string> names = {"contact_state"};
-    for (const auto& q : contact::preload_quantities()) {
-      names.push_back(columns_of(q)[0].name);
-      const bool grows = q.dimension == contact::Dimension::force ||
-                         q.dimension == contact::Dimension::moment;
+    for (const auto& column : quantities_) {
+      names.push_back(column.name);
+      const contact::Dimension d = column.quantity->dimension;
+      const bool grows =
+          d == contact::Dimension::force || d == contact::Dimension::moment;
       if (per_length_ && grows) names.back() += "_per_m";
     }
     return names;
@@ -62,11 +63,12 @@ class JointPreload {
     row.text(to_string(closed ? contact::ContactState::closed
                               : contact_.state(force)));
     const contact::ContactPatch patch{rubbing_, force, half_angle};
-    for (const auto& q : contact::preload_quantities()) {
-      if (q.dimension == contact::Dimension::moment && !has_friction_) {
+    for (const auto& column : quantities_) {
+      if (column.quantity->dimension == contact::Dimension::moment &&
+          !has_friction_) {
         row.empty();
       } else {
-        row.number(columns_of(q)[0](patch));
+        row.number(column(patch));
       }
     }
   }
@@ -75,6 +77,8 @@ class JointPreload {
   const contact::JointContact& contact() const { return contact_; }
 
  private:
+  std::vector<contact::Column<contact::ContactPatch>> quantities_ =
+      columns_of(contact::preload_quantities());
   contact::JointContact contact_;
   contact::JointContact rubbing_;  // with the joint's friction, if it has one
   bool has_friction_;

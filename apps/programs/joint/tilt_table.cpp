@@ -50,14 +50,6 @@ cli::ExitStatus report(const Problems& problems) {
 
 using Columns = std::vector<contact::Column<FinitePinSolution>>;
 
-Columns solution_columns() {
-  Columns columns;
-  for (const auto& q : contact::finite_pin_quantities()) {
-    std::ranges::move(columns_of(q), std::back_inserter(columns));
-  }
-  return columns;
-}
-
 // The rows of a joint.
 class Rows {
  public:
@@ -123,7 +115,7 @@ class Rows {
 
 cli::ExitStatus run_tilted(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
-  const Columns columns = solution_columns();
+  const Columns columns = columns_of(contact::finite_pin_quantities());
   std::vector<std::string> names = {"R_N"};
   if (!options.load_at.empty()) names.emplace_back("load_at_m");
   for (const auto& column : columns) names.push_back(column.name);

@@ -34,16 +34,12 @@ struct JointModel::Form {
   contact::TomlForm joint, study;
 };
 
-JointModel::JointModel(const Plan& plan) : plan_(plan) {
-  for (const auto& q : contact::solution_quantities()) {
-    std::ranges::move(columns_of(q), std::back_inserter(columns_));
-  }
+JointModel::JointModel(const Plan& plan)
+    : plan_(plan), columns_(columns_of(contact::solution_quantities())) {
   const contact::JointSpec nominal = contact::read_joint(plan.joint_file);
   nominal.contact(laws_);
   if (nominal.geometry.radial_clearance() <= 0) {
-    for (const auto& q : contact::preload_quantities()) {
-      std::ranges::move(columns_of(q), std::back_inserter(preload_columns_));
-    }
+    preload_columns_ = columns_of(contact::preload_quantities());
   }
   const Loaded first = read(KeySettings{});
   // One that scatters about a clearance of 0 may be unloaded in some runs.
