@@ -20,7 +20,7 @@ template <class V>
   return 1.0 / sqrt(x);
 }
 
-/// Of two numbers at once, for one division.
+/// Inverse roots of two numbers at once, for one division.
 template <class V>
 struct InverseRoots {
   V first, second;
@@ -48,7 +48,7 @@ template <int size>
 using Lanes = std::experimental::simd<
     double, std::experimental::simd_abi::deduce_t<double, size>>;
 
-// Of types that files for other instruction sets do not have.
+// Lanes here are types that files for other instruction sets do not have.
 static_assert(
     !std::is_same_v<Lanes<4>,
                     std::experimental::simd<
