@@ -9,7 +9,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of the last coefficients: what is cut off is as large.
+// Bound of the last coefficients: the terms cut off are as large.
 constexpr double negligible = 1e-8;
 
 double square(double v) { return v * v; }
