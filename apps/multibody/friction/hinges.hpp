@@ -19,16 +19,16 @@ struct Hinge {
   HingeMode mode = HingeMode::sliding;
   bool straight = false;  ///< keeps its direction
   bool follows = false;   ///< its direction is that of its acceleration
-  bool has_friction, can_rest, is_axis;  ///< of the solver
+  bool has_friction, can_rest, is_axis;  ///< as the solver says
   /// m arm/J: |dR/dM| on a fixed carrier.
   double leverage;
   double mass;
   double inertia;  ///< least about the hinge of a turn that moves the body
-  double length;   ///< of the arms of its hinge
+  double length;   ///< length of the arms of its hinge
   HingeSolver solver;
 };
 
-/// What the dynamics make of a hinge.
+/// Mode of a hinge in the dynamics.
 JointMode joint_mode(HingeMode mode);
 
 /// @throws contact::Error if friction and kind of hinge do not go together
@@ -102,8 +102,8 @@ class Hinges {
   double uncertain_moment() const;
   double kappa(int body);
 
-  /// What a sliding ball joint feels: the inertia against which its friction
-  /// works and its acceleration without friction.
+  /// Inertia against which a sliding ball joint's friction works, and its
+  /// acceleration without friction.
   struct Felt {
     Eigen::Matrix3d inertia;
     Eigen::Vector3d free;
@@ -111,7 +111,7 @@ class Hinges {
   Felt felt(int body);
 
  private:
-  /// Of a hinge's acceleration and reaction to its own moment.
+  /// Response of a hinge's acceleration and reaction to its own moment.
   struct Response {
     Eigen::Matrix3d acceleration, force, moment;
   };

@@ -75,7 +75,7 @@ void TrackedLoop::learn_contraction(double contraction) {
 
 // From what the last step of relax() has left.
 void TrackedLoop::learn_step(CoupledReport& report, double residual) {
-  // Of smaller steps rounding is left, whatever the contraction.
+  // Steps below this are dominated by rounding, whatever the contraction.
   constexpr double telling = 1e-9;
   if (!(last_residual_ > telling)) return;
   const double contraction = residual / last_residual_;

@@ -28,7 +28,7 @@ class HingeEvents;
 class Stepper;
 class UserEvents;
 
-/// What changes at one instant.
+/// Changes at one instant.
 struct MotionChange {
   std::vector<int> unlocked{};  ///< bodies
   std::vector<int> released{};
@@ -100,7 +100,7 @@ class Motion {
   /// called again.
   void halt_when(std::function<bool()> halt) { halt_ = std::move(halt); }
 
-  /// Where the step begins that sample() is in, or at whose end it is.
+  /// Beginning of the step that contains sample() or ends at it.
   double step_begin() const;
   /// Length of the last step, s.
   double last_step() const;
@@ -140,7 +140,7 @@ class Motion {
   bool resume(std::vector<double> state, bool due = false);
   void set_failure(const CoupledReport& report, double time);
 
-  // Where they are they refer to each other.
+  // These refer to each other, and must not move.
   std::unique_ptr<Equations> equations_;
   std::unique_ptr<MotionSample> view_;
   std::unique_ptr<Stepper> stepper_;
