@@ -69,7 +69,7 @@ void for_each_joint(const Case& c, const Visit& visit) {
   }
 }
 
-// Of all joints, each text once.
+// Texts of all joints, each once.
 template <class TextsOf>
 Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   std::set<std::string> texts;

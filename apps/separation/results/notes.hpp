@@ -6,11 +6,10 @@
 
 #include "separation/results/run.hpp"
 
-/// What is to be said of a case and its run, for every program and language.
+/// Notes on a case and its run, for every program and language.
 namespace separation {
 
-/// Where the clearances of the joints are from, fits and temperatures, each
-/// once.
+/// Sources of the joints' clearances, fits and temperatures, each once.
 std::vector<std::string> clearance_notes(const Case& c);
 /// Joints that leave the theory, once for each reason.
 std::vector<std::string> joint_notes(const Case& c);
