@@ -101,7 +101,8 @@ ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
   return all_good;
 }
 
-// What they are of each other; sets the separator beside decimal commas.
+// Checks table options against each other; sets the separator beside decimal
+// commas.
 void settle_table_options(bool separator, TableStyle& style) {
   if (style.format != Format::csv && (separator || style.decimal_comma)) {
     refuse_without(separator ? "--separator" : "--decimal-comma",
@@ -258,7 +259,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     const ExitStatus status = body();
     note_thousands(*app_);
     return status;
-  } catch (const CLI::ExtrasError&) {  // whose text has them backwards
+  } catch (const CLI::ExtrasError&) {  // its text has them backwards
     complain(name(), fmt::format("not expected: {} (see {} --help)",
                                  fmt::join(app_->remaining(), " "), name()));
   } catch (const CLI::ParseError& error) {

@@ -80,7 +80,7 @@ std::string shown_name(const std::string& name, const TableStyle& style) {
   return latex_text(name);
 }
 
-// Of a row of markdown, as far as the names tell.
+// Width of a row of markdown, as far as the names tell.
 std::size_t width_of(const std::vector<std::string>& names) {
   std::size_t width = 1;
   for (const std::string& name : names) width += padded("", name).size() + 3;

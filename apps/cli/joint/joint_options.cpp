@@ -30,7 +30,8 @@ struct KeyOption {
   const char* flag;
   std::string_view key;
   Dimension dimension;  ///< number: a text
-  /// Of a length, m: a larger number without a unit is hardly meant.
+  /// Largest plausible length, m: a larger number without a unit is hardly
+  /// meant.
   double most;
   JointUse use;  ///< and those behind it
   const char* kind;
@@ -127,7 +128,7 @@ std::vector<std::string> length_notes(const JointOptions& o) {
   return notes;
 }
 
-// What no joint file can say: moduli of which only the ratio is known.
+// Moduli with only the ratio known, which no joint file can give.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr Allowed poisson{0, 0.5, ""};
@@ -144,7 +145,7 @@ contact::MaterialPair materials_of(const JointOptions& o) {
       o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
   if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
   if (o.has("--wall")) refuse_without("--wall", either);
-  // Of a pressure law that looks at none.
+  // Any pair will do for a pressure law that needs none.
   return {"", contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3), {}};
 }
 
@@ -155,7 +156,7 @@ bool is_pin(const JointOptions& o) {
   refuse("--joint", kind, "ball, pin or a .toml file");
 }
 
-// What the size of a joint without a file has to say beside its keys.
+// Checks the size of a joint without a file beside its keys.
 bool check_size(const JointOptions& o, bool pin) {
   const bool has_size = o.has("--radius") || o.has("--diameter");
   const bool friction = o.use == JointUse::friction;
