@@ -42,7 +42,7 @@ struct Instant {
 
 /// Accelerations and reaction of a body, body axes.
 struct BodyResult {
-  Eigen::Vector3d acceleration;          ///< of the centre of mass, m/s^2
+  Eigen::Vector3d acceleration;          ///< centre of mass, m/s^2
   Eigen::Vector3d angular_acceleration;  ///< absolute, rad/s^2
   /// Derivative in link axes of the relative angular velocity; 0 for a body
   /// of its own.

@@ -18,7 +18,7 @@ namespace {
 const std::string joint =
     "hinge-joint --joint data/joints/paper_example_1.toml ";
 
-// What is at the other end of two pipes writes a line and waits for the
+// The program at the other end of two pipes writes a line and waits for the
 // answer; the header comes with the first line, as from a program that writes
 // whole buffers. 20 s are long against the time of a row.
 TEST(Points, AreAnsweredLineByLine) {
