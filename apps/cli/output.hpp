@@ -34,8 +34,7 @@ class Output {
   /// if what has that name has been read since.
   void commit();
 
-  /// Name of the file with the text until `commit`: for other programs that
-  /// write it.
+  /// File with the text until `commit`: for other programs that write it.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:

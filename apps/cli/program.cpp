@@ -101,8 +101,7 @@ ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
   return all_good;
 }
 
-// Checks table options against each other; sets the separator beside decimal
-// commas.
+// Checks table options among themselves; sets the separator beside commas.
 void settle_table_options(bool separator, TableStyle& style) {
   if (style.format != Format::csv && (separator || style.decimal_comma)) {
     refuse_without(separator ? "--separator" : "--decimal-comma",

@@ -272,7 +272,7 @@ bool Study::has_effect(std::size_t dispersion, double u,
 std::vector<std::string> Study::idle_keys(
     const std::vector<double>& notable) const {
   std::vector<std::string> idle;
-  // With no quantities, every key would be idle.
+  // Without quantities beside energies every key would be idle.
   if (std::ranges::all_of(quantities_, is_energy)) return idle;
   // One of them may be the nominal value.
   constexpr double probes[] = {0.8413, 0.25};

@@ -169,7 +169,7 @@ struct BallContact::Tables {
   std::optional<detail::BackDisplacement> back;
   std::optional<detail::BallWallKernel> wall;
   double mean;         // c_0
-  double first_shift;  // shift by c_1
+  double first_shift;  // c_1 - 2/3
 };
 
 // The equation at one half-angle in v = f/theta0, ready for any number of

@@ -82,7 +82,7 @@ class LayerCompliance {
   Backing::Kind backing_;
   std::optional<Elastic> medium_;
   std::vector<Shell> shells_;  // the one at the contact first
-  double medium_radius_ = 1;   // its surface, over rho
+  double medium_radius_ = 1;   // inner end, over rho
   double poisson_ = 0;         // at the surface
   double share_ = 0;  // its n c_n for large n: (1 - nu^2) E/(2 E_surface)
 };

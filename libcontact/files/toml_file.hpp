@@ -33,7 +33,7 @@ struct TomlTable::File {
   std::filesystem::path folder;
   std::shared_ptr<const KnownKeys> keys;
   toml::table root = {};
-  // Shared with the files that it names; null if they are read anew.
+  // Cache for the files that this one names too; null if they are read anew.
   std::shared_ptr<Cache> cache = {};
   std::set<const toml::node*> read = {};
   // Settings by the table that names the file.

@@ -252,8 +252,7 @@ class Identification {
     describe_trends(best, fit);
   }
 
-  // Correlation from the slopes: exact data have covariance 0, but a
-  // correlation.
+  // Correlation by the slopes alone: the covariance of exact data is 0.
   static double correlation(const MatrixXd& slopes, Eigen::Index i,
                             Eigen::Index j) {
     const MatrixXd c = detail::inverse_of_square(slopes);

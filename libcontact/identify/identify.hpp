@@ -106,7 +106,7 @@ struct FrictionFit {
   Estimate load_trend;
   Estimate direction_trend;
   Estimate rate_trend;
-  /// Largest contact over the states of the data, with these parameters: for
+  /// Largest contact over the data's states with these parameters: for
   /// ContactLimits.
   LargestContact largest_contact;
   /// The joint with these parameters.

@@ -164,7 +164,7 @@ FrictionStress FrictionStress::of_hersey(const Table& table) {
   const char* const place = "friction over v/p";
   check_table(table, place);
   Curve curve(table);
-  // The slope of f over H = v/p must not rise: else p f falls with p.
+  // p f falls with p where f/H grows, H = v/p.
   double last = std::numeric_limits<double>::infinity();
   double last_f = table.coefficients.front();
   bool falls = false;

@@ -19,7 +19,7 @@ struct Temperatures {
   double outer;  ///< the seat or hole with its layers and their backing
   /// Temperature at which the clearance was measured; 20 deg C by ISO 1.
   double reference = 293.15;
-  /// For a pin; without influence on a ball.
+  /// Growth of a pin along its axis; without influence on a ball.
   AxialGrowth axial = AxialGrowth::free;
 
   friend bool operator==(const Temperatures&, const Temperatures&) = default;

@@ -22,9 +22,8 @@ constexpr double widest = 175 * degree * (1 + 1e-15);
 constexpr int points = 64;
 using Values = std::array<double, points>;
 
-/// Point in a variable in which shapes are smooth up to both ends: the edge
-/// variable is sin(phi), phi = (pi/2) v^2, so that the distance from the edge
-/// grows like v^4.
+/// Place by a variable in which shapes are smooth up to both ends: sin(phi),
+/// phi = (pi/2) v^2, so that the distance from the edge grows like v^4.
 struct Place {
   double theta;
   double rate;  ///< -d theta/dv

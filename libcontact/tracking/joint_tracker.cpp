@@ -105,8 +105,7 @@ JointTracker::Values JointTracker::values(int joint, double force,
           value(i.coefficient.spinning, i.area.spinning, axis.sin)};
 }
 
-// Tabulates sin theta0 and cos theta0 of a ball, friction and sliding moment of
-// a pin.
+// Tabulates sin theta0 and cos theta0 of a ball, friction and sliding of a pin.
 // @return whether the window tells the law's values: it need not be smooth
 bool JointTracker::set_window(int joint, double force,
                               State& state) const noexcept {

@@ -111,8 +111,8 @@ class JointTracker {
   Eigen::Vector3d applied_moment(int joint) const noexcept {
     return get(&Exchange::applied, joint);
   }
-  /// State after the last predict(), extend() or correct(): the largest values
-  /// over the joints tracked, infinity for NaN.
+  /// Largest values over the joints tracked after the last predict(), extend()
+  /// or correct(), infinity for NaN.
   using Largest = detail::TrackerLargest;
   const Largest& largest() const noexcept { return largest_; }
   /// @param floor  > 0, N m; 1e-100 at first

@@ -76,8 +76,7 @@ constexpr double error_safety = 5;
                                                   int k) {
   set_moment(s);
   s.reaction = load(e.reaction, k);
-  // Errors: of the slopes since the contact was last evaluated, of Newton's
-  // steps.
+  // Errors of the slopes since the last evaluation, and of Newton's steps.
   const Slip& t = s.slip;
   s.error = s.slope_error * (abs(t.move.force) + abs(t.move.cosine)) +
             t.sin_psi * t.squares;

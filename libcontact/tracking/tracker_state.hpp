@@ -19,7 +19,7 @@ constexpr double smallest_axis = 1e-150;
 /// A move of the contact.
 template <class T>
 struct ContactMove {
-  T force, cosine;  ///< in x = ln R_n and y = ln cos^2 a
+  T force, cosine;  ///< moves of x = ln R_n and y = ln cos^2 a
 };
 
 /// F, one of f/cos a, c_Y/cos a, c_Z/sin a, around the contact last evaluated.

@@ -253,7 +253,7 @@ TYPED_TEST(ExactContact, ReachesTheExtremes) {
 // and the wider the smaller the patch.
 TYPED_TEST(ExactContact, LoadThroughTheBack) {
   const ElasticPair pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
-  // Rigid bodies contain no difference.
+  // A rigid body is the same under every loading.
   const ElasticPair rigid = ElasticPair::from_modulus_ratio(infinity, 0.3, 0.3);
   EXPECT_EQ(TypeParam(rigid, InnerLoading::back(0.5)).reciprocal_load(1),
             TypeParam(rigid).reciprocal_load(1));

@@ -351,8 +351,7 @@ TYPED_TEST(Walled, LimitHalfAngles) {
 }
 
 TEST(HarmonicSamples, GiveTheSum) {
-  // Sum of exp(-2 n t) n cos^2(n theta), theta up to theta0: the fastest
-  // products.
+  // Sum of exp(-2 n t) n cos^2(n theta), theta <= theta0: the fastest terms.
   constexpr int end = 6000;
   constexpr double t = 0.003;
   for (const double theta0 : {1e-4, 0.01, 0.1, 0.5, 0.8, 1.2, 1.3, 2.5}) {

@@ -49,7 +49,7 @@ std::shared_ptr<const HalfAngleLaw> law(JointKind kind) {
 
 TEST(Worn, LawInBothDirections) {
   AccuracyReport back("load parameter and back", 1e-11);
-  // Differences are over 1e-4.
+  // Slopes are by differences over 1e-4.
   AccuracyReport slopes("slope of the logarithm", 1e-6);
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const double v : {0., 1e-6, 0.1, 3.}) {

@@ -711,7 +711,7 @@ TEST(HingeJoint, Pv) {
               1, 1e-15);
 }
 
-// The numbers are those of FinitePin, and without a relief there is a note.
+// The numbers are those of FinitePin; without a relief there is a note.
 TEST(HingeJoint, TiltsAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";

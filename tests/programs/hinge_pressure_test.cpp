@@ -292,8 +292,7 @@ TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
   EXPECT_TRUE(has_text(result.err, "1 of 1 half-angles have not converged"));
 }
 
-// The numbers are those of SeatContact, and without confinement there is a
-// note.
+// The numbers are those of SeatContact; without confinement there is a note.
 TEST(HingePressure, ConfinesToASeatThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/spherical_plain_bearing_ge50.toml";

@@ -203,8 +203,7 @@ TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
                 "(cosine, sqrt_tan, sqrt_theta, mixture, exact, worn)");
 }
 
-// Settings of the case, of a file that it names, and of a file that that one
-// names.
+// Settings of the case, of a file that it names, and of one named by that.
 TEST(CaseFile, SettingsReachTheFilesOfItsJoints) {
   const fs::path file = CONTACT_DATA_DIR "/cases/flywheels.toml";
   const Case plain = separation::read_case(file);

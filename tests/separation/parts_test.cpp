@@ -233,8 +233,7 @@ class CheckpointFile : public testing::Test {
   std::string bytes_;
 };
 
-// Damage to every byte of the first line and of the check sum, and to some
-// between.
+// Damage to every byte of the first line and check sum, and to some between.
 TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
   separation::Run run(
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));

@@ -30,8 +30,7 @@ struct KeyOption {
   const char* flag;
   std::string_view key;
   Dimension dimension;  ///< number: a text
-  /// Largest plausible length, m: a larger number without a unit is hardly
-  /// meant.
+  /// Largest plausible length, m: a larger number without a unit is a slip.
   double most;
   JointUse use;  ///< and those behind it
   const char* kind;
@@ -156,7 +155,7 @@ bool is_pin(const JointOptions& o) {
   refuse("--joint", kind, "ball, pin or a .toml file");
 }
 
-// Checks the size of a joint without a file beside its keys.
+// Checks the size of a joint without a file; false if it has none.
 bool check_size(const JointOptions& o, bool pin) {
   const bool has_size = o.has("--radius") || o.has("--diameter");
   const bool friction = o.use == JointUse::friction;

@@ -81,7 +81,7 @@ struct Joint {
   contact::ElasticPair pair;
   /// Without a size, which is 1 m then, only dimensionless loads and pressures.
   bool has_size = true;
-  /// A pin without a length has 1 m, and loads are per length.
+  /// False for a pin without a length, which is 1 m then: loads are per length.
   bool has_length = true;
   std::string title = {};  ///< title of pictures
   std::vector<Difference> differences = {};

@@ -39,7 +39,7 @@ enum class CoupledStatus {
 
 /// Friction moments that fit the reactions they cause.
 struct CoupledSolution {
-  /// Moment of each body, link axes, N m; 0 without friction to be found.
+  /// Moment of each body, link axes, N m; 0 where no friction is looked for.
   std::vector<Eigen::Vector3d> moments;
 };
 

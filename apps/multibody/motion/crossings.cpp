@@ -170,8 +170,7 @@ class Separation {
     points.push_back({t, sign * value});
   }
 
-  static constexpr int bits = 26;  // relative to the time: values differ by
-                                   // 1e-15 of it
+  static constexpr int bits = 26;  // in time: values differ by 1e-15 of it
   const StepFunction& function_;
   double begin_, end_;
   double unsure_;

@@ -84,7 +84,7 @@ class AngleTable {
   std::optional<cli::JointApproach> approach_;
   // For each law, where the tables have these columns.
   std::vector<cli::JointPreload> preload_;
-  // Law of these columns: exact, or the first one.
+  // Number of their law: exact, or the first one.
   std::size_t preload_law_ = 0;
   bool has_clearance_ = true;
 };

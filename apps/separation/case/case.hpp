@@ -123,8 +123,7 @@ inline constexpr double most_rows = 1e6;
 struct Case {
   std::string name;
   std::string file;
-  std::string content;  ///< canonical text of the file:
-                        ///< TomlTable::canonical_text()
+  std::string content;  ///< TomlTable::canonical_text()
   double end_time;      ///< s
   double output_step;   ///< s
   FrictionChoice friction;

@@ -51,7 +51,7 @@ class ForceLaw {
   /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
   /// Used part of the stroke less its length, m, for a force that ends when its
-  /// stroke is used up: at the rise of this to 0.
+  /// stroke is used up: when this rises to 0.
   virtual std::optional<double> overrun(
       [[maybe_unused]] int body,
       [[maybe_unused]] std::span<const multibody::BodyMotion> bodies) const {

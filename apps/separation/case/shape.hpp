@@ -55,8 +55,7 @@ struct SolidProperties {
 /// solid (separation/parts_test.cpp).
 SolidProperties solid_properties(const Shape& shape);
 
-/// Properties of several solids together; where they overlap the densities add
-/// up.
+/// Properties of several solids together; densities add up where they overlap.
 SolidProperties solid_properties(const std::vector<Shape>& shapes);
 
 }  // namespace separation

@@ -55,8 +55,7 @@ struct BodyRecord {
     double rate = 0;   ///< rate of the angle on an axis, else |Dw|
     /// Dw, body axes, rad/s.
     Eigen::Vector3d rates = Eigen::Vector3d::Zero();
-    /// Velocity of the centre of mass relative to the carrier's, carrier axes,
-    /// m/s.
+    /// Velocity of the centre of mass from the carrier's, carrier axes, m/s.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   } release;
 };
@@ -97,8 +96,7 @@ class Recorder {
     look_at_changes(simulation);
     look_between(simulation);
   }
-  /// Takes notice of happenings that are due: call it before
-  /// Simulation::apply().
+  /// Notes happenings that are due: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
   /// "", or which distance could not be certified, and when.

@@ -39,8 +39,7 @@ struct Outcome {
   Recorder::Memory memory;
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
-  History history;                          ///< state of events and strokes at
-                                            ///< the end
+  History history;                          ///< its state at the end
 };
 
 /// All that a run needs to go on later.

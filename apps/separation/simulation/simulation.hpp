@@ -114,8 +114,7 @@ class Simulation {
   multibody::Motion motion_;
   /// +1: an angle event of a body waits for larger angles; [event][body].
   std::vector<std::vector<double>> sense_;
-  /// Meaning of each motion event: the happening or the force whose stroke
-  /// ends.
+  /// Meaning of a motion event: the happening, or the force whose stroke ends.
   struct Meaning {
     Happening happening;
     int force;

@@ -52,8 +52,7 @@ GapField PinGap::field(double psi) const {
   Eigen::VectorXd constant(count);
   Eigen::VectorXd cosine(count);
   project_first_harmonics(psi, constant, cosine);
-  Eigen::VectorXd difference(count);  // moments of cos t' - 1, without
-                                      // cancellation
+  Eigen::VectorXd difference(count);  // cos t' - 1, without cancellation
   const double q = std::tan(psi / 4);
   for (int k = 0; k < count; ++k) {
     difference(k) = constant(k) * (2 * k - 2 * (k + 1) * q * q) / (1 + q * q);

@@ -185,7 +185,7 @@ template <bool whole, int terms, bool with_logarithm, class V, class C>
   const V delta2 = arc.constant + arc.cosine * node.cosine_squared;
   const V half = arc.half * node.sine_squared;
   const V& rest = whole ? node.cosine_squared : delta2;  // cos^2(eta/2)
-  const V& root = whole ? delta2 : node.cosine_squared;  // zero of x^2
+  const V& root = whole ? delta2 : node.cosine_squared;  // factor of x^2
   const V cosine = rest - half;
   const V height = pressure.edge_constant + arc.radius * cosine;
   const V product = height * delta2;
