@@ -72,8 +72,9 @@ def blocks(path):
     text = path.read_text()
     lines = text.split("\n")
     python = path.suffix == ".py"
+    comments = python_comments if python else c_comments
     continues = None  # place of a comment that goes on with the last one
-    for line, column, words in (python_comments if python else c_comments)(text):
+    for line, column, words in comments(text):
         trailing = lines[line][:column].strip()
         if trailing or (line, column) != continues:
             first = words.split("\n")[0]
@@ -97,9 +98,9 @@ def main(arguments):
     total = 0
     for folder in [a for a in arguments if a != "--count"] or FOLDERS:
         for path in sorted(pathlib.Path(folder).rglob("*")):
-            for line, words, about_bool in (
-                blocks(path) if path.suffix in SUFFIXES else ()
-            ):
+            if path.suffix not in SUFFIXES:
+                continue
+            for line, words, about_bool in blocks(path):
                 total += 1
                 if is_clumsy(words, about_bool):
                     by_folder[str(path.parent)] += 1

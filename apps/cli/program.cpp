@@ -70,7 +70,7 @@ void refuse_empty(const CLI::App& app) {
   }
 }
 
-// Lists that were hardly meant as such.
+// Notes lists that look like thousands.
 void note_thousands(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {

@@ -40,10 +40,10 @@ struct TrackerState;
 /// kink: in the step over it M_t is wrong by the square of the step, 4e-7 for
 /// one of 1e-3, which error() does not know yet.
 ///
-/// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
-/// along its axis; of its R what is normal to that counts. No call but the
-/// constructor allocates or throws. A copy goes on from the same memory; the
-/// contacts are shared.
+/// R and Dw in any frame; each joint may use its own. Dw of a pin is along its
+/// axis; the part of R normal to that counts. No call but the constructor
+/// allocates or throws. A copy goes on from the same memory; the contacts are
+/// shared.
 class JointTracker {
  public:
   /// @param contacts  of balls and pins, dry or viscous
@@ -103,8 +103,8 @@ class JointTracker {
   /// (tracking/joint_tracker_test.cpp).
   double error(int joint) const noexcept { return at(&Exchange::error, joint); }
 
-  /// For those who bring M_t together with the motion that it causes: the
-  /// moment with which that has been worked out, N m.
+  /// Moment with which the motion has been computed, N m, for iterations of M_t
+  /// with the motion that it causes.
   void set_applied_moment(int joint, const Eigen::Vector3d& moment) noexcept {
     set(&Exchange::applied, joint, moment);
   }

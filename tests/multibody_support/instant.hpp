@@ -5,9 +5,9 @@
 
 #include "multibody/system/state_layout.hpp"
 
-/// One instant of a carrier with bodies in the axes of whoever describes it:
-/// body axes, friction moments on an axis in hinge axes. It is how
-/// cases come in and how results go out; motions work in link axes.
+/// One instant of a carrier with bodies in their own axes: body axes, friction
+/// moments on an axis in hinge axes. It is how cases come in and how results go
+/// out; motions work in link axes.
 namespace multibody {
 
 /// A body at one instant, body axes.

@@ -113,7 +113,7 @@ contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
           number.origin};
 }
 
-// A number without a unit is in m, which is hardly meant of a large one.
+// Notes on large numbers without a unit, which are in m.
 std::vector<std::string> length_notes(const JointOptions& o) {
   std::vector<std::string> notes;
   for (const KeyOption& option : key_options) {

@@ -27,7 +27,7 @@ void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
   }
 }
 
-// Forces that do what was hardly meant.
+// Adds the faults of forces.
 void add_faults(const Case& c, const Outcome& outcome, Texts& texts) {
   for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
     texts.push_back(fault);

@@ -21,8 +21,8 @@ std::vector<std::string> contact_notes(const Case& c,
 /// contact::ContactLimits::peak_pressure(); none without joints.
 std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory);
-/// Results of a run that were hardly meant: events that did not come, forces
-/// without effect, contacts beyond the theory, overlaps, a drifting energy.
+/// Unintended results of a run: events that did not come, forces without
+/// effect, contacts beyond the theory, overlaps, a drifting energy.
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

@@ -37,7 +37,7 @@ Quaterniond turn_by(const Vector3d& v) {
   return Quaterniond(AngleAxisd(angle, v / angle));
 }
 
-// Between two key frames, as whoever shows them does.
+// Pose between two key frames, as viewers interpolate it.
 Pose between(const Pose& a, const Pose& b, double part) {
   return {a.position + part * (b.position - a.position),
           a.rotation.slerp(part, b.rotation)};
