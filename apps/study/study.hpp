@@ -38,7 +38,7 @@ class Study {
   std::vector<std::string> columns() const;
   std::size_t inputs() const { return design_->draws().size(); }
   const std::vector<std::string>& quantities() const { return quantities_; }
-  /// As many of them are there for requirements; others follow.
+  /// Number of them for requirements; others follow.
   std::size_t required() const { return for_requirements_; }
   /// All numbers of the nominal run by their names.
   const std::map<std::string, double>& nominal() const {

@@ -61,8 +61,8 @@ struct Unit {
 std::span<const Unit> units_of(Dimension dimension);
 /// The one with this ending.
 const Unit& unit_of(Dimension dimension, std::string_view ending);
-/// In which tables print, and that of a plain number on a command line: degrees
-/// and degrees Celsius, else the first one.
+/// Unit of printed tables and of a plain number on a command line: degrees and
+/// degrees Celsius, else the first one.
 const Unit& printed_unit(Dimension dimension);
 /// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
 std::string unit_symbol(std::string_view ending);

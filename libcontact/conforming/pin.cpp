@@ -247,7 +247,7 @@ PinContact::System::System(const PinContact& pin, double half_angle)
 PinContact::Solution PinContact::System::solve(int n) const {
   Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_unknowns, 2> right(n, 2);
   right << given.constant.head(n), given.load.head(n);
-  // Not definite for beta < 0 and wide contacts: LU.
+  // LU: the matrix is not definite for beta < 0 and wide contacts.
   const Matrix leading = matrix.topLeftCorner(n, n);
   const decltype(right) solved = leading.partialPivLu().solve(right);
 

@@ -31,7 +31,7 @@ struct ContactConditions {
                          const ContactConditions&) = default;
 };
 
-/// For which joints a law was made whose constants depend on them.
+/// Joints for which a law was made whose constants depend on them.
 class MadeFor {
  public:
   /// The materials, and what else counts.

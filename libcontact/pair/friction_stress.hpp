@@ -81,7 +81,7 @@ class FrictionStress {
   /// Note on a loss of accuracy, for programs to print; "" for none.
   const std::string& note() const { return note_; }
 
-  /// Which of the named laws it is, with the arguments of its function.
+  /// Name of the law, if it is a named one, and the arguments of its function.
   struct Source {
     /// "stribeck", "power", "pressure_table" or "hersey_table"; "" if one's
     /// own.

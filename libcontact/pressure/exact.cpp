@@ -126,7 +126,7 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
     t[2 * j + 1] = 2 * t[j] * t[j + 1] - v;
   }
   Column sum{};
-  // So many columns at a time as the processor has registers for.
+  // Columns at a time: as many as the processor has registers for.
   constexpr int block = 8;
   static_assert(max_width % block == 0);
   for (int first = 0; first < width_; first += block) {

@@ -455,7 +455,7 @@ TYPED_TEST(Walled, ThinFreeWallsHaveTheirPeakOffTheCentre) {
   for (int i = 0; i <= 200; ++i) {
     EXPECT_LE(p.pressure(theta0 * i / 200), p.peak() * (1 + 1e-12));
   }
-  // Not so in a rigid shell.
+  // In a rigid shell the peak is at the centre.
   const TypeParam backed(single(0.1, 0.3, Backing::rigid()));
   EXPECT_EQ(backed.pressure(theta0).peak_angle(), 0);
 }

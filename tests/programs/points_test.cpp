@@ -176,7 +176,7 @@ TEST(Points, AreDrawn) {
   if (folder.run("command -v gnuplot").status != 0) {
     GTEST_SKIP() << "gnuplot is not installed";
   }
-  // As many as are thinned out, and one peak that must not get lost.
+  // Enough points to be thinned out, and one peak that must not get lost.
   std::string points = "t_s,R_N,b_deg\n";
   for (int i = 0; i < 5000; ++i) {
     points += fmt::format("{},{},60\n", i, i == 3333 ? 9000 : 1000);

@@ -56,7 +56,7 @@ TEST_P(Runs, StopsAndLooksOnTheWayChangeNothing) {
   const Case c = case_of(GetParam());
   CaseRun run(c);
   double largest = 0;
-  // Neither the steps nor the output times.
+  // Times that are neither steps nor output times.
   const double step = c.end_time / 37.3;
   for (double t = step; run.advance_to(t) == Status::running; t += step) {
     ASSERT_EQ(run.time(), t);

@@ -297,7 +297,7 @@ TEST(Drivers, RegressionOfALinearFunction) {
   EXPECT_NEAR(answer.explained, 1, 1e-9);
 }
 
-// As many rows as a plane has numbers fit whatever they say: no answer.
+// A plane fits as many rows as it has numbers, whatever they say: no answer.
 TEST(Drivers, RegressionNeedsMoreRowsThanItFits) {
   study::Regression regression(2);
   const auto add = [&](double a, double b) {

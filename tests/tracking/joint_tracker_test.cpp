@@ -611,7 +611,7 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
       tracker.keep();
       tracker.extrapolate(1);
       check_padding();
-      // Neither has one that is not tracked.
+      // Joints that are not tracked have no step either.
       tracker.stop(size - 1);
       tracker.predict();
       tracker.apply();

@@ -63,7 +63,7 @@ void add_fileless_joint_options(Program& program, JointOptions& options);
 void add_law_options(Program& program, JointOptions& options, Laws half_angle,
                      Laws pressure);
 
-/// In what a joint differs from the others of a run: a cell of tables.
+/// Difference of a joint from the others of a run: a cell of tables.
 struct Difference {
   std::string column;  ///< "joint" or a key of --set
   std::string value;   ///< name of the file without its ending, or the key's

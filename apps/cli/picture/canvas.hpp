@@ -37,7 +37,7 @@ class Canvas {
 
   /// Room that is still free.
   const Box& room() const { return room_; }
-  /// Over that of a canvas without a legend below the plots.
+  /// Height over that of a canvas without a legend below the plots.
   double stretch() const { return stretch_; }
   /// The title and the legend.
   const std::string& script() const { return script_; }

@@ -9,7 +9,7 @@
 /// Friction in the hinge of a body.
 namespace multibody {
 
-/// Which force the friction is worked out from.
+/// Force that friction is computed from.
 enum class FrictionEstimate {
   consistent,   ///< R_n, with R = R_n n + R_t: friction as it is
   traditional,  ///< R in place of R_n, as is customary: too much friction

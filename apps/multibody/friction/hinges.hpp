@@ -61,7 +61,7 @@ class Hinges {
   Evaluation& evaluation() const { return at_; }
   CoupledProgress& report() const { return at_.report; }
   ActiveForces<double>& forces() const { return at_.forces; }
-  /// Which hinges slide with friction, as of the last set_state().
+  /// Hinges that slide with friction, as of the last set_state().
   const std::vector<int>& active() const { return at_.active; }
   bool is_prescribed() const { return at_.prescribed.has_value(); }
   /// Whether a hinge has hardly begun to slide: its acceleration is what its
@@ -73,7 +73,7 @@ class Hinges {
   void set_state(const double* state);
   /// The motion with the present moments, which are entered in forces().
   void start();
-  /// By which the moment of a hinge is about to change.
+  /// Change of a hinge's moment, about to be made.
   Vec3<double>& change(int body) { return at_.change[body]; }
   void apply_changes();
 
@@ -97,7 +97,7 @@ class Hinges {
   std::span<const contact::JointSolution> joints(int body);
   double utilisation(int body);
   CoupledRounding rounding() const;
-  /// By which what a hinge holds may be wrong where friction is found to
+  /// Largest error of the moment that a hinge holds, with friction found to
   /// refined_tolerance, N m: an upper estimate.
   double uncertain_moment() const;
   double kappa(int body);

@@ -65,7 +65,7 @@ class Equations {
   bool rates_in_step(double time, const double* state, double* to);
   /// The same with a copy of it: leaves no trace.
   bool rates_aside(double time, const double* state, double* to);
-  /// Which hinges hold, see CoupledDynamics::resolve_rest().
+  /// Decides which hinges hold, see CoupledDynamics::resolve_rest().
   CoupledReport resolve_rest(double time, const double* state, bool due);
   /// A new beginning: of the numbers for what hinges hold, too.
   void begin_at(double time, const double* state);

@@ -194,8 +194,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   std::optional<double> lost;
   for (;;) {
     if (std::isnan(last_value)) {
-      // Not to the rounding of time: so far on that it is NaN again when the
-      // step is made to end there.
+      // Located less closely than to the rounding of time: it must be NaN again
+      // when the step is made to end there.
       constexpr int bits = 25;
       double known = t0;
       lost = last;

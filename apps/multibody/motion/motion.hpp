@@ -32,7 +32,7 @@ class UserEvents;
 struct MotionChange {
   std::vector<int> unlocked{};  ///< bodies
   std::vector<int> released{};
-  /// Not set: they stay as they are.
+  /// New forces; the old ones stay if it is not set.
   std::optional<std::shared_ptr<const ForceModel>> forces{};
 };
 
@@ -83,7 +83,7 @@ class Motion {
   void set_forces(std::shared_ptr<const ForceModel> forces) {
     change({.forces = std::move(forces)});
   }
-  /// Which hinges hold is decided once, after all of it.
+  /// Makes the changes, then decides once which hinges hold.
   void change(const MotionChange& what);
 
   /// Adds an event; its index.

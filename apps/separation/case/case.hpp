@@ -114,7 +114,7 @@ struct Event {
   bool together;
 };
 
-/// Which friction a run has.
+/// Friction of a run.
 enum class FrictionChoice { full, ideal, traditional };
 
 /// More rows than anyone looks at, and memory for them.

@@ -11,7 +11,7 @@
 /// cap_integrals.hpp. Letters as on that page.
 namespace contact::detail {
 
-/// Which great circles through the slip axis a sum runs over.
+/// Great circles through the slip axis that a sum runs over.
 enum class Circles {
   outside,  ///< arcs cut by the edge, no pole in the contact or both
   inside,   ///< all, one pole in the contact

@@ -21,7 +21,7 @@ struct HingeTable {
 struct HingeType {
   multibody::HingeKind kind;
   std::string_view name;
-  /// Beside those of all hinges.
+  /// Keys beside those of all hinges.
   contact::KnownKeys keys;
   /// Full turns of its angle count; else it is one between two directions, 0 to
   /// 180 deg.
