@@ -3,6 +3,7 @@
 #   scripts/check.sh CHECK...
 # with any of
 #   format    every source file is as clang-format 14 leaves it
+#   english   comments are about the thing they document
 #   symbols   no code for AVX can get in the place of code for any machine
 #   clang     clang++ builds everything, warnings are errors; all tests pass
 #   tidy      clang-tidy finds nothing (an hour)
@@ -10,12 +11,12 @@
 #   fuzz      every fuzz program runs for a minute, or CONTACT_FUZZ_SECONDS
 #   packages  Debian packages of build/ install, work and go in a clean root
 #   all       all of them
-# The first two are tests of the gate too.
+# Format and symbols are tests of the gate too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,13s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,14s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -30,6 +31,10 @@ check_format() {
     missing "clang-format 14"
   find libcontact apps tests -regex '.*\.[ch]\(pp\)?' -print0 |
     xargs -0 clang-format --dry-run --Werror
+}
+
+check_english() {
+  python3 scripts/english.py
 }
 
 # A linker takes any one of the functions of one name that are defined weakly:
@@ -132,7 +137,7 @@ check_packages() {
 
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format symbols clang tidy sanitize fuzz packages)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

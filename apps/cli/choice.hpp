@@ -17,7 +17,7 @@ struct Choice {
   T value;
 };
 
-/// What `word` stands for. Throws contact::Error with the words that are known:
+/// Value of `word`. Throws contact::Error with the words that are known:
 /// `unknown format "xml" (csv, json, markdown, latex)`, of --format.
 template <class Choices>
 auto choice(std::string_view option, std::string_view word,

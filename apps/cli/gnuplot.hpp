@@ -3,10 +3,10 @@
 #include <string>
 #include <string_view>
 
-/// What draws the pictures.
+/// Drawing of pictures by gnuplot.
 namespace cli {
 
-/// Whether a picture of this name can be drawn: .svg, .png or .pdf.
+/// Checks that a picture of this name can be drawn: .svg, .png or .pdf.
 /// @throws contact::Error "OPTION FILE must be ..." if not
 void check_picture_name(std::string_view option, std::string_view file);
 

@@ -3,7 +3,7 @@
 namespace cli {
 namespace {
 
-// What a handler may touch.
+// Variables that a handler may touch.
 volatile std::sig_atomic_t came = 0;
 std::array<struct sigaction, 2> restored;
 

@@ -19,8 +19,8 @@ struct Allowed {
   bool contains(double value) const { return value >= min && value <= max; }
   /// "0 to 120 deg"
   std::string text() const;
-  /// What a text must be that is no such number: "0 to 120 deg", or "a number,
-  /// 0 to 120 deg".
+  /// Rule for a text that is no such number: "0 to 120 deg", or "a number, 0 to
+  /// 120 deg".
   std::string rule(bool is_number) const {
     return is_number ? text() : "a number, " + text();
   }

@@ -25,9 +25,9 @@ struct List {
 struct Option {
   /// "--radius"; without -- an argument, which has to be there.
   const char* flag;
-  /// Where its text goes as it is; true of a flag, which has none.
+  /// Target of the option's text; true for a flag, which has none.
   std::variant<std::string*, bool*, Texts*, List, Reader> target;
-  const char* kind;  ///< of text, for --help: "LENGTH"; "" for none
+  const char* kind;  ///< kind of text, for --help: "LENGTH"; "" for none
   const char* meaning;
   /// Options of which at least one has to be there too, in words: "--shaft",
   /// "--radius or --diameter"; several such conditions have a ; between them.

@@ -6,11 +6,11 @@
 
 namespace cli {
 
-/// Where a program's result goes: standard output, or a file that appears
-/// under its name when it is complete and not at all otherwise. Until
-/// `commit` the text is in a file with a temporary name in the same folder,
-/// which is removed on errors, interrupts and termination. It is on the disk
-/// before it gets its name, so that a power cut leaves it whole or not there.
+/// Destination of a program's result: standard output, or a file that appears
+/// under its name when it is complete and not at all otherwise. Until `commit`
+/// the text is in a file with a temporary name in the same folder, which is
+/// removed on errors, interrupts and termination. It is on the disk before it
+/// gets its name, so that a power cut leaves it whole or not there.
 ///
 /// On a terminal text is shown by terminal_text().
 ///
@@ -21,8 +21,8 @@ class Output {
   /// @param path  file name; empty or "-" for standard output
   /// Throws contact::Error if the file cannot be made, or has been read.
   explicit Output(const std::string& path);
-  /// Whether it could be made, found out without a trace: what a program asks
-  /// first of all its files. Throws contact::Error if not.
+  /// Checks without a trace that the file could be made, for a program to ask
+  /// before its work. Throws contact::Error if not.
   static void check(const std::string& path);
   ~Output();
   Output(const Output&) = delete;
@@ -34,7 +34,7 @@ class Output {
   /// if what has that name has been read since.
   void commit();
 
-  /// Where the text is until `commit`: for other programs that write it.
+  /// File with the text until `commit`: for other programs that write it.
   const std::filesystem::path& temporary() const { return temporary_; }
 
  private:

@@ -17,17 +17,17 @@ namespace {
 
 // In plots/style.gp.
 constexpr std::size_t plain_colours = 7;
-// Of a legend, in bytes.
+// Longest label of a legend, in bytes.
 constexpr std::size_t longest_label = 60;
 
 // A plot among those over one x.
 struct Stacked {
   Axis axis;
   Extent extent;
-  double share = 1;   // of the height
+  double share = 1;   // share of the height
   bool whole = true;  // its axis ends with ticks
   std::string marks = {};
-  std::string curves = {};  // what `plot` says of them
+  std::string curves = {};  // arguments of `plot` for them
 };
 
 std::string style_of(const Curve& curve, std::size_t i, std::size_t count,
@@ -39,7 +39,7 @@ std::string style_of(const Curve& curve, std::size_t i, std::size_t count,
              : fmt::format("lt {}", curve.colour > 0
                                         ? static_cast<std::size_t>(curve.colour)
                                         : i % plain_colours + 1);
-  // What goes round the colours again is dotted.
+  // Curves that repeat a colour are dotted.
   const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
   return fmt::format("{} dt {}", colour, dashes);
 }
@@ -104,7 +104,7 @@ std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
   std::vector<Ticks> ticks;
   std::vector<Box> boxes;
   double left = 0;
-  double top = room.top + line_step / 2;  // of half a number beyond the axis
+  double top = room.top + line_step / 2;  // half a number beyond the axis
   for (std::size_t i = 0; i < plots.size(); ++i) {
     const double own = height * plots[i].share / shares;
     boxes.push_back({0, 0, top, top + own});

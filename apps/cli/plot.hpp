@@ -9,7 +9,7 @@
 
 namespace cli {
 
-/// What a legend holds.
+/// Largest number of curves in a legend.
 inline constexpr std::size_t most_curves = 15;
 /// Throws contact::Error if there are more.
 void check_curves(std::size_t curves);
@@ -58,7 +58,7 @@ struct Panel {
 struct PanelPlot {
   std::string title;
   Axis x;
-  std::vector<double> values;  ///< of x
+  std::vector<double> values;  ///< values on the x axis
   std::vector<Panel> panels;
 };
 

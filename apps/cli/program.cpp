@@ -70,7 +70,7 @@ void refuse_empty(const CLI::App& app) {
   }
 }
 
-// Lists that were hardly meant as such.
+// Notes lists that look like thousands.
 void note_thousands(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
@@ -101,7 +101,7 @@ ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
   return all_good;
 }
 
-// What they are of each other; sets the separator beside decimal commas.
+// Checks table options among themselves; sets the separator beside commas.
 void settle_table_options(bool separator, TableStyle& style) {
   if (style.format != Format::csv && (separator || style.decimal_comma)) {
     refuse_without(separator ? "--separator" : "--decimal-comma",
@@ -258,7 +258,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     const ExitStatus status = body();
     note_thousands(*app_);
     return status;
-  } catch (const CLI::ExtrasError&) {  // whose text has them backwards
+  } catch (const CLI::ExtrasError&) {  // its text has them backwards
     complain(name(), fmt::format("not expected: {} (see {} --help)",
                                  fmt::join(app_->remaining(), " "), name()));
   } catch (const CLI::ParseError& error) {

@@ -36,7 +36,7 @@ struct OutputOptions : TableStyle {
   int jobs = 1;
 };
 
-/// Those of --output and --plot, which can be made, for a program to add its
+/// Names of --output and --plot, which can be made, for a program to add its
 /// own to.
 /// @throws contact::Error as OutputNames::keep() does
 OutputNames names_of(const OutputOptions& options);
@@ -61,7 +61,7 @@ class Program {
   void add_jobs(OutputOptions& options);
   /// Gives an option another meaning in --help.
   void describe(const char* flag, const char* meaning);
-  /// What is to be looked at before what options need and exclude.
+  /// Adds a check that comes before those of needs and excludes.
   void add_check(std::function<void()> check);
 
   /// Whether an option is on the command line.
@@ -84,14 +84,14 @@ class Program {
   OutputOptions* output_ = nullptr;
 };
 
-/// What a program ends with that has drawn a picture: `status`, or with a
-/// problem, of which it warns, some_bad.
+/// Status of a program that has drawn a picture: `status`, or some_bad with a
+/// warning if there is a problem.
 ExitStatus drawn(std::string_view program, const std::string& problem,
                  ExitStatus status);
 
 /// A message that is no error: "PROGRAM: warning: ..." on standard error.
 void warn(std::string_view program, std::string_view message);
-/// What is neither: "PROGRAM: note: ...".
+/// A message that is neither: "PROGRAM: note: ...".
 void note(std::string_view program, std::string_view message);
 
 }  // namespace cli

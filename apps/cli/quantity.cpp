@@ -17,7 +17,7 @@ namespace {
 using contact::Dimension;
 using contact::Unit;
 
-// What the numbers of a list or range stand between.
+// Characters between the numbers of a list or range.
 constexpr const char* separators = ",:";
 
 // "N/m" and "N_per_m" are one, and so are "N_m", "N*m", "N m" and "Nm".

@@ -40,8 +40,8 @@ contact::KeySetting quantity_key(std::string_view option, std::string_view text,
 /// others, which are not 0, have none: "1:10:1kN" says too little.
 void refuse_some_units(std::string_view option, std::string_view text);
 
-/// Of which of some dimensions the first unit in a value, list or range is;
-/// none if it has no unit, or none of these.
+/// Dimension, among some, of the first unit in a value, list or range; none if
+/// it has no unit, or none of these.
 std::optional<contact::Dimension> unit_dimension(
     std::string_view text, std::initializer_list<contact::Dimension> among);
 

@@ -47,7 +47,7 @@ std::string padded(const std::string& cell, const std::string& name) {
   return fmt::format("{:>{}}", cell, width);
 }
 
-// Which of the names are asked for, in that order; all if none is.
+// Places of the names asked for, in their order; all if none is.
 std::vector<std::size_t> shown(const std::vector<std::string>& asked,
                                const std::vector<std::string>& names) {
   std::vector<std::size_t> places(asked.empty() ? names.size() : 0);
@@ -80,7 +80,7 @@ std::string shown_name(const std::string& name, const TableStyle& style) {
   return latex_text(name);
 }
 
-// Of a row of markdown, as far as the names tell.
+// Width of a row of markdown, as far as the names tell.
 std::size_t width_of(const std::vector<std::string>& names) {
   std::size_t width = 1;
   for (const std::string& name : names) width += padded("", name).size() + 3;

@@ -19,10 +19,10 @@ struct TableStyle {
   Format format = Format::csv;
   /// Only these, in this order; all if it is empty.
   std::vector<std::string> columns = {};
-  char separator = ',';        ///< of CSV
-  bool decimal_comma = false;  ///< of CSV
+  char separator = ',';        ///< between cells of CSV
+  bool decimal_comma = false;  ///< in CSV
 
-  /// That of files beside a table, which are CSV with all their columns.
+  /// Style of files beside a table, which are CSV with all their columns.
   TableStyle beside() const {
     return {.separator = separator, .decimal_comma = decimal_comma};
   }
@@ -58,7 +58,7 @@ class Table {
   TableStyle style_;
   std::vector<std::string> names_;
   std::vector<std::size_t> shown_;   ///< which of them, in order
-  std::vector<std::string> before_;  ///< what stands before each shown cell
+  std::vector<std::string> before_;  ///< text before each shown cell
   std::string end_of_row_;
   bool turned_ = false;
 };
@@ -81,7 +81,7 @@ class RowWriter {
   void end();
 
  private:
-  /// Where the next cell goes.
+  /// Opens the next cell.
   Text& begin_cell();
   void printed(std::string_view cell);
 
@@ -89,7 +89,7 @@ class RowWriter {
   Text& text_;
   const bool picks_;  ///< cells are put in order at the end of the row
   Text cells_ = {};
-  std::vector<std::size_t> starts_ = {};  ///< of each in cells_
+  std::vector<std::size_t> starts_ = {};  ///< begin of each cell in cells_
   std::size_t column_ = 0;
 };
 

@@ -40,7 +40,7 @@ std::unique_ptr<Model> make_model(const Plan& plan) {
 // The ends of a distribution are missed by rounding errors.
 double rounded(double x) { return std::stod(fmt::format("{:.12g}", x)); }
 
-// Of a number of the summary that is found on the way only.
+// Tests for numbers of the summary that are found on the way only.
 bool is_peak(const std::string& quantity) {
   return quantity.find(".peak_") != quantity.npos ||
          quantity.find(".largest_") != quantity.npos || quantity == over_limit;
@@ -48,7 +48,7 @@ bool is_peak(const std::string& quantity) {
 bool is_clearance(const std::string& quantity) {
   return quantity.starts_with("clearance.");
 }
-// What a driven carrier has of energy is not of the motion's.
+// Energies of a driven carrier include more than the motion's.
 bool is_energy(const std::string& quantity) {
   return quantity.starts_with("energy.");
 }
@@ -97,7 +97,7 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
   find_quantities();
 }
 
-// What the distributions allow has to be allowed by the files.
+// Checks that the files allow all that the distributions allow.
 void Study::check_draws() const {
   for (const Dispersion& dispersion : plan_.dispersions) {
     for (const double u : {lowest_uniform, 0.5, highest_uniform}) {
@@ -272,7 +272,7 @@ bool Study::has_effect(std::size_t dispersion, double u,
 std::vector<std::string> Study::idle_keys(
     const std::vector<double>& notable) const {
   std::vector<std::string> idle;
-  // Of nothing, every key would be one.
+  // Without quantities beside energies every key would be idle.
   if (std::ranges::all_of(quantities_, is_energy)) return idle;
   // One of them may be the nominal value.
   constexpr double probes[] = {0.8413, 0.25};

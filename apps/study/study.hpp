@@ -38,16 +38,16 @@ class Study {
   std::vector<std::string> columns() const;
   std::size_t inputs() const { return design_->draws().size(); }
   const std::vector<std::string>& quantities() const { return quantities_; }
-  /// As many of them are there for requirements; others follow.
+  /// Number of them for requirements; others follow.
   std::size_t required() const { return for_requirements_; }
   /// All numbers of the nominal run by their names.
   const std::map<std::string, double>& nominal() const {
     return nominal_.numbers;
   }
-  /// What the nominal run came to and was hardly meant, and what names with
-  /// `*` leave out as it does not reach it.
+  /// Unintended effects in the nominal run, and numbers that names with `*`
+  /// leave out as it does not reach them.
   const std::vector<std::string>& warnings() const { return nominal_.warnings; }
-  /// What a requirement looks at, of a row's quantities the worst.
+  /// Value that a requirement tests: the worst of a row's quantities.
   double value_of(std::size_t requirement, const Row& row) const;
 
   /// @param stop  asked on the way: why the run has to end; "" to go on
@@ -79,7 +79,7 @@ class Study {
   std::unique_ptr<Design> design_;
   Result nominal_;  ///< with all numbers
   std::vector<std::string> quantities_;
-  std::vector<std::vector<std::size_t>> required_;  ///< of quantities_
+  std::vector<std::vector<std::size_t>> required_;  ///< indices in quantities_
   std::size_t for_requirements_ = 0;
   Effort effort_;
 };

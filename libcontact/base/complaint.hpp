@@ -9,7 +9,7 @@
 /// A file's name and line come in front: "j.toml:4: ".
 namespace contact::detail {
 
-/// "WHAT must be RULE": `rule` is what would be right, "above 0".
+/// Message "WHAT must be RULE"; `rule` says what is right: "above 0".
 std::string must_be(std::string_view what, std::string_view rule);
 
 /// `unknown KIND "WORD": did you mean "NEAREST"? (KNOWN, ...)`, without the
@@ -24,10 +24,10 @@ std::string unknown(std::string_view kind, std::string_view shown,
 /// "A, B or C"
 std::string either(std::span<const std::string> words);
 
-/// "WHAT requires OTHER"
+/// Message "WHAT requires OTHER".
 std::string needs(std::string_view what, std::string_view other);
 
-/// "WHAT conflicts with OTHER"; with a line of the file, "... (line 3)".
+/// Message "WHAT conflicts with OTHER"; with a line number, "... (line 3)".
 std::string conflicts(std::string_view what, std::string_view other,
                       int line = 0);
 

@@ -6,12 +6,12 @@
 #include <string>
 #include <string_view>
 
-/// What numbers measure, in which units they are, and what they may be.
+/// Dimensions, units and ranges of numbers.
 namespace contact {
 
-/// What a key measures, which fixes the unit endings it takes: the length
-/// `radius` may be spelled radius (in m), radius_m, radius_mm, radius_um.
-/// A key without an ending is in the first unit of its list.
+/// Dimension of a key, which fixes the unit endings it takes: the length
+/// `radius` may be spelled radius (in m), radius_m, radius_mm, radius_um. A key
+/// without an ending is in the first unit of its list.
 enum class Dimension {
   number,                ///< no unit, no ending
   length,                ///< m, mm, um, cm, in, km
@@ -43,10 +43,10 @@ enum class Dimension {
 /// offset; powers of ten are divided where that is exact, so that 50 mm is the
 /// double nearest to 0.05 m.
 struct Unit {
-  std::string_view ending;  ///< of keys: "N_per_m"; "" for none
+  std::string_view ending;  ///< ending of keys: "N_per_m"; "" for none
   double multiply = 1;
   double divide = 1;
-  double offset = 0;  ///< of temperatures only; 0 leaves -0 as it is
+  double offset = 0;  ///< for temperatures only; 0 leaves -0 as it is
 
   double to_si(double value) const {
     const double scaled = value * multiply / divide;
@@ -61,8 +61,8 @@ struct Unit {
 std::span<const Unit> units_of(Dimension dimension);
 /// The one with this ending.
 const Unit& unit_of(Dimension dimension, std::string_view ending);
-/// In which tables print, and that of a plain number on a command line: degrees
-/// and degrees Celsius, else the first one.
+/// Unit of printed tables and of a plain number on a command line: degrees and
+/// degrees Celsius, else the first one.
 const Unit& printed_unit(Dimension dimension);
 /// "kg m^2" of "kg_m2", "Pa s/m" of "Pa_s_per_m".
 std::string unit_symbol(std::string_view ending);

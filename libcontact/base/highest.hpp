@@ -8,8 +8,8 @@
 
 namespace contact::detail {
 
-/// Where a function on [0, edge] with few maxima is largest; one of them may be
-/// narrow and beside the edge, which the sines make wide.
+/// Place of the largest value of a function on [0, edge] with few maxima; one
+/// of them may be narrow and beside the edge, which the sines make wide.
 template <class Function>
 double highest(const Function& function, double edge) {
   constexpr int steps = 64;

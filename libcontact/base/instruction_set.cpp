@@ -55,7 +55,7 @@ namespace {
 
 constexpr const char* variable = "CONTACT_INSTRUCTION_SET";
 
-// What the environment says, "" for nothing.
+// Value of the environment variable, "" if it is not set.
 std::string_view asked() {
   const char* const text = std::getenv(variable);
   return text ? text : "";

@@ -14,7 +14,7 @@ enum class InstructionSet { baseline, avx2, avx512 };
 /// always true for `baseline`.
 bool is_supported(InstructionSet set);
 
-/// Those that this machine can run, `baseline` first, the widest last.
+/// Sets that this machine can run, `baseline` first, the widest last.
 const std::vector<InstructionSet>& supported_instruction_sets();
 
 /// "baseline", "avx2" or "avx512".

@@ -20,7 +20,7 @@ template <class V>
   return 1.0 / sqrt(x);
 }
 
-/// Of two numbers at once, for one division.
+/// Inverse roots of two numbers at once, for one division.
 template <class V>
 struct InverseRoots {
   V first, second;

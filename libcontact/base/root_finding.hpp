@@ -13,7 +13,7 @@ using NoThrow = boost::math::policies::policy<
     boost::math::policies::evaluation_error<
         boost::math::policies::ignore_error>>;
 
-/// What is left of a bracket.
+/// Bracket that remains after a search.
 struct RootBracket {
   double low;
   double high;

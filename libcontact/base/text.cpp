@@ -43,8 +43,8 @@ Character first_character(std::string_view text) {
   return {code, size};
 }
 
-// What could end a line, speak to a terminal, or turn the direction of what
-// stands beside it, so that a name reads as another one.
+// Characters that could end a line, control a terminal, or reverse the text
+// beside them, so that a name reads as another one.
 bool is_control(char32_t c) {
   const bool control = c < 0x20 || (c >= 0x7f && c < 0xa0);
   const bool separator_or_embedding = c >= 0x2028 && c <= 0x202e;

@@ -26,7 +26,7 @@ class BackDisplacement {
   /// @param f  rad, |f| < pi - psi
   double operator()(double f) const;
 
-  /// Where the Chebyshev series ends, 0.8 (pi - psi), rad.
+  /// End of the Chebyshev series, 0.8 (pi - psi), rad.
   double series_end() const { return series_end_; }
 
  private:
@@ -47,8 +47,8 @@ class BackDisplacement {
   std::array<double, series_terms> series_;
   std::array<double, nodes> decay_;       // exp(-s)
   std::array<double, nodes> half_decay_;  // exp(-s/2)
-  std::array<double, nodes> weight_;      // of the quadrature, times sigma(s)
-  std::array<double, head_terms> head_;   // of cos((n + 1/2) f)
+  std::array<double, nodes> weight_;      // quadrature, times sigma(s)
+  std::array<double, head_terms> head_;   // terms of cos((n + 1/2) f)
 };
 
 }  // namespace contact::detail

@@ -169,7 +169,7 @@ struct BallContact::Tables {
   std::optional<detail::BackDisplacement> back;
   std::optional<detail::BallWallKernel> wall;
   double mean;         // c_0
-  double first_shift;  // of c_1
+  double first_shift;  // c_1 - 2/3
 };
 
 // The equation at one half-angle in v = f/theta0, ready for any number of
@@ -190,7 +190,7 @@ struct BallContact::Galerkin {
 
 // Scaled so that H_1 = 1: R_n = 2 pi rho^2.
 struct BallContact::Solution {
-  Vector h;          // of P_2i(f/theta0)
+  Vector h;          // coefficients of P_2i(f/theta0)
   double clearance;  // ebar in units of 2 pi/E
   double delta;      // likewise: the approach with c_1 = 2/3
   double stiffness;  // d(force)/d(delta) for it

@@ -33,7 +33,7 @@ class BallContact {
  public:
   static constexpr int default_unknowns = 16;
   static constexpr int max_unknowns = 32;
-  /// Of a contact with walls, whose edge may have a thin layer.
+  /// Limit for contacts with walls, whose edge may have a thin layer.
   static constexpr int max_walled_unknowns = 64;
   /// 175 deg.
   static constexpr double largest_half_angle = 3.0543261909900767;

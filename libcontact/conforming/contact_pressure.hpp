@@ -35,9 +35,9 @@ class ContactPressure {
   double slope(double theta) const noexcept;
   /// The largest pressure, p(peak_angle()).
   double peak() const noexcept;
-  /// Where it is, [0, theta0], rad: 0 but for thin walls with a free outer
-  /// surface and for stiff thin walls on a soft medium, which bend alike. To
-  /// 1e-8 of theta0.
+  /// Place of the peak, [0, theta0], rad: 0 but for thin walls with a free
+  /// outer surface and for stiff thin walls on a soft medium, which bend alike.
+  /// To 1e-8 of theta0.
   double peak_angle() const noexcept;
   /// Whether it falls from the centre to the edge: not always under such
   /// walls, also where the largest is at the centre.

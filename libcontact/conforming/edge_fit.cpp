@@ -49,7 +49,7 @@ EdgeFit::EdgeFit(int terms) : terms_(terms) {
     }
   }
   sines_ = sines.topRows(terms);
-  // What is left above many sines is rounding.
+  // With many sines only rounding is left above them.
   if (terms > usual_terms) return;
   logarithms_ = logarithms;
   fit_ = (sines * logarithms)

@@ -49,7 +49,7 @@ LayerCompliance::Elastic::Elastic(const Material& material, double unit)
       a(nu / (1 - nu)),
       m((1 - 2 * nu) / (2 * shear * (1 - nu))) {}
 
-// What one harmonic n >= 1 needs.
+// Coefficients of one harmonic n >= 1.
 struct LayerCompliance::Harmonic {
   JointKind kind;
   int n;

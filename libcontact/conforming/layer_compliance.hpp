@@ -10,8 +10,8 @@
 
 namespace contact::detail {
 
-/// What a unit pressure of one harmonic, P_n(cos t) or cos nt, presses a
-/// surface into its body, in units of 4 rho/E.
+/// Displacement of a surface into its body under a unit pressure of one
+/// harmonic, P_n(cos t) or cos nt, in units of 4 rho/E.
 struct HarmonicCompliance {
   /// c_n; for n = 1 by a normal traction that the body's far end, a uniform
   /// body force (solid inner body) or infinity (outer one) balances. NaN for
@@ -84,8 +84,8 @@ class LayerCompliance {
   Backing::Kind backing_;
   std::optional<Elastic> medium_;
   std::vector<Shell> shells_;  // the one at the contact first
-  double medium_radius_ = 1;   // where it begins, over rho
-  double poisson_ = 0;         // of the surface
+  double medium_radius_ = 1;   // inner end, over rho
+  double poisson_ = 0;         // at the surface
   double share_ = 0;  // its n c_n for large n: (1 - nu^2) E/(2 E_surface)
 };
 

@@ -104,14 +104,13 @@ struct LeadingLogarithm {
 
 }  // namespace
 
-// What the walls change: with them (2) has sum weight_n p_n cos nt more on its
-// left.
+// Contribution of the walls: sum weight_n p_n cos nt on the left of (2).
 struct PinContact::Wall {
   explicit Wall(const detail::WallHarmonics& harmonics)
       : correction(harmonics.correction), first(harmonics.first) {}
 
   int end() const { return static_cast<int>(correction.size()); }
-  // What the terms of a sum over Dc_n (n^2 - 1) are multiplied with.
+  // Weights of the terms of a sum over Dc_n (n^2 - 1).
   Eigen::VectorXd weights(const detail::HarmonicSamples& samples) const {
     Eigen::VectorXd weight(samples.n.size());
     for (Eigen::Index i = 0; i < weight.size(); ++i) {
@@ -248,7 +247,7 @@ PinContact::System::System(const PinContact& pin, double half_angle)
 PinContact::Solution PinContact::System::solve(int n) const {
   Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_unknowns, 2> right(n, 2);
   right << given.constant.head(n), given.load.head(n);
-  // Not definite for beta < 0 and wide contacts: LU.
+  // LU: the matrix is not definite for beta < 0 and wide contacts.
   const Matrix leading = matrix.topLeftCorner(n, n);
   const decltype(right) solved = leading.partialPivLu().solve(right);
 
@@ -308,7 +307,7 @@ double average_without_walls(double half_angle, double beta,
   static const detail::GaussLegendre fine(96);
   const detail::GaussLegendre& rule =
       y.size() > PinContact::default_unknowns ? fine : usual;
-  // Of psi, sin(t/2) = sin(theta0/2) cos psi.
+  // Points in psi, sin(t/2) = sin(theta0/2) cos psi.
   const int points = static_cast<int>(y.size()) + 8;
   const double b = std::tan(half_angle / 2);
   const auto kernel = [beta](double x) {

@@ -42,7 +42,7 @@ class PinContact {
  public:
   static constexpr int default_unknowns = 16;
   static constexpr int max_unknowns = 32;
-  /// Of a contact with walls, whose edge may have a thin layer.
+  /// Limit for contacts with walls, whose edge may have a thin layer.
   static constexpr int max_walled_unknowns = 64;
 
   /// @param pair      elastic constants, pin inner

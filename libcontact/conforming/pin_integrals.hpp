@@ -22,8 +22,8 @@ class ChebyshevMoments {
   static constexpr int max_count = 160;
 
   ChebyshevMoments(double b2, int count) {
-    // What the closure leaves at index `count` is q^(4 extra_rows) of its own
-    // error: below 1e-15 for theta0 < 140 deg, 1e-9 at 165 deg.
+    // The closure's error at index `count` is q^(4 extra_rows) of its own:
+    // below 1e-15 for theta0 < 140 deg, 1e-9 at 165 deg.
     const int n = count + extra_rows;
     const auto right_side = [](int i) { return 2 / (1 - 4.0 * i * i); };
     const double order = 2.0 * n;

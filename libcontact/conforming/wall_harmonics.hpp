@@ -8,8 +8,8 @@
 
 namespace contact::detail {
 
-/// What the walls of both bodies change in the equations of a contact, all in
-/// units of 4 rho/E.
+/// Contribution of both bodies' walls to the equations of a contact, in units
+/// of 4 rho/E.
 struct WallHarmonics {
   /// @throws Error for layers so thin and nearly incompressible that the
   ///         solvers would lose all digits.

@@ -73,7 +73,7 @@ Material read_material(const std::filesystem::path& path) {
 
 namespace {
 
-// Of these materials, or of those that the table has.
+// Joint with these materials, or with those of the table.
 JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
   std::string name = table.text("name");
   const TomlTable size = table.table("geometry");

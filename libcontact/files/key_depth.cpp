@@ -6,7 +6,7 @@
 namespace contact::detail {
 namespace {
 
-// Where the string that begins at `begin` ends.
+// End of the string that begins at `begin`.
 std::size_t end_of_string(std::string_view text, std::size_t begin) {
   const char quote = text[begin];
   const bool is_long = text.substr(begin).starts_with(std::string(3, quote));

@@ -83,7 +83,7 @@ Inner table_at(toml::table& from, const Step& step) {
   return {found == nullptr ? nullptr : found->as_table(), place};
 }
 
-// What is the same for all names of a step.
+// Place in messages, the same for all names of a step.
 std::string place_text(const KnownKey* key, const Step& step,
                        std::size_t place) {
   const std::string_view name = key == nullptr ? step.name : key->key;
@@ -111,8 +111,7 @@ std::string name_in(const toml::table& table, const KnownKey* key,
   return std::string(given);
 }
 
-// What a number, or all numbers of an array, are when multiplied, as in TOML;
-// "" for anything else.
+// Multiplied number, or numbers of an array, as in TOML; "" for other values.
 std::string multiplied(const toml::node& node, double factor) {
   if (const auto number = node.value<double>()) {
     return message("{}", *number * factor);

@@ -8,9 +8,9 @@
 
 namespace contact::detail {
 
-/// Where a setting belongs.
+/// Place of a setting.
 struct KeyPlace {
-  /// In which the key stands, or that names a file to which it is left.
+  /// Table that has the key, or that names the file to which it is left.
   toml::table* table;
   /// The key there, as the table or the file spells it: "com_m[2]".
   std::string key;
@@ -20,8 +20,8 @@ struct KeyPlace {
   std::string text;
 };
 
-/// What messages call it: where it is from, else "KEY = VALUE". Nodes that it
-/// has made have this for their source.
+/// Name of a setting in messages: its origin, else "KEY = VALUE". Nodes made by
+/// it have this as their source.
 std::string setting_text(const KeySetting& setting);
 
 /// Gives a key of a file another value, as KeySetting says. Tables that are

@@ -17,7 +17,7 @@ std::string spellings_text(std::string_view key, Dimension dimension);
 const Unit* unit_in(std::string_view spelling, std::string_view key,
                     Dimension dimension);
 
-/// What a number must be: "above 0 and below 50 mm"; 0 alone needs no unit.
+/// Rule for a number: "above 0 and below 50 mm"; 0 alone needs no unit.
 std::string range_text(const Interval& range, const Unit& unit);
 
 }  // namespace contact::detail

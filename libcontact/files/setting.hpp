@@ -14,8 +14,8 @@ namespace contact {
 struct KeySetting {
   std::string key;    ///< with the tables that it stands in
   std::string value;  ///< as in TOML; a text may stand without quotes
-  /// Where it is from, such as an option: "--radius -50mm". Messages say that
-  /// in place of file, key and value, if it is there.
+  /// Source of the setting, such as an option: "--radius -50mm". Messages name
+  /// it, if there is one, in place of file, key and value.
   std::string origin = {};
 };
 using KeySettings = std::vector<KeySetting>;

@@ -11,7 +11,7 @@
 namespace contact::detail {
 namespace {
 
-// Of words with blanks between them.
+// Tests for a word among words separated by blanks.
 bool has_word(std::string_view words, std::string_view word) {
   while (!words.empty()) {
     const auto end = std::min(words.find(' '), words.size());

@@ -10,11 +10,11 @@
 
 namespace contact::detail {
 
-/// Of these keys those of the table's kind; all if it is missing or wrong.
+/// Keys for the table's kind; all if the kind is missing or wrong.
 std::vector<const KnownKey*> of_kind(const toml::table& table,
                                      const KnownKeys& keys);
 
-/// That of this name among them; null if there is none.
+/// Key with this name among them; null if there is none.
 const KnownKey* known_key(const toml::table& table, const KnownKeys& keys,
                           std::string_view name);
 

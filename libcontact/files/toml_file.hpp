@@ -15,7 +15,7 @@
 #include "libcontact/files/toml_nodes.hpp"
 #include "libcontact/files/toml_reader.hpp"
 
-/// What stands behind the handles of toml_reader.hpp.
+/// Data behind the handles of toml_reader.hpp.
 namespace contact {
 
 struct TomlTable::Parsed {
@@ -33,14 +33,14 @@ struct TomlTable::File {
   std::filesystem::path folder;
   std::shared_ptr<const KnownKeys> keys;
   toml::table root = {};
-  // Of the files that it names too; null if they are read anew.
+  // Cache for the files that this one names too; null if they are read anew.
   std::shared_ptr<Cache> cache = {};
   std::set<const toml::node*> read = {};
-  // By the table that names the file.
+  // Settings by the table that names the file.
   std::map<const toml::table*, KeySettings> for_files = {};
-  // Where settings went, in their order.
+  // Places of the settings, in order.
   std::vector<detail::KeyPlace> settings = {};
-  // What nodes are from that need no other name.
+  // Sources of nodes that need no other name.
   std::set<std::string> origins = {};
 
   const std::string* origin(const toml::node& node) const {

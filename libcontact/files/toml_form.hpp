@@ -20,17 +20,17 @@ class TomlForm {
   TomlForm(const TomlFiles& files, const std::filesystem::path& path,
            KnownKeys (*keys)(), const KeySettings& settings)
       : TomlForm(files.open(path, keys, settings), settings) {}
-  /// Of a table that nothing else reads.
+  /// Form of a table that nothing else reads.
   /// @param settings  the last of those that the table was made with
   TomlForm(TomlTable table, const KeySettings& settings);
 
-  /// With the numbers that were set last.
+  /// With the numbers set last.
   const TomlTable& table() const { return table_; }
-  /// Where a key stands, one text for all its names: "body[2].com[1]"; of one
-  /// that is left to another file, how far this one goes.
+  /// Place of a key, one text for all its names: "body[2].com[1]"; for a key
+  /// left to another file, the part in this one.
   const std::string& place(std::size_t key) const;
-  /// Gives a key its number or factor. Of keys that have numbers in common, as
-  /// com and com[1], all are set in their order.
+  /// Gives a key its number or factor. Keys that share numbers, as com and
+  /// com[1], are all set, in order.
   void set(std::size_t key, double number);
 
  private:
@@ -39,7 +39,7 @@ class TomlForm {
     bool is_factor;
     bool is_first;  ///< none before it has one of these
   };
-  /// Of a key that is left to another file, its setting.
+  /// Numbers, or the setting of a key that is left to another file.
   using Key = std::variant<Numbers, KeySetting*>;
   Key key_at(const detail::KeyPlace& place, const KeySetting& setting);
 

@@ -8,7 +8,7 @@
 namespace contact::detail {
 namespace {
 
-// Of arrays as messages show them: as much as of a text.
+// Longest array in messages, as long as a text.
 constexpr std::size_t longest_array = 60;
 
 // "[1, 2.5]"; a long one is cut: "[1, 2.5, ... 500 in all]".

@@ -22,7 +22,7 @@
 #include <toml++/toml.h>
 // clang-format on
 
-/// What the parser found, in words.
+/// Texts for nodes of the parser.
 namespace contact::detail {
 
 /// A file that ends where a table begins has no line for it; it is 1.

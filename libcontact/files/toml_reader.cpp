@@ -23,7 +23,7 @@
 namespace contact {
 namespace {
 
-// Of what the parser says.
+// Limit for the parser's messages.
 constexpr std::size_t longest_line = 300;
 
 std::string shape_text(const ArrayShape& shape) {
@@ -51,7 +51,7 @@ struct TomlTable::Entry {
     must_be(*node, "", rule);
   }
 
-  // Of what stands at `index` of its array: "[3]", "[2][1]".
+  // Names the value at `index` of its array: "[3]", "[2][1]".
   [[noreturn]] void must_be(const toml::node& value, const std::string& index,
                             std::string_view rule) const {
     throw Error(

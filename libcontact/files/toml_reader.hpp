@@ -24,7 +24,7 @@ namespace contact {
 /// How many numbers an array has.
 struct ArrayShape {
   std::size_t rows;
-  std::size_t columns = 0;  ///< of each row; 0: rows are numbers
+  std::size_t columns = 0;  ///< columns of each row; 0: rows are numbers
   bool or_more = false;     ///< more rows too
 };
 
@@ -36,9 +36,9 @@ struct KnownKey {
   std::vector<KnownKey> inside = {};
   /// Words, of which the table's `kind` is one; "": any.
   std::string_view kinds = {};
-  /// What it was called in old files, for the message about them.
+  /// Name in old files, for the message about them.
   std::string_view former = {};
-  /// Keys of the file that it names.
+  /// Keys of the file that this key names.
   std::vector<KnownKey> of_file = {};
 };
 using KnownKeys = std::vector<KnownKey>;
@@ -132,7 +132,7 @@ class TomlTable {
   /// for, because of what else is there. Call it when everything is read.
   void refuse_idle() const;
 
-  /// What the table says, in one form: the same for files that differ only in
+  /// Content of the table in one form: the same for files that differ only in
   /// comments, blanks, the order of keys or the notation of numbers.
   std::string canonical_text() const;
   /// The file with its settings as TOML, which reads as the same.

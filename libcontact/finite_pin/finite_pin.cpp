@@ -68,9 +68,9 @@ JointSpec with_exact_laws(JointSpec joint) {
 
 }  // namespace
 
-/// Of a length of 1 m at z.
+/// Slice at z, per 1 m of length.
 struct FinitePin::Slice {
-  Vector2d direction;  ///< of the force
+  Vector2d direction;  ///< direction of the force
   double distance;     ///< |a + psi z|, m
   double force;        ///< N/m
   double slope;        ///< N/m^2
@@ -116,7 +116,7 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
           peak};
 }
 
-// Where |a + psi z| > e(z), as zeros of a polynomial of z over l/2.
+// Intervals with |a + psi z| > e(z), from zeros of a polynomial in z over l/2.
 std::vector<FinitePin::Interval> FinitePin::intervals(
     const Vector4d& place) const noexcept {
   std::vector<Interval> found;
@@ -216,7 +216,7 @@ FinitePinState FinitePin::state(const Vector4d& place,
                    .area_moment = all.area_moment};
   if (!all.load.allFinite()) s.status = Status::out_of_range;
   for (const auto& [from, to, piece] : intervals(place)) {
-    // Those of the relief's pieces are one where they meet.
+    // Intervals of adjacent relief pieces that meet are one.
     if (s.pieces == 0) s.low = from;
     if (s.pieces == 0 || from > s.high) ++s.pieces;
     s.high = to;

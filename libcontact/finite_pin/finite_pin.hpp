@@ -19,17 +19,17 @@ namespace contact {
 struct FinitePinState {
   Status status = Status::ok;
   int iterations = 0;
-  double residual = 0;  ///< of the load that was asked for, over its size
+  double residual = 0;  ///< error of the load over its size
 
   Eigen::Vector2d shift;         ///< a of the pin's axis at z = 0, m
   Eigen::Vector2d tilt;          ///< psi, slope of the pin's axis: a + psi z
   Eigen::Vector2d force;         ///< F, N
   Eigen::Vector2d force_moment;  ///< G = sum of z F(z), N m: M_x = -G_y
   double energy;                 ///< U, J; F = dU/da, G = dU/dpsi
-  /// Of F_x, F_y, G_x, G_y by a_x, a_y, psi_x, psi_y; symmetric.
+  /// Derivatives of F_x, F_y, G_x, G_y by a_x, a_y, psi_x, psi_y; symmetric.
   Eigen::Matrix4d stiffness;
 
-  int pieces = 0;        ///< of contact along z: 0, 1 or more
+  int pieces = 0;        ///< contacts along z: 0, 1 or more
   double low, high;      ///< their outermost ends, m; NaN without contact
   double peak_pressure;  ///< the largest p, Pa
   double peak_place;     ///< z of it, m

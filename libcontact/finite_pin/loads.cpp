@@ -18,8 +18,8 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 
-// Where the pin first lies a third of the clearance deep, as the force pushes:
-// there the stiffness is regular.
+// Place along the force at which the pin first lies a third of the clearance
+// deep: there the stiffness is regular.
 Vector4d FinitePin::start(const Vector2d& force,
                           const Vector2d& tilt) const noexcept {
   Vector4d place = (Vector4d() << Vector2d::Zero(), tilt).finished();

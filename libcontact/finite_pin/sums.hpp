@@ -4,7 +4,7 @@
 
 #include "libcontact/finite_pin/finite_pin.hpp"
 
-/// What FinitePin sums along its pin.
+/// Sums of FinitePin along its pin.
 namespace contact {
 
 struct FinitePin::Sums {

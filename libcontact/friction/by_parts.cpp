@@ -14,7 +14,7 @@ namespace {
 /// Nodes of one piece. With 40 the rounding errors of a ShapedPressure's slopes
 /// near the edge leave 5e-9 in place of 1e-10.
 constexpr int usual_nodes = 56;
-/// Of a pressure under walls, with its 64 sines.
+/// Nodes for a pressure under walls, with its 64 sines.
 constexpr int walled_nodes = 128;
 
 const GaussLegendre& rule_for(const PressureLaw& law) {

@@ -14,7 +14,7 @@ constexpr int size = max_pressure_harmonics;
 // B_n/(2n(n+1)) of sqrt(1 - z^2) P_n', 0 for even n.
 struct Moments {
   Moments() {
-    std::array<double, size + 2> c{};  // of P_n/sqrt(1 - z^2)
+    std::array<double, size + 2> c{};  // coefficients of P_n/sqrt(1 - z^2)
     c[0] = pi;
     mean[0] = pi / 2;
     for (int n = 0; n < size; n += 2) {

@@ -47,9 +47,9 @@ struct BasicFrictionTriple {
 };
 using FrictionTriple = BasicFrictionTriple<double>;
 
-/// What a method of this library returns for one contact and slip axis;
-/// everything is dimensionless. In double, except where a method is offered
-/// at higher precision.
+/// Friction integrals of one contact and slip axis, by any method; everything
+/// is dimensionless. In double, except where a method is offered at higher
+/// precision.
 template <class Real>
 struct BasicFrictionIntegrals {
   /// I_n, integral of the pressure shape's normal component, (3.2), (3.4).

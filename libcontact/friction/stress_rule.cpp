@@ -71,7 +71,7 @@ class Stress {
         stress_(stress) {}
 
   double pressure(double theta) const {
-    // Of laws that end like a root, rounding may say less than 0.
+    // Rounding may give less than 0 for laws that end like a root.
     return std::max(unit_ * profile_.pressure(theta) + uniform_, 0.0);
   }
   double at_pressure(double p, double share_of_speed) const {
@@ -105,10 +105,10 @@ struct Plane {
 template <class Visit>
 void along_planes(double s, double q, const GaussLegendre& gauss,
                   const Visit& visit) {
-  // Where the slip axis pierces the edge of the contact the variable becomes
-  // infinite; a modulus below serves too.
+  // The variable becomes infinite where the slip axis pierces the edge of the
+  // contact; a modulus below serves too.
   constexpr double largest_modulus = 1 - 1e-12;
-  constexpr double longest_part = 6;  // of the variable
+  constexpr double longest_part = 6;  // longest part of the variable
   const bool pole_inside = s >= q;
   const double z = s / q;
   const double modulus = std::min(pole_inside ? q / s : z, largest_modulus);
@@ -161,7 +161,7 @@ void across_arc(double d, const GaussLegendre& gauss, const Visit& visit) {
 template <class Visit>
 void across_both_sides(double d, double pole, double layer,
                        const GaussLegendre& gauss, const Visit& visit) {
-  // Of the exponential the first piece has all but 2e-3, the second one all but
+  // The first piece has all of the exponential but 2e-3, the second one all but
   // 1e-13.
   constexpr std::array<double, 2> pieces = {6, 30};
   for (const double side : {-1.0, 1.0}) {
@@ -196,7 +196,7 @@ FrictionTriple by_planes(double half_angle, SlipAxis axis, const Stress& stress,
   const double sa = axis.sin;
   FrictionTriple sum{0, 0, 0};
   along_planes(s, q, rules.planes, [&](const Plane& plane) {
-    const double out = q * plane.sine;  // of the plane: the contact's centre
+    const double out = q * plane.sine;  // distance of the contact's centre
     const double r = std::sqrt((1 - out) * (1 + out));
     const double d = std::atan2(plane.distance, c);
     const double middle = std::atan2(q * plane.cosine, sa);
@@ -253,7 +253,7 @@ FrictionTriple by_definition(double half_angle, SlipAxis axis,
   static const EndRule rule;
   const double q = axis.cos;
   const double sa = axis.sin;
-  // Where the slip axis pierces the sphere.
+  // Point where the slip axis pierces the sphere.
   const double pole = std::atan2(q, sa);
   const std::array<double, 4> ends = {
       0, std::min({pole, pi - pole, half_angle}),

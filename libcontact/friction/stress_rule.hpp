@@ -11,14 +11,14 @@ struct StressedContact {
   double half_angle;     ///< theta0, rad
   double pressure_unit;  ///< JointGeometry::pressure_unit(), Pa
   double rim_speed;      ///< rho |Dw|, m/s
-  /// What a contact that is closed all round has beyond the law's pressure, Pa:
+  /// Pressure of a contact closed all round beyond that of the law, Pa:
   /// JointContact::uniform_pressure().
   double uniform_pressure = 0;
 };
 
-/// Of stress_integrals(): n - 2 great circles of n + 2 points, or twice that
-/// where they cross the slip axis, up to six times where the stress changes
-/// fast beside it (FrictionStress::speed_scale()).
+/// Points of stress_integrals(): n - 2 great circles of n + 2 points, or twice
+/// that where they cross the slip axis, up to six times where the stress
+/// changes fast beside it (FrictionStress::speed_scale()).
 inline constexpr int usual_stress_points = 24;
 
 /// Friction force over rho^2 and moments over rho^3 of a ball's contact, Pa:

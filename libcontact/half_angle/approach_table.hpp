@@ -41,7 +41,7 @@ class ApproachTable {
   JointKind kind_;
   const HalfAngleTable& load_;
   HalfAngleVariable variable_;
-  Series approach_, growth_;  // of ln h
+  Series approach_, growth_;  // series in ln h
 };
 
 }  // namespace contact::detail

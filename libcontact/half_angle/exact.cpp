@@ -215,7 +215,7 @@ HalfAngleResult ExactLaw::half_angle(double load_parameter) const noexcept {
   }
   if (!relation_) return closed_form_->half_angle(load_parameter);
   const HalfAngleResult result = relation_->load.half_angle(load_parameter);
-  // Where the solution by the pressure ends that by the gap goes on.
+  // The solution by the gap goes on where that by the pressure ends.
   return result.status == Status::not_converged && closing() ? by_gap()
                                                              : result;
 }

@@ -71,11 +71,11 @@ class ExactLaw final : public HalfAngleLaw {
   double limit_half_angle() const noexcept override;
   double closing_load() const override;
   ContactApproach shift(double half_angle) const override;
-  /// Of a ball that is not loaded through the back, and of a pin whose wall has
-  /// a backing other than an infinite body; NaN of others. From a table of its
-  /// own, which the first call makes by 40 to 192 solutions; any thread.
-  /// Accuracy (half_angle/exact_test.cpp): both within 2e-7 of
-  /// the solver, with walls 2e-8.
+  /// Approach of a ball that is not loaded through the back, and of a pin whose
+  /// wall has a backing other than an infinite body; NaN for others. From a
+  /// table of its own, made by 40 to 192 solutions in the first call; any
+  /// thread. Accuracy (half_angle/exact_test.cpp): both within 2e-7 of the
+  /// solver, with walls 2e-8.
   ContactApproach approach(double half_angle) const override;
   /// A note if the solver does not reach the limit half-angle.
   std::vector<std::string> validity_notes(

@@ -20,7 +20,7 @@ namespace contact::detail {
 
 inline constexpr int fitted_terms = 5;
 
-/// What the closed form depends on: w_2 (pin), d_0 (ball).
+/// Constant of the closed form: w_2 (pin), d_0 (ball).
 double fitted_constant(JointKind kind, const ElasticPair& pair);
 
 /// Pin: beta, w_2 beta. Ball: d_2, d_3, k, c_0 d_2.

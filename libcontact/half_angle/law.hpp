@@ -90,9 +90,8 @@ class HalfAngleLaw {
     return {nan, nan};
   }
 
-  /// Where the law is used outside the range for which its source states it:
-  /// one sentence each, empty if it is inside. Programs print them as
-  /// warnings.
+  /// Notes where the law is used outside the range stated by its source: one
+  /// sentence each, empty inside it. Programs print them as warnings.
   /// @param pair  the materials of the joint
   virtual std::vector<std::string> validity_notes(
       const ElasticPair& pair) const = 0;

@@ -7,8 +7,8 @@
 
 #include "libcontact/half_angle/law.hpp"
 
-/// What the half-angle laws share that know the load at a half-angle and not
-/// the other way round. They give F and dF/dtheta0 of
+/// Inversion shared by the half-angle laws that know the load at a half-angle
+/// but not the reverse. They give F and dF/dtheta0 of
 ///
 ///     F(theta0) = (2 sin(theta0/2)/x)^power,   power = 2 (pin), 3 (ball),
 ///

@@ -48,7 +48,7 @@ class LimitHalfAngle {
       : value_(value), made_for_(std::move(made_for)) {}
 
   double value_;
-  std::optional<MadeFor> made_for_;  // of a formula
+  std::optional<MadeFor> made_for_;  // pair of a formula
 };
 
 /// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.

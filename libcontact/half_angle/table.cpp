@@ -12,7 +12,8 @@ constexpr double pi = std::numbers::pi;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
-// Of a series of ln G: the accuracy of the solvers of walled contacts.
+// Negligible in a series of ln G: the accuracy of the solvers of walled
+// contacts.
 constexpr double negligible = 1e-9;
 
 // Terms that bring G to 1e-12: the closer theta0* comes to the singularity at

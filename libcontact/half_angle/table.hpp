@@ -59,7 +59,7 @@ class HalfAngleTable {
   double largest_;
   bool is_limit_;
   HalfAngleVariable variable_;
-  std::array<double, max_terms> coefficients_{};  // of G or ln G
+  std::array<double, max_terms> coefficients_{};  // series of G or ln G
   std::optional<HalfAngleStart> start_;
 };
 

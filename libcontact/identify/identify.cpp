@@ -131,8 +131,8 @@ class Identification {
     VectorXd weight;
     VectorXd residuals;
     double scale = 0;
-    MatrixXd slopes;      // of the residuals in `inside`
-    MatrixXd covariance;  // of `inside`
+    MatrixXd slopes;      // slopes of the residuals in `inside`
+    MatrixXd covariance;  // covariance of `inside`
   };
 
   // Effective f0 with A = 0 from one state of weak friction, to some %.
@@ -252,7 +252,7 @@ class Identification {
     describe_trends(best, fit);
   }
 
-  // Of exact data the covariance is 0, the correlation is not.
+  // Correlation by the slopes alone: the covariance of exact data is 0.
   static double correlation(const MatrixXd& slopes, Eigen::Index i,
                             Eigen::Index j) {
     const MatrixXd c = detail::inverse_of_square(slopes);
@@ -275,7 +275,7 @@ class Identification {
           angle_between(datum.reaction, datum.angular_velocity));
       at += size;
     }
-    // Those that count little by Huber's loss count little here.
+    // Data of little weight in Huber's loss have little weight here.
     const VectorXd counted = best.residuals.cwiseProduct(best.weight);
     const auto over = [&](const VectorXd& x) {
       return detail::trend(counted, x, best.slopes, options_.level);

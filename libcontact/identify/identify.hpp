@@ -33,12 +33,12 @@ struct MeasuredMoment {
   int size() const { return is_vector() ? 3 : 1; }
 };
 
-/// What is looked for.
+/// Parameters that are fitted.
 enum class FrictionParameter {
   coefficient,  ///< f0
   adhesion,     ///< A, Pa
-  /// eps, m. From a joint without clearance or with interference it is looked
-  /// for on both sides of 0, else above 0.
+  /// eps, m. From a joint without clearance or with interference it is searched
+  /// on both sides of 0, else above 0.
   clearance,
 };
 
@@ -65,12 +65,13 @@ struct Estimate {
   double standard_error = std::numeric_limits<double>::quiet_NaN();
   /// value -+ quantile of Student's t times the standard error.
   Interval interval = {};
-  /// Where the other parameters are fitted anew and chi2 rises by t^2 chi2/dof;
-  /// it ends at 0, and is infinite where chi2 never rises so far. NaN: the
-  /// others run out of their range before, so that there is no end; that of f0
-  /// is then with the clearance at an end of its range.
+  /// Profile interval: at its ends, with the other parameters fitted anew, chi2
+  /// has risen by t^2 chi2/dof; it ends at 0, and is infinite where chi2 never
+  /// rises so far. NaN: the others leave their ranges before, so that there is
+  /// no end; the end of f0 is then that with the clearance at an end of its
+  /// range.
   Interval profile = {};
-  /// Held at f0 = 0 or A = 0, below which the data would have it.
+  /// Held at f0 = 0 or A = 0; the data fit best below.
   bool at_bound = false;
 };
 
@@ -78,7 +79,7 @@ struct Estimate {
 struct FrictionFit {
   Status status = Status::not_converged;
   std::vector<FrictionParameter> parameters;
-  std::vector<Estimate> estimates;  ///< of each
+  std::vector<Estimate> estimates;  ///< one for each parameter
   /// f0 alone with A = 0, at the joint's own clearance, by the same loss.
   Estimate effective_coefficient;
   /// Covariance and correlations of the estimates; NaN of those at_bound.
@@ -93,8 +94,8 @@ struct FrictionFit {
   /// Standard error of the data in units of sigma: sqrt(chi2/dof), or Huber's
   /// scale.
   double scale = 0;
-  /// Of each number that was measured, in their order: the moment of the fit,
-  /// N m, its standard error, (fit - measured)/sigma, and Huber's weight.
+  /// One element per measured number, in order: the moment of the fit, N m, its
+  /// standard error, (fit - measured)/sigma, and Huber's weight.
   Eigen::VectorXd moment;
   Eigen::VectorXd moment_error;
   Eigen::VectorXd residual;
@@ -105,12 +106,13 @@ struct FrictionFit {
   Estimate load_trend;
   Estimate direction_trend;
   Estimate rate_trend;
-  /// Of the states of the data, with these parameters: for ContactLimits.
+  /// Largest contact over the data's states with these parameters: for
+  /// ContactLimits.
   LargestContact largest_contact;
   /// The joint with these parameters.
   std::optional<JointContact> joint;
 
-  /// What the fit says of a moment in another state.
+  /// Moment predicted for another state.
   /// @param reaction, angular_velocity  as in MeasuredMoment
   /// @param level  probability of the interval
   /// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit

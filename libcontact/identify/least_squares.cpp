@@ -117,7 +117,7 @@ HuberMinimum huber(const MomentModel& model, const Measurements& measured,
                    const Point& start, const std::vector<int>& free) {
   constexpr double tolerance = 1e-11;
   constexpr int most_steps = 200;
-  // Of data without errors: rounding is no scale.
+  // Floor for data without errors: rounding is no scale.
   const double least_scale =
       1e-11 * measured.moment.cwiseQuotient(measured.sigma).norm();
   HuberMinimum found;

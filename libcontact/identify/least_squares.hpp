@@ -9,7 +9,7 @@ namespace contact::detail {
 
 /// Measured moments and what is known of their errors.
 struct Measurements {
-  Eigen::VectorXd moment;  ///< of MomentModel::moments()
+  Eigen::VectorXd moment;  ///< as MomentModel::moments()
   Eigen::VectorXd sigma;
 
   /// (model - measured)/sigma.
@@ -18,7 +18,7 @@ struct Measurements {
   }
 };
 
-/// Where a sum of squares is least.
+/// Least sum of squares.
 struct Minimum {
   Status status = Status::not_converged;
   Point point;

@@ -30,8 +30,8 @@ void solve_all(const JointContact& contact,
   }
 }
 
-// Of a state at any tan psi, be it the root or not: f/cos a, and the parts of
-// M_t along w = Dw/|Dw| and along d, the direction of n normal to it.
+// Trial at any tan psi of a state, root or not: f/cos a, and the parts of M_t
+// along w = Dw/|Dw| and along d, the direction of n normal to it.
 Vector3d trial(const JointContact& contact, const JointSolution& solution,
                double tangent) {
   const SineCosine b = solution.reaction_direction;
@@ -76,7 +76,7 @@ void put(Numbers&& numbers, const MeasuredMoment& state,
   }
 }
 
-// Of MomentModel::range().
+// Bounds of MomentModel::range().
 constexpr double least_relative_clearance = 1e-9;
 constexpr double largest_relative_clearance = 0.9;
 constexpr double largest_friction = 1e6;
@@ -176,8 +176,8 @@ MatrixXd MomentModel::slopes(const Point& point,
     return MatrixXd::Constant(size_, numbers.size(), nan);
   }
   if (is_inside(point)) return solved_slopes(point, numbers);
-  // Where a number is below 0 the first part does not see it, and the second
-  // one sees it grow as it falls.
+  // Below 0 the first part does not depend on the number, and the second one
+  // grows as it falls.
   MatrixXd at_bound = 2 * solved_slopes(inside(point), numbers);
   MatrixXd beyond = solved_slopes(mirrored(point), numbers);
   for (std::size_t i = 0; i < numbers.size(); ++i) {
@@ -188,8 +188,8 @@ MatrixXd MomentModel::slopes(const Point& point,
   return at_bound - beyond;
 }
 
-// Of the clearance or the friction angle's tangent: leaves rounding of the
-// integrals, 4e-15, over it, and its square.
+// Step of the clearance and of the friction angle's tangent: its errors are the
+// rounding of the integrals, 4e-15, over it, and its square.
 constexpr double relative_step = 1e-5;
 
 // The slope of a state's moment in a number of the point.

@@ -57,8 +57,9 @@ class MomentModel {
   std::span<const MeasuredMoment> states_;
   Eigen::Index size_ = 0;
   double unit_ = 1;
-  double length_ = 0;  ///< of the clearance; 0: its logarithm
-  /// Of each state, from which the next one starts: half the time.
+  double length_ = 0;  ///< scale of the clearance; 0: its logarithm
+  /// Last solution of each state, from which the next one starts: half the
+  /// time.
   mutable std::vector<JointSolution> last_;
 };
 

@@ -19,7 +19,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 // Whether a search stopped because the range ends there, and not at a minimum.
 // f0 and A may be 0.
 bool is_at_end(const std::pair<double, double>& range, double x, int number) {
-  constexpr double near = 1e-2;  // of the logarithm of a clearance
+  constexpr double near = 1e-2;  // in the logarithm of a clearance
   if (number < 2) return x > (1 - near) * range.second;
   return x < range.first + near || x > range.second - near;
 }
@@ -50,7 +50,7 @@ struct Side {
   double bound;
 };
 
-// Where `excess` is 0; NaN if it has no value there or jumps.
+// Zero of `excess`; NaN if it has no value there or jumps.
 template <class Excess>
 double zero_between(const Excess& excess, double low, double high,
                     double at_low, double at_high) {
@@ -134,7 +134,7 @@ Estimate trend(const VectorXd& residuals, const VectorXd& over,
   Estimate slope;
   slope.value = std::numeric_limits<double>::quiet_NaN();
   const VectorXd centred = over.array() - over.mean();
-  // What the fit could follow is no trend.
+  // Trends that the fit can follow do not count.
   VectorXd left = centred;
   if (slopes.cols() > 0) {
     left -= slopes * slopes.colPivHouseholderQr().solve(centred);
@@ -164,7 +164,7 @@ Estimate::Interval profile(const MomentModel& model,
   Point last = best.point;
   Point along = linear;
   const auto excess = [&](double trial) {
-    // What this leaves of the others counts by its square.
+    // Errors of the others enter by their square.
     constexpr double tolerance = 1e-6;
     const auto refitted = [&](const Point& start) {
       return least_squares(model, measured, weight, start, others, tolerance);

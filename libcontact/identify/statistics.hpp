@@ -15,7 +15,7 @@ Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& slopes);
 /// Ratio of the largest and the smallest singular value after each column is
 /// scaled to 1.
 double scaled_condition(const Eigen::MatrixXd& slopes);
-/// What the inverse is multiplied with for the covariance of Huber's estimate.
+/// Factor of the inverse in the covariance of Huber's estimate.
 /// @param residuals  over the scale
 double huber_factor(const Eigen::VectorXd& residuals, int parameters);
 

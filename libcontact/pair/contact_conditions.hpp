@@ -8,7 +8,8 @@
 
 namespace contact {
 
-/// What a joint's radial clearance is. Laws that know one know those before it.
+/// Sign of a joint's radial clearance. A law that allows one value allows those
+/// before it.
 enum class Clearance {
   positive,      ///< above 0
   none,          ///< 0
@@ -16,9 +17,9 @@ enum class Clearance {
 };
 Clearance clearance_of(double radial_clearance);
 
-/// What decides on a contact beside the materials at its two surfaces. The
-/// usual case, which every law knows: a force at the centre of the ball or pin,
-/// both bodies homogeneous, the outer one infinite, and a clearance.
+/// Conditions of a contact beside the materials of its two surfaces. The usual
+/// case, which every law knows: a force at the centre of the ball or pin, both
+/// bodies homogeneous, the outer one infinite, and a clearance.
 struct ContactConditions {
   InnerLoading loading = InnerLoading::centre();
   /// Walls and coatings. The materials at the surfaces are then those of
@@ -30,7 +31,7 @@ struct ContactConditions {
                          const ContactConditions&) = default;
 };
 
-/// For which joints a law was made whose constants depend on them.
+/// Joints for which a law was made whose constants depend on them.
 class MadeFor {
  public:
   /// The materials, and what else counts.

@@ -13,11 +13,11 @@ namespace {
 
 struct SizeRange {
   int up_to_mm;  // from above the one before
-  // Of grades 5 to 9, um.
+  // Tolerances of grades 5 to 9, um.
   std::array<int, 5> tolerances;
-  // Of d, e, f, g, h, um: how far a shaft stays below the nominal size; a hole
-  // stays as far above it. Letters below d divide some of the ranges, these
-  // do not.
+  // Deviations of d, e, f, g, h, um: how far a shaft stays below the nominal
+  // size; a hole stays as far above it. Letters below d divide some of the
+  // ranges, these do not.
   std::array<int, 5> deviations;
 };
 
@@ -37,8 +37,9 @@ constexpr std::array<SizeRange, 13> size_ranges = {{
     {500, {27, 40, 63, 97, 155}, {230, 135, 68, 20, 0}},
 }};
 
-// Of k, m, n, p, r, s, um: how far at least a shaft is above the nominal size.
-// Where it is -1 no published limit was at hand (data/README.md).
+// Deviations of k, m, n, p, r, s, um: the least height of a shaft above the
+// nominal size. -1 stands for limits missing in the published sources
+// (data/README.md).
 struct PressedRange {
   int up_to_mm;
   std::array<int, 6> deviations;

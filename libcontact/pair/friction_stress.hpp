@@ -48,7 +48,7 @@ class FrictionStress {
 
   /// Coefficients of friction at some points; constant outside of them.
   struct Table {
-    /// What lies between the points of a table of friction coefficients.
+    /// Interpolation between the points of a table of friction coefficients.
     enum class Curve {
       spline,  ///< natural cubic spline in the logarithm, two continuous slopes
       linear,  ///< in the logarithm; costs friction up to some 1e-3
@@ -78,10 +78,10 @@ class FrictionStress {
   double speed_scale() const { return at_rest_ ? no_scale : speed_scale_; }
   /// tau(p, 0) at every speed.
   FrictionStress at_rest() const;
-  /// What costs accuracy, for programs to warn of; "" for nothing.
+  /// Note on a loss of accuracy, for programs to print; "" for none.
   const std::string& note() const { return note_; }
 
-  /// Which of the named laws it is, with the arguments of its function.
+  /// Name of the law, if it is a named one, and the arguments of its function.
   struct Source {
     /// "stribeck", "power", "pressure_table" or "hersey_table"; "" if one's
     /// own.

@@ -6,8 +6,8 @@
 /// way.
 namespace contact {
 
-/// Where the force that presses the inner body (ball, pin) into the outer one
-/// acts on it. The half-angle depends on it (docs/conforming.md).
+/// Point at which the force that presses the inner body (ball, pin) into the
+/// outer one acts. The half-angle depends on it (docs/conforming.md).
 class InnerLoading {
  public:
   /// A force at the centre, or weight and inertia spread over the body: a pin

@@ -15,7 +15,7 @@ namespace {
 // The theory is of first order in eps/rho1; beyond this its error is no
 // longer small beside that of the half-angle laws (2 to 10 %).
 constexpr double largest_relative_clearance = 0.05;
-// Of a press fit: strains of a percent, beyond which metals yield.
+// Limit of press fits: strains of a percent, beyond which metals yield.
 constexpr double largest_relative_interference = 0.01;
 // 0.25 um in a radius of 25 mm: errors of form and roughness of the best ground
 // surfaces are of this size, and a degree or two of temperature changes it.

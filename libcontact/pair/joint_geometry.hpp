@@ -69,9 +69,9 @@ class JointGeometry {
   double length() const { return length_; }
   /// The body that has the ball or pin.
   JointBody inner_body() const { return inner_body_; }
-  /// Where the seat of a ball ends, if it is said to. Joints do not know it but
-  /// for ContactLimits, which notes that contacts would reach a rim;
-  /// SeatContact confines them.
+  /// Zone of a ball's seat, if one is given. Joints ignore it except for
+  /// ContactLimits, which notes contacts that would reach a rim; SeatContact
+  /// confines them.
   const std::optional<SeatZone>& seat() const { return seat_; }
 
   /// The load of the half-angle laws that belongs to a normal force:
@@ -99,10 +99,10 @@ class JointGeometry {
                : force / (2 * radius_ * length_);
   }
 
-  /// Where the joint leaves the range of the theory, one sentence each; empty
-  /// if it does not. The theory is of first order in eps/rho1: a note above
-  /// 0.05, below -0.01 and near 0 (1e-5); what interference does beside the
-  /// contact; of a ball without clearance that its seat has to keep it.
+  /// Notes where the joint leaves the range of the theory, one sentence each;
+  /// empty inside it. The theory is of first order in eps/rho1: a note above
+  /// 0.05, below -0.01 and near 0 (1e-5); the effects of interference beside
+  /// the contact; for a ball without clearance, that its seat has to retain it.
   std::vector<std::string> validity_notes() const;
 
   friend bool operator==(const JointGeometry& a, const JointGeometry& b) {

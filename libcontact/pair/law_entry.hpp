@@ -9,10 +9,10 @@
 
 namespace contact::detail {
 
-/// What is said of a law beside its name, in the file of the law: help,
-/// messages, tables of the docs, Python and tests read it here.
+/// Properties of a law, in the file of the law: help, messages, tables of the
+/// docs, Python and tests read it here.
 struct LawEntry {
-  /// What a law depends on beside the load; each includes the one before.
+  /// Inputs of a law beside the load; each includes the one before.
   enum class Needs { nothing, materials, conditions };
 
   std::string_view name;

@@ -18,7 +18,7 @@ struct Layer {
   friend bool operator==(const Layer&, const Layer&) = default;
 };
 
-/// What lies behind the layers of a body.
+/// Body behind the layers.
 class Backing {
  public:
   enum class Kind {
@@ -36,7 +36,7 @@ class Backing {
   static Backing medium(Material material);
 
   Kind kind() const { return kind_; }
-  /// Of a medium or a rigid body.
+  /// Material of a medium or a rigid body.
   const Material& material() const { return material_; }
 
   friend bool operator==(const Backing&, const Backing&) = default;

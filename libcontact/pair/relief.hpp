@@ -10,7 +10,7 @@ namespace contact {
 /// contact. A value.
 class Relief {
  public:
-  /// Where it is curvature (z - centre)^2.
+  /// Part of the profile: curvature (z - centre)^2.
   struct Piece {
     double from, to;   ///< z, m
     double centre;     ///< m
@@ -37,14 +37,13 @@ class Relief {
   /// @throws Error if it is less than two lengths of relief
   std::vector<Piece> pieces(double length) const;
 
-  /// What whoever takes the contact for level and endless leaves out: a
-  /// sentence, or none.
+  /// Effects that a level, endless contact leaves out: one sentence, or none.
   std::vector<std::string> notes() const;
 
   enum class Kind { none, barrel, ends };
   Kind kind() const { return kind_; }
   double depth() const { return depth_; }    ///< m
-  double length() const { return length_; }  ///< of ends, m; else 0
+  double length() const { return length_; }  ///< length of the ends, m; else 0
 
   friend bool operator==(const Relief&, const Relief&) = default;
 

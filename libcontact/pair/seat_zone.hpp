@@ -2,9 +2,9 @@
 
 namespace contact {
 
-/// Where a ball's seat is: the zone from <= v <= to of polar angles v from the
-/// seat's axis, a surface of revolution that ends at its rims. A ring, a cup, a
-/// socket with an opening; a value, validated once.
+/// Zone of a ball's seat, from <= v <= to in polar angles v from the seat's
+/// axis, a surface of revolution that ends at its rims. A ring, a cup, a socket
+/// with an opening; a value, validated once.
 class SeatZone {
  public:
   /// Narrower zones are refused: 1 deg.

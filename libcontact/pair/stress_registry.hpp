@@ -23,7 +23,7 @@ struct StressEntry {
   std::string_view meaning;  ///< tau
   /// In the order of FrictionStress::Source::numbers.
   std::span<const StressNumber> numbers = {};
-  /// Of a table: the key of its points, and their SI unit.
+  /// For tables: the key of the points, and their SI unit.
   std::string_view points = {};
   std::string_view points_unit = {};
   /// @throws Error if an argument is out of range.

@@ -131,7 +131,7 @@ std::string note_of(const FrictionStress::Table& table) {
       detail::message("{}: the curve through the coefficients", place), rule));
 }
 
-// Of what falls by rounding.
+// Relative fall that is rounding.
 constexpr double rounding = 1e-12;
 
 }  // namespace
@@ -164,7 +164,7 @@ FrictionStress FrictionStress::of_hersey(const Table& table) {
   const char* const place = "friction over v/p";
   check_table(table, place);
   Curve curve(table);
-  // Where f over H = v/p grows, p f falls with p.
+  // p f falls with p where f/H grows, H = v/p.
   double last = std::numeric_limits<double>::infinity();
   double last_f = table.coefficients.front();
   bool falls = false;

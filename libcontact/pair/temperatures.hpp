@@ -15,11 +15,11 @@ struct Temperatures {
   static constexpr double coldest = 100;
   static constexpr double hottest = 2000;
 
-  double inner;  ///< of the ball or pin with its coatings
-  double outer;  ///< of the seat or hole with its layers and their backing
-  /// At which the clearance was measured. ISO 1 has 20 deg C.
+  double inner;  ///< the ball or pin with its coatings
+  double outer;  ///< the seat or hole with its layers and their backing
+  /// Temperature at which the clearance was measured; 20 deg C by ISO 1.
   double reference = 293.15;
-  /// Of a pin; without influence for a ball.
+  /// Growth of a pin along its axis; without influence on a ball.
   AxialGrowth axial = AxialGrowth::free;
 
   friend bool operator==(const Temperatures&, const Temperatures&) = default;

@@ -8,9 +8,9 @@
 
 namespace contact::detail {
 
-/// What a force law is made of, by the half-angle: Chebyshev series of four
-/// quantities that hardly change with it, in u = ln(theta0). Lengths are in
-/// units of the clearance, forces in those of ForceUnit.
+/// Force law by the half-angle: Chebyshev series of four quantities that hardly
+/// change with it, in u = ln(theta0). Lengths are in units of the clearance,
+/// forces in those of ForceUnit.
 class ForceSeries {
  public:
   using Solver = std::function<ForcePoint(double)>;

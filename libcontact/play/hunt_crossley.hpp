@@ -35,7 +35,7 @@ class HuntCrossley {
   double restitution(double speed) const noexcept;
   /// Strain energy at the turn over the kinetic energy at touch.
   double energy_share(double speed) const noexcept;
-  /// Of a mass with a strain energy below that at the turn: the speed inwards
+  /// Speed of a mass with a strain energy below that at the turn: inwards
   /// (compression) and outwards (restitution), m/s, > 0.
   /// @param energy_per_mass  strain energy to the turn over the mass, J/kg
   double speed_inwards(double energy_per_mass) const noexcept;

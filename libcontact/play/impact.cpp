@@ -30,7 +30,7 @@ double energy_to_turn(const ForceLaw& law, double largest, double rest) {
   return rest / 2 * sum;
 }
 
-// Of a wave through the ball or pin and the wall and back.
+// Time of a wave through the ball or pin and the wall and back.
 double travel_time(const JointSpec& joint, double density) {
   const auto slowness = [density](const Material& material) {
     return std::sqrt(density / material.youngs_modulus);  // rigid: 0

@@ -43,9 +43,9 @@ class JointImpact {
   Impact operator()(const HuntCrossley& damping, double mass,
                     double speed) const;
 
-  /// Where an impact leaves the model, one sentence each: a peak pressure above
-  /// what the materials bear, a penetration beyond the force law, a duration
-  /// below 10 times that of waves through the joint.
+  /// Notes where an impact leaves the model, one sentence each: a peak pressure
+  /// above the limit of the materials, a penetration beyond the force law, a
+  /// duration below 10 times that of waves through the joint.
   /// @param density  of the bodies, kg/m^3; 0 if it is not known, which leaves
   ///                 out the waves
   std::vector<std::string> notes(const Impact& impact, double density) const;

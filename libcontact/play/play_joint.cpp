@@ -56,15 +56,15 @@ Vector<Real> variables(const Eigen::Vector3d& v, int first) {
 
 }  // namespace
 
-// Of a ball's friction at one half-angle and slip axis, made smooth: the
-// friction force over cos a, the sliding moment over cos a and the spinning
-// moment over sin a, each as its part of pressure and of area.
+// Smoothed friction of a ball at one half-angle and slip axis: friction force
+// over cos a, the sliding moment over cos a and the spinning moment over sin a,
+// each as its part of pressure and of area.
 struct PlayJoint::Coefficients {
   std::array<double, 3> pressure;
   std::array<double, 3> area;
 };
 
-// What a motion is like at the contact.
+// Kinematics of a motion at the contact.
 template <class Real>
 struct PlayJoint::Touch {
   Vector<Real> n, velocity, angular_velocity, axis;

@@ -18,12 +18,12 @@ struct PlayMotion {
   Eigen::Vector3d position;  ///< e, from the seat's centre to the ball's, m
   Eigen::Vector3d velocity;  ///< de/dt, m/s
   Eigen::Vector3d angular_velocity;  ///< Dw of the ball or pin, rad/s
-  /// Of a pin, unit vector; motions along it have no part.
+  /// Axis of a pin, unit vector; motions along it have no effect.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 };
 
-/// What acts on the ball or pin. The seat has the opposite force at the same
-/// point: -force and seat_moment() at its own centre.
+/// Load on the ball or pin. The seat has the opposite force at the same point:
+/// -force and seat_moment() at its own centre.
 struct PlayForce {
   Eigen::Vector3d force;   ///< N
   Eigen::Vector3d moment;  ///< about the centre of the ball or pin, N m
@@ -31,7 +31,7 @@ struct PlayForce {
   double normal_force;     ///< N = F (1 + a d delta/dt), >= 0, N
   double energy;           ///< W, J
   double damping_power;    ///< -F a (d delta/dt)^2, W
-  double friction_power;   ///< of friction alone, W
+  double friction_power;   ///< part of friction alone, W
 
   Eigen::Vector3d seat_moment(const PlayMotion& motion) const {
     return -moment - motion.position.cross(force);
@@ -102,14 +102,14 @@ class PlayJoint {
   double penetration(const PlayMotion& motion) const noexcept;
   double penetration_rate(const PlayMotion& motion) const noexcept;
 
-  /// Of a pin, by the elastic force.
+  /// Bounds for a pin, by the elastic force.
   FrictionBounds friction_bounds(const PlayMotion& motion) const noexcept;
-  /// Of a ball, in moments that go with Dw + (n x de/dt)/rho, by the elastic
-  /// force; refers to this joint, which has to have friction.
+  /// Moments of a ball that act on Dw + (n x de/dt)/rho, by the elastic force;
+  /// refers to this joint, which must have friction.
   MomentSet moment_set(const PlayMotion& motion) const noexcept;
 
-  /// Where a motion leaves the model: beyond the force law; a translation that
-  /// counts beside the turning in a wide contact. Empty if it does not.
+  /// Notes where a motion leaves the model: beyond the force law; a translation
+  /// that matters beside the turning in a wide contact. Empty inside it.
   std::vector<std::string> notes(const PlayMotion& motion) const;
 
   const ForceLaw& force_law() const noexcept { return law_; }

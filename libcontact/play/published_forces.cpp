@@ -43,7 +43,7 @@ auto liu(double k, double c) {
       if (std::abs(step) < 1e-15 * delta) break;
     }
     const double slope =
-        force * (1.5 / delta - 0.5 / (c + delta));  // of its logarithm
+        force * (1.5 / delta - 0.5 / (c + delta));  // from its logarithm
     return {delta, slope, false};
   };
 }

@@ -22,7 +22,7 @@ struct PublishedApproach {
 struct PublishedForceLaw {
   std::string_view name;    ///< "johnson"
   std::string_view source;  ///< "Johnson 1985"
-  std::string_view note;    ///< of its weakness
+  std::string_view note;    ///< its weakness
   std::function<PublishedApproach(double force)> at;
 };
 

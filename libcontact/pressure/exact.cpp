@@ -30,7 +30,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double usual_largest = 2 * pi / 3;
 
-// What p carries, and the sum of its pressures.
+// Load that p carries, and the sum of its pressures.
 struct Resultants {
   double load;
   double sum;
@@ -97,7 +97,7 @@ double end(const Contact& contact) {
 ExactPressure::Series::Series(const Eigen::MatrixXd& values)
     : width_(static_cast<int>(values.cols())) {
   const int count = static_cast<int>(values.rows());
-  Eigen::MatrixXd chebyshev(count, count);  // of a degree in a column
+  Eigen::MatrixXd chebyshev(count, count);  // one degree in each column
   for (int i = 0; i < count; ++i) {
     chebyshev(i, 1) = std::cos(pi * (i + 0.5) / count);
   }
@@ -126,7 +126,7 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
     t[2 * j + 1] = 2 * t[j] * t[j + 1] - v;
   }
   Column sum{};
-  // So many columns at a time as the processor has registers for.
+  // Columns at a time: as many as the processor has registers for.
   constexpr int block = 8;
   static_assert(max_width % block == 0);
   for (int first = 0; first < width_; first += block) {
@@ -248,7 +248,7 @@ void ExactPressure::tabulate_expansion() {
   constexpr int terms = PressureExpansion::max_terms;
   // More than contact_ has: the share of the logarithm depends on theta0 too.
   const int count = largest_ > usual_largest || has_walls() ? 96 : 44;
-  // What friction under walls is good for; beyond 16 terms it is slower.
+  // Accuracy of friction under walls; beyond 16 terms it is slower.
   const double small = has_walls() ? 1e-7 : 1e-13;
   const int most = has_walls() ? terms : 16;
   std::vector<Column> contacts;

@@ -55,10 +55,11 @@ class ExactPressure final : public PressureLaw {
   ExactPressure(JointKind kind, const ElasticPair& pair,
                 InnerLoading loading = InnerLoading::centre());
 
-  /// Of a joint with walls: within 1e-6 of the peak of the solver's own
-  /// pressure (pressure/walls_test.cpp). expansion() has the first 32 sines of
-  /// 32 or 64; rings thinner than 0.045 radii that are free outside have none,
-  /// they need all 64. The constructor solves the contact at 64 half-angles.
+  /// Pressure of a joint with walls: within 1e-6 of the peak of the solver's
+  /// own pressure (pressure/walls_test.cpp). expansion() has the first 32 sines
+  /// of 32 or 64; rings thinner than 0.045 radii that are free outside have
+  /// none, they need all 64. The constructor solves the contact at 64
+  /// half-angles.
   /// @throws Error for a coated inner body that is loaded through the back.
   ExactPressure(JointKind kind, const LayeredPair& pair,
                 InnerLoading loading = InnerLoading::centre());
@@ -121,7 +122,7 @@ class ExactPressure final : public PressureLaw {
   double in_pressure_units(double value, double half_angle) const noexcept;
 
   double largest_;
-  // Of what the other table is made; none where there is no interference.
+  // Pair of the second table; none without interference.
   std::optional<LayeredPair> interference_;
   mutable std::once_flag lifted_asked_;
   mutable std::unique_ptr<const detail::LiftedPressure> lifted_;

@@ -74,7 +74,7 @@ class ExpandedPressure {
   PressureExpansion expansion_;
   double half_angle_;
   double cosine_peak_;
-  double sine_;  // of theta0/2
+  double sine_;  // sin(theta0/2)
 };
 
 }  // namespace contact::detail

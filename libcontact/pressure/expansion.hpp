@@ -51,7 +51,7 @@ struct PressureExpansion {
 
 namespace detail {
 
-/// Which parts a law's expansion has, for is_empty() and is_cosine().
+/// Parts of a law's expansion, for is_empty() and is_cosine().
 inline PressureExpansion expansion_form(const PressureLaw& law) noexcept {
   return expansion_of(law, law.largest_half_angle() / 2);
 }

@@ -105,7 +105,7 @@ class PressureLaw {
   /// elsewhere.
   virtual bool harmonics(double half_angle,
                          std::span<double> out) const noexcept;
-  /// What makes the friction integrals of our own laws fast
+  /// Expansion that makes the friction integrals of our own laws fast
   /// (pressure/expansion.hpp, which is not installed). Here there is none:
   /// friction follows from edge_slopes().
   virtual PressureExpansion expansion(double half_angle) const noexcept;

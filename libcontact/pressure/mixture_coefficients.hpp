@@ -8,7 +8,7 @@ namespace contact::detail {
 
 inline constexpr int mixture_terms = 5;
 struct MixtureCoefficients {
-  int power;                       ///< of cos(theta0/2)
+  int power;                       ///< power of cos(theta0/2)
   double equal[mixture_terms];     ///< c_k, k = 1, 2, ...
   double contrast[mixture_terms];  ///< d_k
 };

@@ -38,7 +38,7 @@ inline void to_plain_logarithm(double c, std::span<const double> b,
     log[m] = -power * reciprocal[m];
   }
   // Horner's rule in x^2 = (1 + y)/2, y T_m = (T_{m-1} + T_{m+1})/2.
-  std::array<double, most + 2> sum{};  // of T_{m-1}
+  std::array<double, most + 2> sum{};  // coefficients of T_{m-1}
   for (auto factor = b.rbegin(); factor != b.rend(); ++factor) {
     std::array<double, most + 2> last{};
     for (std::size_t m = 0; m < most; ++m) {

@@ -38,12 +38,12 @@ class PressureProfile {
  private:
   const PressureLaw* law_;
   const WornPressure* worn_ = nullptr;
-  double share_ = 0;  // of the worn pressure
+  double share_ = 0;  // share of the worn pressure
   double half_angle_;
   std::optional<ContactPressure> exact_;
   bool has_walls_ = false;
   bool is_wide_ = false;
-  // Of a wide contact that is not closed all round.
+  // Series of a wide contact that is not closed all round.
   static constexpr int terms = 48;
   struct Value {
     double pressure;

@@ -50,7 +50,7 @@ class RunningInPressure final : public PressureLaw {
                    std::span<double> out) const noexcept override;
   double peak(double half_angle) const noexcept override;
   double force_ratio(double half_angle) const noexcept override;
-  /// That of the law; with wear at most 90 deg.
+  /// Limit of the law; with wear at most 90 deg.
   double largest_half_angle() const noexcept override;
 
  private:

@@ -22,7 +22,7 @@ constexpr double widest = 175 * degree * (1 + 1e-15);
 constexpr int points = 64;
 using Values = std::array<double, points>;
 
-/// Where shapes are smooth up to both ends: the edge variable is sin(phi),
+/// Place by a variable in which shapes are smooth up to both ends: sin(phi),
 /// phi = (pi/2) v^2, so that the distance from the edge grows like v^4.
 struct Place {
   double theta;
@@ -135,7 +135,7 @@ double ShapedPressure::pressure(double theta,
   const double t = std::abs(theta);
   if (t > half_angle) return 0;
   if (half_angle == 0) return peak(half_angle);
-  if (t == half_angle) return 0;  // where rounding may say else
+  if (t == half_angle) return 0;  // rounding may give another value
   return shape(t, half_angle) / resultants(half_angle).force;
 }
 

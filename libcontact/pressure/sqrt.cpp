@@ -18,9 +18,9 @@ constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double largest = 3.0543261909900767;  // 175 deg
 
-// Of SqrtTanPressure on a ball, with M_n = ∫ x^2/(1 - h^2 x^2)^n dx over [0,
-// 1], h = sin(theta0/2): its load, 2 cos^2(theta0/2) M_3 - M_2, and its sum,
-// M_2.
+// Moments of SqrtTanPressure on a ball, with M_n = ∫ x^2/(1 - h^2 x^2)^n dx
+// over [0, 1], h = sin(theta0/2): its load, 2 cos^2(theta0/2) M_3 - M_2, and
+// its sum, M_2.
 struct Moments {
   double load;
   double sum;

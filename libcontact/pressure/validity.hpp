@@ -38,7 +38,7 @@ struct LargestContact {
 ///   reaches a rim.
 class ContactLimits {
  public:
-  /// Those of a joint with a clearance, in a seat without end.
+  /// Limits of a joint with a clearance, in a seat without end.
   /// @param law   half-angle law of the joint
   /// @param pair  its surfaces, moduli in Pa
   ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair);
@@ -60,14 +60,14 @@ class ContactLimits {
   std::vector<std::string> passed(const LargestContact& largest) const;
 
  private:
-  /// Of the smaller Young's modulus, up to which linear elasticity is taken to
-  /// hold: strains of some 5 %.
+  /// Share of the smaller Young's modulus up to which linear elasticity is
+  /// taken to hold: strains of some 5 %.
   static constexpr double largest_pressure_share = 0.05;
 
   struct Limit {
     double LargestContact::*of;
     double value;        ///< Pa or rad
-    double unit;         ///< of numbers in notes
+    double unit;         ///< SI value of the unit in notes
     const char* what;    ///< "peak pressure"
     const char* number;  ///< " {:.4g} MPa is"
     std::string beyond;  ///< " above 20 MPa, the limit pressure of ..."

@@ -103,8 +103,8 @@ struct HalfGauss {
   std::vector<Real> x, weight;
 };
 
-/// What makes sum weight T^j ln T the moment(j) for j = 2, 3, ...: at most
-/// seven numbers to add to the last ln T.
+/// Corrections of the last ln T, seven at most, with which sum weight T^j ln T
+/// is moment(j) for j = 2, 3, ...
 template <class Moment>
 std::vector<Real> corrections(const std::vector<Real>& t,
                               const std::vector<Real>& weight, Moment moment) {

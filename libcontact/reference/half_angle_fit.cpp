@@ -80,7 +80,7 @@ Fit lawson(const Equations& equations, int rows) {
 
 std::vector<ElasticPair> fit_pairs() {
   std::vector<ElasticPair> pairs;
-  constexpr int steps = 5;  // of Poisson's ratio
+  constexpr int steps = 5;  // in Poisson's ratio
   for (const double ratio :
        {0.0, 0.03, 0.1, 0.3, 0.6, 1.0, 1.7, 3.0, 10.0, 30.0, infinity}) {
     for (int i = 0; i <= steps; ++i) {

@@ -44,7 +44,7 @@ enum class Weight { one, cosine, law };
 struct Integral {
   Role role;
   Weight weight;
-  const PressureLaw* law;  ///< of Weight::law
+  const PressureLaw* law;  ///< for Weight::law
   double half_angle;
   SlipAxis axis;
   double tolerance;
@@ -158,7 +158,7 @@ class Quadrature {
 
 namespace {
 
-// Of the cosine pressure if there is no law.
+// Integrates the cosine pressure if there is no law.
 QuadratureResult by_quadrature(const PressureLaw* law, double half_angle,
                                SlipAxis axis, double tolerance) {
   use_gsl_return_codes();

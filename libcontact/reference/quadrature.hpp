@@ -8,7 +8,7 @@
 
 namespace contact::reference {
 
-/// What the quadrature of one contact and slip axis gave.
+/// Result of the quadrature for one contact and slip axis.
 struct QuadratureResult {
   FrictionIntegrals value;
   /// Estimated absolute errors, from GSL; `normal` is exact and has 0.

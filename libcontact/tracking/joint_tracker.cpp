@@ -105,7 +105,7 @@ JointTracker::Values JointTracker::values(int joint, double force,
           value(i.coefficient.spinning, i.area.spinning, axis.sin)};
 }
 
-// Of a ball sin theta0 and cos theta0, of a pin friction and sliding moment.
+// Tabulates sin theta0 and cos theta0 of a ball, friction and sliding of a pin.
 // @return whether the window tells the law's values: it need not be smooth
 bool JointTracker::set_window(int joint, double force,
                               State& state) const noexcept {
@@ -146,7 +146,7 @@ bool JointTracker::set_window(int joint, double force,
   return true;
 }
 
-// What the window does not know: what depends on R_n alone, outside; friction
+// Evaluates what the window lacks: functions of R_n alone outside it; friction
 // of balls that are not plain.
 void JointTracker::evaluate_contact(int joint) noexcept {
   const double force = at(&Exchange::force, joint);

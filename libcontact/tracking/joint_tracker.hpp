@@ -40,10 +40,10 @@ struct TrackerState;
 /// kink: in the step over it M_t is wrong by the square of the step, 4e-7 for
 /// one of 1e-3, which error() does not know yet.
 ///
-/// R and Dw in any frame, for each joint another one if one likes; Dw of a pin
-/// along its axis; of its R what is normal to that counts. No call but the
-/// constructor allocates or throws. A copy goes on from the same memory; the
-/// contacts are shared.
+/// R and Dw in any frame; each joint may use its own. Dw of a pin is along its
+/// axis; the part of R normal to that counts. No call but the constructor
+/// allocates or throws. A copy goes on from the same memory; the contacts are
+/// shared.
 class JointTracker {
  public:
   /// @param contacts  of balls and pins, dry or viscous
@@ -98,21 +98,21 @@ class JointTracker {
   Eigen::Vector3d moment(int joint) const noexcept {
     return get(&Exchange::moment, joint);
   }
-  /// What M_t is likely to be wrong by, over |M_t|, from how wrong the slopes
-  /// were found lately: after correct() at most 0.62 of it on 1200 random paths
+  /// Likely relative error of M_t, from the errors found in the slopes lately:
+  /// after correct() at most 0.62 of it on 1200 random paths
   /// (tracking/joint_tracker_test.cpp).
   double error(int joint) const noexcept { return at(&Exchange::error, joint); }
 
-  /// For those who bring M_t together with the motion that it causes: the
-  /// moment with which that has been worked out, N m.
+  /// Moment with which the motion has been computed, N m, for iterations of M_t
+  /// with the motion that it causes.
   void set_applied_moment(int joint, const Eigen::Vector3d& moment) noexcept {
     set(&Exchange::applied, joint, moment);
   }
   Eigen::Vector3d applied_moment(int joint) const noexcept {
     return get(&Exchange::applied, joint);
   }
-  /// What the last predict(), extend() or correct() left: of the joints tracked
-  /// the largest, infinity for NaN.
+  /// Largest values over the joints tracked after the last predict(), extend()
+  /// or correct(), infinity for NaN.
   using Largest = detail::TrackerLargest;
   const Largest& largest() const noexcept { return largest_; }
   /// @param floor  > 0, N m; 1e-100 at first
@@ -121,7 +121,7 @@ class JointTracker {
   }
   /// Applies the moments M_t.
   void apply() noexcept;
-  /// What apply() changed, N m; 0 of a joint that is not tracked.
+  /// Change by apply(), N m; 0 for joints that are not tracked.
   Eigen::Vector3d step(int joint) const noexcept {
     return get(&Exchange::step, joint);
   }
@@ -131,8 +131,8 @@ class JointTracker {
   /// Applied moments beyond that end, by this share of the stretch.
   void extrapolate(double share) noexcept;
 
-  /// Of all joints: what set_reaction() and set_applied_moment() set (beyond
-  /// size() it is not read) and step() tells, 0 beyond size().
+  /// Rows of all joints: values from set_reaction() and set_applied_moment()
+  /// (not read beyond size()) and of step(), 0 beyond size().
   VectorRows reactions() noexcept { return rows(&Exchange::reaction); }
   VectorRows applied_moments() noexcept { return rows(&Exchange::applied); }
   VectorRows steps() noexcept { return rows(&Exchange::step); }

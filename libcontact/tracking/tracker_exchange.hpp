@@ -14,8 +14,8 @@ struct TrackerLargest {
   bool is_trusted() const { return trust < 1; }
 };
 
-/// What JointTracker's callers, its kernel and the evaluation of contacts tell
-/// each other about 8 joints, side by side. Part of joint_tracker.hpp.
+/// Data exchanged by JointTracker's callers, its kernel and the evaluation of
+/// contacts, for 8 joints side by side. Part of joint_tracker.hpp.
 struct TrackerExchange {
   static constexpr int size = VectorRows::lanes;
   using Row = double[size];
@@ -25,17 +25,17 @@ struct TrackerExchange {
   Vectors reaction;  ///< R, N
   Vectors rate;      ///< Dw, rad/s
   Vectors moment;    ///< M_t for R, N m
-  Vectors applied;   ///< the moment that the motion has been worked out with
-  Vectors step;      ///< what it last changed by
+  Vectors applied;   ///< the moment used for the motion
+  Vectors step;      ///< its last change
   Row tracked;       ///< 1 or 0
   Row trust;         ///< moves over the radius in which slopes are trusted
-  Row error;         ///< of M_t, relative
+  Row error;         ///< relative error of M_t
   Row due;           ///< 1: its contact is to be evaluated
 
   // The contact to be evaluated.
   Row force;                           ///< R_n, N
-  Row axis_sin, axis_cos;              ///< of a
-  Row half_angle_sin, half_angle_cos;  ///< of theta0 (balls)
+  Row axis_sin, axis_cos;              ///< angle a
+  Row half_angle_sin, half_angle_cos;  ///< theta0 (balls)
   Row asked;                           ///< 1: its laws have to be asked
   Row outside;                         ///< 1: R_n is not in the window
   Row exact;                           ///< 1: by `integrals` alone

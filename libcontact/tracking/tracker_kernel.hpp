@@ -8,7 +8,7 @@ namespace contact::detail {
 /// All joints of a JointTracker.
 struct TrackerJoints {
   int size;
-  TrackerExchange* exchange;  ///< of 8 joints each
+  TrackerExchange* exchange;  ///< blocks of 8 joints
   void* states;  ///< a TrackerState of lanes for TrackerKernel::lanes joints
   double moment_floor;  ///< squared
 };
@@ -22,7 +22,7 @@ struct TrackerKernel {
   TrackerLargest (*extend)(const TrackerJoints&);
   /// extend(), and the contacts to be evaluated.
   TrackerLargest (*prepare)(const TrackerJoints&);
-  /// What was found there: slopes and moments are corrected.
+  /// Corrects slopes and moments by the values found there.
   TrackerLargest (*correct)(const TrackerJoints&);
   void (*step)(const TrackerJoints&);
   void (*keep)(const TrackerJoints&);

@@ -76,7 +76,7 @@ constexpr double error_safety = 5;
                                                   int k) {
   set_moment(s);
   s.reaction = load(e.reaction, k);
-  // Of the slopes since the contact last evaluated, of Newton's steps.
+  // Errors of the slopes since the last evaluation, and of Newton's steps.
   const Slip& t = s.slip;
   s.error = s.slope_error * (abs(t.move.force) + abs(t.move.cosine)) +
             t.sin_psi * t.squares;
@@ -168,8 +168,7 @@ constexpr double error_safety = 5;
   return most.result();
 }
 
-// What depends on R_n alone need not be learnt: of a pin the window tells it
-// all.
+// Functions of R_n alone need no learning: for a pin the window has them all.
 [[gnu::always_inline]] inline void take_window(State& s,
                                                const TrackerExchange& e,
                                                int k) {
@@ -204,7 +203,7 @@ constexpr double error_safety = 5;
   take(e.spinning, 2, 1.0 / load(e.axis_sin + k));
 }
 
-// What has been found at the contact of s.slip: Broyden's update of all slopes.
+// Broyden's update of all slopes by the values at the contact of s.slip.
 [[gnu::always_inline]] inline void learn(State& s, const TrackerExchange& e,
                                          int k) {
   // By rounding, 1e-16, shorter moves miss 1e-8 of their length and more: they
@@ -257,7 +256,7 @@ constexpr double error_safety = 5;
   s.inverse_square = select(tells, inverse, s.inverse_square);
 }
 
-// What has been found at the contact of s.slip, and a Newton step from there.
+// Takes the values at the contact of s.slip, then a Newton step from there.
 [[gnu::always_inline]] inline void correct(State& s, TrackerExchange& e,
                                            int k) {
   const Frame& f = s.frame;
@@ -293,7 +292,7 @@ constexpr double error_safety = 5;
   for_all(joints, [](State&, TrackerExchange& e, int k) {
     const Vector applied = load(e.applied, k);
     const Vector residual = load(e.moment, k) - applied;
-    // Who reads lanes without a joint finds nothing there.
+    // Lanes without a joint have step 0.
     const auto none = load(e.tracked + k) == 0.0;
     const Vector step = {select(none, Lanes(0.0), residual.x),
                          select(none, Lanes(0.0), residual.y),

@@ -24,7 +24,7 @@ using Move = ContactMove<Lanes>;
 [[gnu::always_inline]] inline void store(const Lanes& x, double* to) {
   x.store(to);
 }
-// Of the joint k and those after it.
+// Vectors of joint k and those after it.
 [[gnu::always_inline]] inline Vector load(const TrackerExchange::Vectors& from,
                                           int k) {
   return {load(from.x + k), load(from.y + k), load(from.z + k)};
@@ -72,7 +72,7 @@ using Move = ContactMove<Lanes>;
   const Lanes inverse_across = inverse_root(across2);
   const Lanes inverse_speed = inverse_root(speed2);
   const Lanes speed = speed2 * inverse_speed;
-  // Of a pin what is normal to its axis, rounding or not.
+  // A pin takes the part of R normal to its axis, whatever rounding adds.
   const auto pin = s.is_ball == 0.0;
   f.inverse_reaction =
       select(pin, inverse_across * speed, inverse_root(reaction2));
@@ -179,7 +179,7 @@ using Move = ContactMove<Lanes>;
   const Vector turned = t.cos_psi * f.q - s.side * t.sin_psi * f.p;
   s.moment = scale * (length * f.w + across * d);
 
-  // Where ln R, b and ln tan psi grow: of cos g and cos^2 a the logarithms.
+  // Slopes over ln R, b and ln tan psi: those of ln cos g and ln cos^2 a.
   const Lanes sin2_psi = t.sin_psi * t.sin_psi;
   const Lanes inverse_g = 1.0 / t.cos_g;
   const Lanes inverse_g2 = inverse_g * inverse_g;

@@ -3,8 +3,8 @@
 #include "libcontact/base/vec3.hpp"
 #include "libcontact/joint/slip_triangle.hpp"
 
-/// What JointTracker keeps: numbers of one joint (T = double), or of
-/// several in lanes.
+/// State of JointTracker: numbers of one joint (T = double), or of several in
+/// lanes.
 namespace contact::detail {
 
 /// How far series, slopes and windows are good: moves of ln R,
@@ -19,7 +19,7 @@ constexpr double smallest_axis = 1e-150;
 /// A move of the contact.
 template <class T>
 struct ContactMove {
-  T force, cosine;  ///< of x = ln R_n and y = ln cos^2 a
+  T force, cosine;  ///< moves of x = ln R_n and y = ln cos^2 a
 };
 
 /// F, one of f/cos a, c_Y/cos a, c_Z/sin a, around the contact last evaluated.
@@ -39,7 +39,7 @@ struct Window {
   static constexpr double nodes[size] = {
       0.991445,  -0.991445, -0.130526, 0.608761, -0.608761, 0.382683,
       -0.793353, 0.92388,   -0.382683, -0.92388, 0.793353,  0.130526};
-  T middle, inverse_half_width;  ///< of R_n
+  T middle, inverse_half_width;  ///< range of R_n
   T first[size], second[size];   ///< divided differences
 
   T place(const T& force) const {
@@ -80,9 +80,9 @@ template <class T>
 struct ReactionFrame {
   Vec3<T> w, p, q;
   T reaction, inverse_reaction;
-  T sine, cosine;  ///< of min(b, pi - b)
+  T sine, cosine;  ///< angle min(b, pi - b)
   T inverse_sine;
-  T sign;   ///< of cos b
+  T sign;   ///< sign of cos b
   T speed;  ///< |Dw|, 1 if friction is dry
 };
 
@@ -90,15 +90,15 @@ struct ReactionFrame {
 template <class T>
 struct SlipState : SlipTriangle<T> {
   ContactMove<T> move;  ///< from the contact last evaluated
-  T step;               ///< of ln tan psi, the last
-  T squares;            ///< of its steps, their sum
+  T step;               ///< last step of ln tan psi
+  T squares;            ///< sum of its squared steps
   T inverse_slope;      ///< d ln tan psi over d(residual)
   T trust;              ///< largest move over trust_radius
 };
 
 template <class T>
 struct TrackerState {
-  // Of the joint.
+  // The joint.
   T radius;                    ///< rho, m
   T side;                      ///< s of docs/joint.md (7)
   T is_ball, is_viscous;       ///< 1 or 0

@@ -30,7 +30,7 @@ TEST(Complaint, HasOneGrammar) {
   EXPECT_EQ(duplicate("force", "\"spring\""), "duplicate force \"spring\"");
 }
 
-// What is shown stays on its line.
+// Names in messages stay on their line.
 TEST(Complaint, ShowsNoControlCharacters) {
   EXPECT_EQ(unknown("law", "a\nb", {}), "unknown law \"a\\x0ab\"");
 }

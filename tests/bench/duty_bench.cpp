@@ -1,4 +1,4 @@
-// What a duty cycle takes: friction stresses of p and v beside dry friction and
+// Costs of a duty cycle: friction stresses of p and v beside dry friction and
 // GSL, places of the largest p v beside the solution they belong to, a hip's
 // cycle, its wear maps, friction from measured moments.
 

@@ -23,7 +23,7 @@ void print_histogram(const char* what,
               histogram.max(), histogram.text().c_str());
 }
 
-// Where the fixed point fails (leaves g <= b) or needs more than 50 steps.
+// Shares on which the fixed point fails (leaves g <= b) or needs over 50 steps.
 void print_map(const contact::test::JointSweep& s) {
   std::printf("fixed point: %% that fail / %% that need more than 50 steps\n");
   std::printf("  f \\ |b - 90 deg|");

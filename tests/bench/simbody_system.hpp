@@ -22,7 +22,7 @@ class SimbodySystem {
 
   /// State in, all accelerations out.
   void evaluate();
-  /// Of evaluate(): the carrier's, carrier axes.
+  /// Accelerations of the carrier by evaluate(), carrier axes.
   Eigen::Vector3d carrier_acceleration() const;
   Eigen::Vector3d carrier_angular_acceleration() const;
 

@@ -8,7 +8,7 @@
 
 #include "libcontact/pair/material.hpp"
 
-/// What benchmarks share.
+/// Timing for all benchmarks.
 namespace contact::bench {
 
 /// Inputs of which there are so many fit the cache.

@@ -582,7 +582,7 @@ TEST_F(OutputFile, AppearsOnlyWhenComplete) {
   EXPECT_EQ(files(), 1U);
 }
 
-// The last line of defence, whoever has named the file.
+// The last line of defence, for every name of the file.
 TEST_F(OutputFile, LeavesNothingWhenASignalEndsTheProgram) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ,
                            SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2}) {

@@ -333,8 +333,8 @@ TEST(BallContact, PressureConverges) {
   RecordProperty("max_error", std::to_string(1e9 * worst) + "e-9");
 }
 
-// What is known of a ball in a rigid seat at mu = 3, to its digits: 66.6 deg by
-// a centre force, 71.6 to 73.1 deg from patches of 60 to 20 deg.
+// Published values of a ball in a rigid seat at mu = 3, to their digits: 66.6
+// deg by a centre force, 71.6 to 73.1 deg from patches of 60 to 20 deg.
 TEST(BallContact, LoadThroughTheBack) {
   const ElasticPair pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
   const auto angle_deg = [&pair](InnerLoading loading) {

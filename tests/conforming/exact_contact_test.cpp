@@ -1,4 +1,4 @@
-// What the exact solutions of balls and pins have in common: each test is one
+// Properties common to the exact solutions of balls and pins: each test is one
 // of both.
 #include <gtest/gtest.h>
 
@@ -27,8 +27,8 @@ struct Ball : BallContact {
   static constexpr double limit_deg = 2e-4;
   static constexpr double carried = 1e-7;
   static double weight(double theta) { return 2 * pi * std::sin(theta); }
-  // Where the limit nears 180 deg the curve is flat (1/mu = 1e-7 at 173 deg)
-  // and its rounding shows; elsewhere the root's own tolerance.
+  // Near a limit of 180 deg the curve is flat (1/mu = 1e-7 at 173 deg) and its
+  // rounding shows; elsewhere the root's own tolerance.
   static double inverse(double theta0) { return theta0 < 2.5 ? 1e-12 : 1e-8; }
   // theta0* - theta0 at a load of 1e8 goes like 1/load, by less than 10 rad.
   static constexpr double near_limit = 1e-7;
@@ -253,7 +253,7 @@ TYPED_TEST(ExactContact, ReachesTheExtremes) {
 // and the wider the smaller the patch.
 TYPED_TEST(ExactContact, LoadThroughTheBack) {
   const ElasticPair pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
-  // What does not deform cannot tell.
+  // A rigid body is the same under every loading.
   const ElasticPair rigid = ElasticPair::from_modulus_ratio(infinity, 0.3, 0.3);
   EXPECT_EQ(TypeParam(rigid, InnerLoading::back(0.5)).reciprocal_load(1),
             TypeParam(rigid).reciprocal_load(1));

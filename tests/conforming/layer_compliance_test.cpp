@@ -62,7 +62,7 @@ constexpr Side sides[] = {Side::inner, Side::outer};
 constexpr double degrees_of_poisson[] = {0, 0.3, 0.499, 0.5};
 
 TEST(LayerCompliance, LayersOfOneMaterialAreNone) {
-  // Of three thicknesses, with what is behind made of the same.
+  // Three thicknesses, on a medium of the same material.
   for (const JointKind kind : kinds) {
     for (const Side side : sides) {
       for (const double nu : degrees_of_poisson) {

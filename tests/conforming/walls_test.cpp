@@ -25,7 +25,7 @@ namespace {
 struct Units {
   double load_per_parameter;  // R_n/mu, P/lambda
   double pressure;            // p over the solver's, per unit load
-  double stiffness;           // of ContactApproach
+  double stiffness;           // as ContactApproach's
 };
 
 template <class Contact>
@@ -154,7 +154,7 @@ TYPED_TEST(Walled, AThickWallIsInfinite) {
 }
 
 TYPED_TEST(Walled, SmallContactsAreHertzian) {
-  // Those smaller than the wall's thickness, by the surface materials.
+  // Contacts smaller than the wall's thickness, by the surface materials.
   const LayeredPair pair(1, {{{0.05, {1, 0.3}}}, Backing::medium({200, 0.3})},
                          {{{0.1, {2, 0.2}}}, Backing::medium({500, 0.3})});
   const TypeParam walled(pair);
@@ -351,7 +351,7 @@ TYPED_TEST(Walled, LimitHalfAngles) {
 }
 
 TEST(HarmonicSamples, GiveTheSum) {
-  // Of exp(-2 n t) n cos^2(n theta), theta up to theta0: the fastest products.
+  // Sum of exp(-2 n t) n cos^2(n theta), theta <= theta0: the fastest terms.
   constexpr int end = 6000;
   constexpr double t = 0.003;
   for (const double theta0 : {1e-4, 0.01, 0.1, 0.5, 0.8, 1.2, 1.3, 2.5}) {
@@ -455,7 +455,7 @@ TYPED_TEST(Walled, ThinFreeWallsHaveTheirPeakOffTheCentre) {
   for (int i = 0; i <= 200; ++i) {
     EXPECT_LE(p.pressure(theta0 * i / 200), p.peak() * (1 + 1e-12));
   }
-  // Not so in a rigid shell.
+  // In a rigid shell the peak is at the centre.
   const TypeParam backed(single(0.1, 0.3, Backing::rigid()));
   EXPECT_EQ(backed.pressure(theta0).peak_angle(), 0);
 }

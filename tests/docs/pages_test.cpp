@@ -1,5 +1,5 @@
-// What the pages refer to is there: files and headings that links name, and the
-// names in the tables of NOTATION.md.
+// Targets of the pages' references exist: files and headings that links name,
+// and the names in the tables of NOTATION.md.
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -570,7 +570,7 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
   EXPECT_ERROR(with("v_mm[4]", "4"),
                "v_mm[4] = 4 must be a key of the file: TABLE.KEY, "
                "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
-  // In whatever unit it is.
+  // The factor works in every unit.
   EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3}, any)[0], 0.002);
   EXPECT_ERROR(with("x", "*2"),
                "x = *2 requires a number, or numbers, to multiply");

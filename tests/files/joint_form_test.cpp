@@ -28,7 +28,7 @@ JointForm form_of(const char* file, std::vector<std::string> keys,
   return {text_of(file), file, folder, std::move(settings), std::move(keys)};
 }
 
-// Those of a file that it names, too.
+// Settings reach the keys of a file that the joint names, too.
 TEST(JointForm, GivesTheJointsOfSettings) {
   JointForm form = form_of(
       hip_file,

@@ -56,7 +56,7 @@ JointSpec bush(Relief relief = Relief::none()) {
           .relief = relief};
 }
 
-// What the issue asks for: the row's own accuracy or 1e-7.
+// Required accuracy: that of the row, or 1e-7.
 double budget(const ReferenceTable::Row& row) {
   return std::max(row.value("acc"), 1e-7);
 }
@@ -165,7 +165,7 @@ TEST(FinitePinAccuracy, UnderTheReactionsOfTheReference) {
     add("M_x", s.moment.x(), moment);
     add("M_y", s.moment.y(), moment);
     add("M_z", s.moment.z(), moment);
-    // What it is made of.
+    // The reaction is the sum of its parts.
     const double side = row.value("s");
     EXPECT_LT((side * s.contact.force + s.friction_force - reaction).norm(),
               1e-9 * force);

@@ -408,7 +408,7 @@ TEST(FrictionPressure, BatchIsTheScalarCall) {
         in[1].push_back(std::sin(a));
         in[2].push_back(std::cos(a));
       }
-      // What no table has.
+      // Values outside every table.
       in[0][5] = 0;
       in[0][6] = 1e-150;
       in[0][7] = nan;

@@ -116,7 +116,7 @@ TEST(FrictionRules, AreTheNearestDoubles) {
   }
 }
 
-// What the padding of a rule repeats counts nothing.
+// Repeated nodes in the padding of a rule count nothing.
 TEST(FrictionRules, PaddingHasNoWeight) {
   for (const Family& family : families) {
     for (const CapRule& rule : family.rules) {

@@ -64,7 +64,7 @@ TEST_P(FrictionBatch, ReferenceTable) {
       [&](double, SlipAxis) { return result[i++ % result.size()]; }, 2e-15);
 }
 
-// What CapKernel::few() takes. Those that are not wanted only have to be
+// Arguments of CapKernel::few(). Those that are not wanted only have to be
 // readable.
 struct FewPoints {
   std::array<double, 8> half_angle, s, c, sine, cosine, wanted;

@@ -27,7 +27,7 @@
 namespace contact::test {
 namespace {
 
-// What ShapedPressure promises.
+// Accuracy that ShapedPressure promises.
 constexpr double budget = 1e-9;
 
 class Own final : public ShapedPressure {
@@ -171,7 +171,7 @@ TEST(InstructionSets, AreThoseOfTheProcess) {
       std::make_shared<CosinePressure>(ball),
       std::make_shared<SqrtThetaPressure>(ball),
       std::make_shared<Own>(ball, "flat top", flat_top)};
-  // Of all laws: compilers that do not contract leave some alike.
+  // Count over all laws: compilers that do not contract leave some alike.
   int differences = 0;
   for (const auto& law : laws) {
     const JointContact contact(JointGeometry::ball(0.02, 20e-6), steel,

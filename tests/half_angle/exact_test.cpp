@@ -22,7 +22,7 @@ namespace contact::test {
 namespace {
 
 constexpr const auto& pairs = exact_pairs;
-// Those of the reference tables.
+// Ratios of moduli in the reference tables.
 constexpr double table_ratios[] = {0, 0.01, 0.1, 0.5, 1, 2, 10, 100};
 
 std::string label(const HalfAngleLaw& law, const PairCase& pair, double load) {
@@ -30,7 +30,7 @@ std::string label(const HalfAngleLaw& law, const PairCase& pair, double load) {
          std::to_string(load);
 }
 
-// What the law tabulates.
+// Solution that the law tabulates.
 ExactHalfAngle solver(JointKind kind, const PairCase& pair, double load) {
   const ElasticPair elastic = pair.elastic();
   if (kind == JointKind::ball) return BallContact(elastic).half_angle(load);
@@ -140,8 +140,8 @@ TEST(ExactLaw, EndsWhereTheSolverEnds) {
   }
 }
 
-// Where the bodies yield all round the solution by the gap takes over from that
-// by the pressure, which ends at 163.57 deg.
+// The solution by the gap takes over where the bodies yield all round, from
+// that by the pressure, which ends at 163.57 deg.
 TEST(ExactLaw, GoesOnByTheGap) {
   const ElasticPair pair = PairCase{1e-6, 0.5, 0.3}.elastic();
   const ExactLaw law(JointKind::pin, pair);
@@ -261,7 +261,7 @@ TEST(ExactLaw, ApproachOfInfiniteSeats) {
 }
 
 TEST(ExactLaw, NoApproach) {
-  // Of a pin in an infinite hole, loaded through the back, of other laws.
+  // A pin in an infinite hole, loaded through the back, and other laws.
   const ElasticPair pair = pairs[1].elastic();
   const InnerLoading back = InnerLoading::back(0.3);
   const ExactLaw pin(JointKind::pin, pair);

@@ -70,7 +70,7 @@ void compare(const HalfAngleLaw& law, const PairCase& pair,
   }
 }
 
-// --- What the laws are worth ------------------------------------------------
+// --- Accuracy of the laws ---------------------------------------------------
 
 TEST(FittedLaw, AgainstExactOnPairsTheFitDidNotSee) {
   // Budgets: the largest errors found, rounded up.

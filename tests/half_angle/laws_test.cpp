@@ -1,5 +1,4 @@
-// What every half-angle law does, whatever it is made of; their names and
-// notes.
+// Properties of every half-angle law, however it is made; names and notes.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -24,8 +23,8 @@ namespace {
 struct Tested {
   std::string label;
   std::shared_ptr<const HalfAngleLaw> law;
-  int order = 1;          // of what follows Hertz' x for small loads, in x
-  double rounding = 0;    // of theta0 near the limit, rad
+  int order = 1;          // next order in x after Hertz' for small loads
+  double rounding = 0;    // error of theta0 near the limit, rad
   double steepest = 1e7;  // load up to which ln(theta0) has a small third
                           // derivative over ln(load)
 };

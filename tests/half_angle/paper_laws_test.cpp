@@ -393,7 +393,7 @@ TEST(LimitHalfAngle, FormulaAgainstExactSolutions) {
   compare("conforming/sphere_limit_angle.csv", ball);
 }
 
-// --- What the laws are worth ------------------------------------------------
+// --- Accuracy of the laws ---------------------------------------------------
 
 // Largest relative error of a law against the exact half-angles at nu = 0.3.
 double largest_error(const char* file, const char* load_column,

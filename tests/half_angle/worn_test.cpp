@@ -49,7 +49,7 @@ std::shared_ptr<const HalfAngleLaw> law(JointKind kind) {
 
 TEST(Worn, LawInBothDirections) {
   AccuracyReport back("load parameter and back", 1e-11);
-  // Of differences over 1e-4.
+  // Slopes are by differences over 1e-4.
   AccuracyReport slopes("slope of the logarithm", 1e-6);
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const double v : {0., 1e-6, 0.1, 3.}) {
@@ -58,7 +58,7 @@ TEST(Worn, LawInBothDirections) {
         const auto found = worn.half_angle(load);
         ASSERT_EQ(found.status, Status::ok);
         EXPECT_LT(found.half_angle, worn.limit_half_angle());
-        // What is far more worn than pressed forgets the load.
+        // Contacts much more worn than pressed forget the load.
         if (v < 1e-3) {
           back.add(worn.load_parameter(found.half_angle).load_parameter, load,
                    std::to_string(v));

@@ -375,7 +375,7 @@ TEST(Identify, AdhesionIsHeldAtZero) {
   EXPECT_EQ(none.estimates[1].value, 0);
 }
 
-// What the fit leaves out shows as a trend, what is not there does not.
+// Effects that the fit leaves out show as trends, absent ones do not.
 TEST(Identify, Trends) {
   const JointContact truth =
       steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));

@@ -87,7 +87,7 @@ TEST(IdentifyInterference, ExactDataGiveItBack) {
   }
 }
 
-// What begins with an interference may end with a clearance.
+// Fits that begin with an interference may end with a clearance.
 TEST(IdentifyInterference, FindsTheClearanceBeyondZero) {
   const JointContact truth =
       lined(JointKind::pin, 20e-6, FrictionLaw(true_coefficient));

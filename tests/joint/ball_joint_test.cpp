@@ -570,7 +570,7 @@ TEST(JointSweep, RandomInputsAndPaths) {
   EXPECT_EQ(sweep.folds, 0U);
   EXPECT_EQ(sweep.cold.count(), 10000U);
   EXPECT_EQ(sweep.warm.count(), 10000U);
-  // Where the fixed point does not serve occurs.
+  // The sweep includes inputs on which the fixed point fails or is slow.
   EXPECT_GT(sweep.fixed_point_fails, 100U);
   EXPECT_GT(sweep.fixed_point_slow, 50U);
 }

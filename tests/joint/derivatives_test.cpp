@@ -112,7 +112,7 @@ TEST(SlipDerivatives, OfAPinAreThoseOfSolveInItsPlane) {
   }
 }
 
-// Those of the power at a fixed contact: an independent route, by prox().
+// Derivatives of the power at a fixed contact: an independent route, by prox().
 TEST(SlipDerivatives, AtAFixedContactAreTheCurvatureOfThePower) {
   const Joint dry = steel_ball(FrictionLaw(0.2, 1e4));
   RandomSlips random(13);
@@ -153,7 +153,7 @@ TEST(SlipDerivatives, OfSpinningAreThoseOfAlmostSpinning) {
   };
   const SlipDerivatives spinning = at(0);
   const SlipDerivatives almost = at(1e-6);
-  // Of first order in the tilt over the half-angle.
+  // The difference is of first order in the tilt over the half-angle.
   EXPECT_LT(error_of(spinning.over_rate, almost.over_rate), 1e-4);
   EXPECT_LT(error_of(spinning.over_reaction, almost.over_reaction), 1e-4);
   EXPECT_LT(error_of(spinning.at_contact, almost.at_contact), 1e-4);

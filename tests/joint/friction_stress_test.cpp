@@ -106,7 +106,7 @@ TEST(FrictionStress, UsualPoints) {
     FrictionStress stress;
     double budget;
   };
-  // What stress_integrals() promise, or a few times what was seen.
+  // Tolerances are those of stress_integrals(), or a few times the errors seen.
   const Case cases[] = {{"dry with adhesion", coulomb(0.06, 2e5), 2e-11},
                         {"stribeck", law_of("stribeck"), 3e-11},
                         {"v/p", hersey, 1e-9},

@@ -84,8 +84,7 @@ void compare_with_rows(const std::string& file, JointKind kind) {
       EXPECT_TRUE(std::isnan(contact.shift(force, theta0))) << row.label();
     } else if (force > 0 &&
                !(eps > 0 && !std::isfinite(pair.relative_thickness()))) {
-      // (Of bodies without layers ExactLaw has no approach for a pin in a rigid
-      // hole.)
+      // (Without layers ExactLaw has no approach for a pin in a rigid hole.)
       shift.add(contact.shift(force, theta0), row.value("shift"), row.label());
     }
     if (!is_ball || force == 0) continue;

@@ -200,7 +200,7 @@ TEST(PinJoint, AxisIsTheGivenOneOrThatOfTheTurn) {
   EXPECT_TRUE(joint.solve({reaction, Vector3d::Zero(), axis})
                   .reaction.isApprox(radial, 1e-15));
   EXPECT_EQ(joint.solve({reaction, Vector3d::Zero()}).reaction, reaction);
-  // Of a moment the part about a given axis counts.
+  // Only the part of a moment about a given axis counts.
   const Vector3d across = axis.unitOrthogonal();
   EXPECT_NEAR(
       joint.at_rest({reaction, 7 * axis + 5 * across, axis}).utilisation /

@@ -39,8 +39,8 @@ StepStart random_start(RandomSlips& random, double free) {
           .free = free * random.direction()};
 }
 
-// Of a sliding or holding ball: M is on the edge of the set where it opposes
-// Dw, or inside of it.
+// Distance of a ball from the law: M is on the edge of the set, opposing Dw, if
+// it slides, and inside the set if it holds.
 double distance_from_law(const Joint& joint, const JointStep& s) {
   const MomentSet set = joint.moment_set(s.solution);
   if (s.holds) return std::max(0.0, set.utilisation(s.moment) - 1);

@@ -65,7 +65,7 @@ TEST(ThermalGrowth, MatchesTheReference) {
 
 const Material steel = material(2.1e11, 0.3, 11.5e-6);
 
-// Of one material a body grows alike everywhere, however it is divided.
+// A body of one material grows alike everywhere, however it is divided.
 TEST(ThermalGrowth, OneMaterialGrowsByItsStrain) {
   const double rho = 0.02;
   const double warming = 60;

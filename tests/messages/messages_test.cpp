@@ -1,5 +1,5 @@
-// What is said about files and names that are wrong: the messages stand in the
-// .txt files of this folder.
+// Messages for bad files and names: they stand in the .txt files of this
+// folder.
 //
 // A section begins with what reads and the file it starts from, "joint
 // ball.toml". "4| TEXT" edits it as EditedFile does, "| TEXT" adds a line

@@ -119,7 +119,7 @@ struct Tracked {
   }
 };
 
-// Of the friction moments, against the solvers under the reactions found.
+// Error of the friction moments, against the solvers under the reactions found.
 double largest_miss(const Case& c, Coupled& coupled) {
   double largest = 0;
   for (int i = 0; i < coupled.size(); ++i) {
@@ -209,7 +209,7 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsTracked) {
   EXPECT_LT(tracked.largest_miss, 1e-9);
 }
 
-// Where an evaluation starts from does not matter. Measured: 1.3e-10.
+// The start of an evaluation does not matter. Measured: 1.3e-10.
 TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
   double largest = 0;
   for (const int bodies : {1, 3, 11}) {
@@ -362,8 +362,8 @@ TEST(CoupledDynamics, NothingIsAllocatedOnTheWay) {
   EXPECT_EQ(contact::test::allocation_count(), before);
 }
 
-// What is evaluated in between, at other instants with copies of the memory,
-// is not seen by what follows: all is the same to the last bit.
+// Evaluations in between, at other instants with copies of the memory, have no
+// effect on later ones: all is the same to the last bit.
 TEST(CoupledDynamics, EvaluationsAsideLeaveNoTrace) {
   for (const Mix mix : {Mix::balls, Mix::axes}) {
     for (std::uint64_t seed = 1; seed <= 5; ++seed) {
@@ -414,8 +414,8 @@ TEST(CoupledDynamics, TraceShowsTheOuterLoop) {
   }
 }
 
-// Of all ways in which the axes can hold, slide forwards or backwards, exactly
-// one is consistent, and it is the one that is found.
+// Exactly one of all patterns in which axes hold, slide forwards or backwards
+// is consistent, and it is the one found.
 TEST(CoupledDynamics, TheOnlyConsistentPatternOfRestIsFound) {
   int sliding = 0, resting = 0;
   for (std::uint64_t seed = 1; seed <= 200; ++seed) {
@@ -481,7 +481,7 @@ TEST(CoupledDynamics, RestEndsAtItsLimit) {
         return coupled;
       };
       Coupled held = at_rest();
-      // What turns body 0 about z, for a utilisation of it.
+      // Moment on body 0 about z, for a utilisation of it.
       const double before = forces.bodies[0].moment.z;
       const auto utilisation = [&](double moment) {
         forces.bodies[0].moment.z = before + moment;

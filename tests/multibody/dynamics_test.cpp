@@ -225,8 +225,8 @@ class MultibodyRows : public testing::TestWithParam<contact::InstructionSet> {
   }
 };
 
-// What is exchanged in rows is what is exchanged body by body, and what is
-// added is what a full evaluation has.
+// Vectors exchanged in rows are those exchanged body by body, and the sums are
+// those of a full evaluation.
 TEST_P(MultibodyRows, AreTheVectorsOfAllBodies) {
   // Measured 0: the same operations.
   AccuracyReport by_body("friction added in rows", 1e-14);

@@ -61,7 +61,7 @@ struct Hinge {
   HingeKind kind;
   HingeFriction friction;
   int joint;     // the one
-  double share;  // of the force that it takes
+  double share;  // part of the force that it takes
 };
 
 std::vector<Hinge> hinges() {

@@ -8,7 +8,7 @@
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/wheel.hpp"
 
-// What happens within a step is found, at its time.
+// Events within a step are found, at their times.
 namespace multibody::test {
 namespace {
 

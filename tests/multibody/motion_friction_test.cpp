@@ -530,7 +530,7 @@ TEST(MotionFriction, AShortStopWithinAStepIsFound) {
                   start, options);
     ASSERT_EQ(motion.advance_to(2), Stop::time);
     ASSERT_EQ(motion.changes().size(), 2u);
-    // Where the rate is known to 1e-12, falling at 0.04 rad/s^2.
+    // The rate is known to 1e-12, and falls at 0.04 rad/s^2.
     EXPECT_NEAR(motion.changes()[0].time, 0.99, 1e-9);
     EXPECT_NEAR(motion.changes()[1].time, 1, 1e-9);
     EXPECT_NEAR(motion.sample().hinge(0).angle_rate, w, 1e-9);

@@ -365,7 +365,7 @@ TEST(Motion, ForcesJumpWhereTheySay) {
   for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
     MotionOptions options = on_fixed_carrier(integrator, 0.01);
     Motion motion(system, {}, std::make_shared<Pulse>(), start_of(1), options);
-    // Who watches the steps sees the torque on both sides of its jumps.
+    // A watcher of the steps sees the torque on both sides of its jumps.
     std::map<double, double> seen;
     double last = 0;
     motion.watch_steps([&](const MotionSample& sample) {

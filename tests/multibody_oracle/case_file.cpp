@@ -113,7 +113,7 @@ Body read_body(const json& object, HingeKind kind) {
   return body;
 }
 
-// What is given twice has to say the same.
+// Checks that data given twice agree.
 void check_agreement(const char* key, double difference, double size) {
   if (!(difference <= agreement * size)) {
     throw contact::Error(fmt::format("{}: off by {} from the body's other data",

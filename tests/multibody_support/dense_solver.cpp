@@ -78,7 +78,7 @@ void DenseSolver::set_motion(BodyPart& body, const double* state,
   body.free_angular = body.inverse_inertia * (eigen(forces.moment) + friction -
                                               w.cross(body.inertia * w));
   angular_ -= body.c * friction;
-  // What the conditions would be off by without reactions, carrier not yet.
+  // Errors of the conditions without reactions, still without the carrier's.
   const Vector3d hinge = body.free_linear + body.free_angular.cross(body.r) +
                          w.cross(w.cross(body.r));
   rhs_.segment<3>(body.row) = w0_.cross(w0_.cross(body.r0)) - body.c * hinge;

@@ -36,7 +36,7 @@ class DenseSolver {
     Eigen::Matrix3d inverse_i0_r0;   ///< I_0^-1 r~_0
     Eigen::Matrix3d hinge_mobility;  ///< E/m - r~ I^-1 r~
     Eigen::Matrix3d turn_mobility;   ///< - r~ I^-1
-    // of one evaluation
+    // state of one evaluation
     Eigen::Matrix3d c;
     Eigen::Vector3d w0, relative_w, free_linear, free_angular, relative;
   };

@@ -5,9 +5,9 @@
 
 #include "multibody/system/state_layout.hpp"
 
-/// One instant of a carrier with bodies in the axes of whoever describes it:
-/// body axes, friction moments on an axis in hinge axes. It is how
-/// cases come in and how results go out; motions work in link axes.
+/// One instant of a carrier with bodies in their own axes: body axes, friction
+/// moments on an axis in hinge axes. It is how cases come in and how results go
+/// out; motions work in link axes.
 namespace multibody {
 
 /// A body at one instant, body axes.
@@ -42,7 +42,7 @@ struct Instant {
 
 /// Accelerations and reaction of a body, body axes.
 struct BodyResult {
-  Eigen::Vector3d acceleration;          ///< of the centre of mass, m/s^2
+  Eigen::Vector3d acceleration;          ///< centre of mass, m/s^2
   Eigen::Vector3d angular_acceleration;  ///< absolute, rad/s^2
   /// Derivative in link axes of the relative angular velocity; 0 for a body
   /// of its own.

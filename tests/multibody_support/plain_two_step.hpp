@@ -24,7 +24,7 @@ class PlainTwoStep {
     for (const BodyInstant& body : instant.bodies) bodies_.emplace_back(body);
   }
 
-  /// What acts, and the motion; rotations are given.
+  /// Loads and motion; rotations are given.
   struct Input {
     V w0, force, moment;
     struct Body {
@@ -164,7 +164,7 @@ class PlainTwoStep {
     D d, s;
     Eigen::Matrix<T, 2, 2> j_reduced;
     Eigen::Matrix<T, 2, 3> minus_j_s;
-    // Of the instant.
+    // Quantities of the instant.
     M c;
     V about, gyroscopic, free, relative;
     Eigen::Matrix<T, 2, 1> k, dm;

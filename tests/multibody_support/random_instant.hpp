@@ -27,7 +27,7 @@ class Random {
   std::mt19937_64 engine_;
 };
 
-/// What the bodies of a random instant hang on.
+/// Joints of the bodies of a random instant.
 enum class Mix { balls, axes, held, all };
 
 /// Bodies of a few kilograms and decimetres on a carrier of twice that for

@@ -455,7 +455,7 @@ TEST(Fit, GivesAJointItsRadiusAndClearance) {
             "um taken");
 }
 
-// What the docstring of Fit::radius() says of the deviation that it leaves out.
+// Values in the docstring of Fit::radius() for the deviation left out.
 TEST(Fit, DeviationOfTheShaftThatIsLeftOut) {
   const auto percent = [](const char* shaft, double size_mm) {
     const Class one(shaft, size_mm);

@@ -33,7 +33,7 @@ struct Problem {
   std::function<void(double time, const State&, State& rates)> rates;
   // delta and d delta/dt: the event and its rate.
   std::function<std::pair<double, double>(double time, const State&)> event;
-  State size;  // of the state's components, for tolerances
+  State size;  // scales of the components, for tolerances
 };
 
 // Explicit Runge-Kutta steps by ARKODE. An event is met exactly: the
@@ -260,7 +260,7 @@ struct SliderCrank {
     const double turn = (-rod_mass * rod / 2 * normal.dot(pin) -
                          rod * along.cross(f.force).z()) /
                         inertia;
-    // What the crank's pin does to the rod.
+    // Reaction of the crank's pin on the rod.
     const Vector3d middle =
         pin + rod / 2 * (turn * normal - y[1] * y[1] * along);
     const Vector3d reaction = rod_mass * middle + f.force;

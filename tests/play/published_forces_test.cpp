@@ -20,7 +20,7 @@ constexpr double negative = -1e9;  // outside: the approach is below 0
 struct Row {
   double force;
   double penetration;           // exact, m
-  std::vector<double> percent;  // of the eight laws
+  std::vector<double> percent;  // errors of the eight laws
 };
 struct Pin {
   const char* name;

@@ -1,4 +1,4 @@
-// What every pressure law must do, and the members beside CosinePressure.
+// Properties of every pressure law, and the members beside CosinePressure.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -377,7 +377,7 @@ TEST(WornPressure, AgreesWithItsDefinitionInHighPrecision) {
   }
 }
 
-// Whose edge is at 90 deg.
+// The edge is at 90 deg.
 TEST(WornPressure, IsTheCosinePressureAt90Degrees) {
   for (const JointKind kind : kinds) {
     const WornPressure worn(kind);
@@ -651,7 +651,7 @@ TEST(MixturePressure, IsWithinItsErrorsOfTheExactPressure) {
     compare(ElasticPair::from_modulus_ratio(ratio, 0.5 * uniform(random),
                                             0.5 * uniform(random)));
   }
-  // Those that reach beyond 120 deg.
+  // Pairs whose contacts reach beyond 120 deg.
   for (const double ratio : {0.0, 1e-3, 1e-2}) {
     for (const double nu : {0.48, 0.49, 0.499, 0.5}) {
       compare(ElasticPair::from_modulus_ratio(ratio, nu, 0.3));

@@ -123,9 +123,9 @@ TEST(InterferencePressure, ProfileCarriesTheLoad) {
   }
 }
 
-// Where one table takes over from the other nothing jumps by more than the
-// first one is wrong by at its end: 5e-6 of the peak near the edge of a ball
-// whose wall is 0.1 radii thick.
+// The step from one table to the other is at most the error of the first one at
+// its end: 5e-6 of the peak near the edge of a ball whose wall is 0.1 radii
+// thick.
 TEST(InterferencePressure, GoesOnFromNarrowerContacts) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const double thickness : {10.0, 0.3, 0.1}) {

@@ -149,7 +149,7 @@ TEST(RunningInPressure, PeakOfAFreeRing) {
     for (int i = 0; i <= 20000; ++i) {
       largest = std::max(largest, both.pressure(theta0 * i / 20000, theta0));
     }
-    // Of a grid of 20,000 points.
+    // Tolerance of a grid of 20,000 points.
     EXPECT_NEAR(both.peak(theta0) / largest, 1, 1e-6);
     EXPECT_GE(both.peak(theta0), largest * (1 - 1e-14));
     is_off_centre |= largest > both.pressure(0, theta0) * (1 + 1e-6);

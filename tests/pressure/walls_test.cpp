@@ -150,7 +150,7 @@ TEST(WalledExactPressure, Friction) {
   AccuracyReport thin("friction coefficients, t = 0.03 to 0.01", 1e-7);
   // By parts over all 64 sines.
   AccuracyReport rings("friction coefficients, free rings", 1e-9);
-  // What 32 sines leave of p(0), 1e-6 of the peak as all of the law.
+  // Error of p(0) by 32 sines, 1e-6 of the peak as for the whole law.
   AccuracyReport scale("with p over p(0)", 1e-6);
   const ExactPressure ring(JointKind::ball, free_rings[0].pair());
   EXPECT_GT(ring.peak(0.1), 2 * ring.pressure(0, 0.1));

@@ -1,4 +1,4 @@
-// What designers read off the programs: peaks that say by which pressure,
+// Questions of designers to the programs: peaks that name their pressure,
 // forces of pins, catalogues' pressures, warnings.
 #include <gtest/gtest.h>
 

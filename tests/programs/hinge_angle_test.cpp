@@ -628,7 +628,7 @@ TEST(HingeAngle, Plots) {
   EXPECT_FALSE(has_text(picture, "error, %"));
 }
 
-// Those of hinge-joint, at no load too.
+// The columns of preload are those of hinge-joint, at no load too.
 TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
   const ProgramFolder folder;
   const std::string pressed = " --joint data/joints/lined_bush_pressed.toml ";

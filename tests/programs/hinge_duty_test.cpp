@@ -47,7 +47,7 @@ TEST_F(HingeDuty, Cycles) {
   ASSERT_GT(blocks.size(), 20u);
   for (std::size_t column = 0; column < blocks[0].size(); ++column) {
     const std::string& name = blocks[0][column];
-    if (name == "clearance_mm") {  // of pins
+    if (name == "clearance_mm") {  // for pins
       EXPECT_EQ(blocks.back()[column], "");
       continue;
     }
@@ -194,7 +194,7 @@ TEST_F(HingeDuty, Summary) {
   check("volume_inner_mm3", "volume_inner_mm3", 1e-9);
   check("mean_M_t_N_m", "mean_moment_N_m", 1e-9);
   check("largest_M_t_N_m", "max_moment_N_m", 1e-8);
-  // Those of the rows are less, by up to some thousandths.
+  // Values at the rows are less, by up to some thousandths.
   check("least_M_t_x_N_m", "M_x_min_at_samples_N_m", 5e-3);
   check("largest_M_t_z_N_m", "M_z_max_at_samples_N_m", 5e-3);
   check("largest_pv_max_W_per_m2", "pv_max_W_per_m2", 1e-8);
@@ -295,8 +295,8 @@ TEST_F(HingeDuty, RatesOfItsStates) {
             again);
 }
 
-// Of several joints a row for each, with what each says alone; what differs
-// comes first, and the files beside the table have the rows of all.
+// Several joints have a row each, with the numbers of each alone; the
+// differences come first, and the files beside the table have the rows of all.
 TEST_F(HingeDuty, SeveralJoints) {
   const std::string run =
       "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle "
@@ -392,8 +392,8 @@ TEST_F(HingeDuty, Picture) {
   EXPECT_TRUE(has_text(picture, "time, s"));
 }
 
-// Of a ball two images with the axes that are seen, the seat's from its back;
-// of a pin two curves; one name of k, the seat's.
+// The map of a ball is two images with the visible axes, the seat's from its
+// back; that of a pin is two curves; there is one k, the seat's.
 TEST_F(HingeDuty, MapPicture) {
   const std::string text = out(hip + "--wear-seat 1e-6 --map-plot hip.svg");
   const std::string ball = folder_.read("hip.svg");

@@ -121,7 +121,7 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
                         "too short, those of --profile are not\n"));
 }
 
-// Of a pin of f0 = 0.12 and A = 1 MPa, with errors of 1 %.
+// Moments of a pin with f0 = 0.12 and A = 1 MPa, with errors of 1 %.
 constexpr const char* pin_moments =
     "R_N,torque_N_m\n"
     "2000,9.48363\n2341.6,10.6911\n2741.5,12.2876\n3209.6,13.4786\n"
@@ -148,7 +148,7 @@ TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
                         "range or do not converge\n"));
 }
 
-// Of the data's states, with the joint that was found.
+// The contacts are those of the data's states, with the joint that was found.
 TEST(HingeIdentify, WarnsOfContactsThatLeaveTheTheory) {
   const ProgramFolder folder;
   folder.write("d.csv", pin_moments);

@@ -649,7 +649,7 @@ TEST(PaperExamples, BesidePrintedNumbers) {
         << printed.text(i, "joint") << ", " << printed.text(i, "table") << ' '
         << row << ", " << column;
   }
-  // Where nothing is printed the cell is empty.
+  // Cells are empty where the paper prints nothing.
   EXPECT_EQ(tables.at("\"paper, example 1\" trace").text(4, "g_deg_printed"),
             "");
 }
@@ -711,7 +711,7 @@ TEST(HingeJoint, Pv) {
               1, 1e-15);
 }
 
-// What FinitePin says, and who leaves a relief out says so.
+// The numbers are those of FinitePin; without a relief there is a note.
 TEST(HingeJoint, TiltsAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";

@@ -29,7 +29,7 @@ std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));
 }
 
-// Those of --pressure all.
+// Laws of --pressure all.
 std::vector<std::string> all_names() {
   std::vector<std::string> names = pressure_law_names();
   std::erase(names, "worn");
@@ -241,7 +241,7 @@ TEST(HingePressure, FiniteWalls) {
   EXPECT_NEAR(numbers(result.out, "sigma_Z_90")[0], 0.4539, 5e-5);
 }
 
-// Of other half-angles and without a size.
+// Laws with other half-angles, and joints without a size, have none.
 TEST(HingePressure, NoApproach) {
   const ProgramFolder folder;
   for (const std::string& options :
@@ -292,7 +292,7 @@ TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
   EXPECT_TRUE(has_text(result.err, "1 of 1 half-angles have not converged"));
 }
 
-// What SeatContact says, and who does not confine the contact says so.
+// The numbers are those of SeatContact; without confinement there is a note.
 TEST(HingePressure, ConfinesToASeatThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/spherical_plain_bearing_ge50.toml";

@@ -305,7 +305,7 @@ TEST(HingeTable, ManyPointsInOrderByAnyNumberOfJobs) {
   EXPECT_EQ(folder.run(grid).out, folder.run(grid + "--jobs 3").out);
 }
 
-// Neither what is in a file nor its name gets to the terminal as it is.
+// Bytes of a file or its name do not get to the terminal as they are.
 TEST(HingeTable, MessagesHaveNoRawBytes) {
   const ProgramFolder folder;
   folder.write("p.csv", "theta0_deg,alpha_deg\n\x1b[2J\xff,1\n");

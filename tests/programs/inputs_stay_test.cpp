@@ -82,7 +82,7 @@ TEST_F(InputsStay, OfCasesAndStudies) {
   refuses(separate, "--output ball.toml", "ball.toml");
   refuses("hinge-study s.toml", "--csv j.toml", "j.toml");
   refuses("hinge-study s.toml", "--output s.toml", "s.toml");
-  // What is gone on from, and what is merged.
+  // Files to resume from, and to merge.
   ASSERT_EQ(folder_
                 .run(separate + " --checkpoint k --checkpoint-every 0.1 "
                                 "--output o.json")

@@ -308,7 +308,7 @@ class WallOptions : public testing::Test {
   std::string out(const std::string& command) const {
     return folder_.run_well(command).out;
   }
-  // Of `column` in the first row.
+  // Value of `column` in the first row.
   double value(const std::string& command, const std::string& column) const {
     return std::stod(csv_column(csv_rows(out(command)), column).at(0));
   }

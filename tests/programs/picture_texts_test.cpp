@@ -67,8 +67,8 @@ Drawing drawing_of(const std::string& svg) {
     const double begin = m[5] == "start"    ? 0
                          : m[5] == "middle" ? -width / 2
                                             : -width;
-    const double up = 0.73 * font;    // of digits and capitals
-    const double down = 0.02 * font;  // what hangs below may touch
+    const double up = 0.73 * font;    // digits and capitals
+    const double down = 0.02 * font;  // descenders may touch
     const double x = std::stod(m[1]);
     const double y = std::stod(m[2]);
     drawing.texts.push_back(

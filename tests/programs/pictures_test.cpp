@@ -48,8 +48,8 @@ bool has(const std::vector<std::string>& all, const std::string& text) {
   return std::find(all.begin(), all.end(), text) != all.end();
 }
 
-// What a shell, gnuplot, its enhanced text or XML would make something of: in
-// names of bodies, and with what those may not have.
+// Characters that mean something to a shell, gnuplot, its enhanced text or XML:
+// in names of bodies, and with those that bodies may not have.
 const std::string wild_body = R"(it's `touch pwned` \)";
 const std::string other_wild_body = "$(touch pwned) @m a_{b}^2~&<#";
 const std::string wild_joint = wild_body + other_wild_body +
@@ -81,7 +81,7 @@ std::vector<std::string> logarithmic_labels(double low, double high) {
   cli::LinePlot plot = plot_of(low, high);
   plot.x.logarithmic = true;
   EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
-  // Those of the other axis are below 3.
+  // Labels of the other axis are below 3.
   std::vector<std::string> labels;
   for (const std::string& text : texts(folder.read("p.svg"))) {
     if (!text.empty() &&
@@ -101,7 +101,7 @@ TEST(Pictures, TextIsQuoted) {
   EXPECT_EQ(cli::gnuplot_tic("50 %g"), R"("50 %%g")");
 }
 
-// What gnuplot reads is the text, wherever its apostrophes are.
+// gnuplot reads the text as it is, wherever its apostrophes are.
 TEST(Pictures, QuotedTextIsDrawn) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
@@ -191,7 +191,7 @@ TEST(Pictures, NamesWithControlCharactersAreRefused) {
   EXPECT_EQ(folder.run("hinge-angle --load 1 --joint c.toml").status, 2);
 }
 
-// Of a joint, a case and its bodies.
+// Names of a joint, a case and its bodies.
 TEST(Pictures, NamesAreShownAsTheyAre) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
@@ -269,7 +269,7 @@ TEST(Pictures, TitlesNameTheJoint) {
         "chi, method exact, pressure exact, " + name);
 }
 
-// Of one state: what --pv says of the largest values, in the titles of three
+// Contacts of one state: the largest values of --pv in the titles of three
 // images of a ball and beside the curves of a pin.
 TEST(Pictures, Contacts) {
   const ProgramFolder folder;

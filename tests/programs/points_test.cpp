@@ -18,7 +18,7 @@ namespace {
 const std::string joint =
     "hinge-joint --joint data/joints/paper_example_1.toml ";
 
-// What is at the other end of two pipes writes a line and waits for the
+// The program at the other end of two pipes writes a line and waits for the
 // answer; the header comes with the first line, as from a program that writes
 // whole buffers. 20 s are long against the time of a row.
 TEST(Points, AreAnsweredLineByLine) {
@@ -176,7 +176,7 @@ TEST(Points, AreDrawn) {
   if (folder.run("command -v gnuplot").status != 0) {
     GTEST_SKIP() << "gnuplot is not installed";
   }
-  // As many as are thinned out, and one peak that must not get lost.
+  // Enough points to be thinned out, and one peak that must not get lost.
   std::string points = "t_s,R_N,b_deg\n";
   for (int i = 0; i < 5000; ++i) {
     points += fmt::format("{},{},60\n", i, i == 3333 ? 9000 : 1000);

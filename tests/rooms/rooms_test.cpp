@@ -108,8 +108,8 @@ std::vector<std::string> sources(const std::string& folder) {
   return files;
 }
 
-// What the programs and the library include of the repository. A file that is
-// not there is one that the build makes.
+// Includes of the programs and the library within the repository. A file that
+// is not there is one that the build makes.
 std::vector<Include> includes() {
   static const std::regex line_of("^#include [<\"]([^>\"]+)[>\"]");
   std::vector<Include> all;
@@ -204,8 +204,8 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// What a header declares at namespace scope, but for namespace detail: by our
-// format that begins in the first column.
+// Names that a header declares at namespace scope, but for namespace detail: by
+// our format that begins in the first column.
 std::vector<std::string> public_names(const std::string& header) {
   static const std::regex declared(
       "^(?:(?:class|struct|enum class) (\\w+)\\b(?!;)|using (\\w+) =|"

@@ -109,7 +109,7 @@ TEST(CaseFile, ForcesAreAddedUp) {
   EXPECT_EQ(parsed(case_file().edit("+", engine)).forces.size(), 4U);
 }
 
-// What a file says, however it is written.
+// Content is the same however it is written.
 TEST(CaseFile, ContentIsThatOfTheText) {
   const auto content = [](const std::string& text) {
     return TomlTable::from_text(text, "t.toml",
@@ -203,7 +203,7 @@ TEST(CaseFile, LawsOfTheCommandLineAreTaken) {
                 "(cosine, sqrt_tan, sqrt_theta, mixture, exact, worn)");
 }
 
-// Of the case, of a file that it names, and of a file that that one names.
+// Settings of the case, of a file that it names, and of one named by that.
 TEST(CaseFile, SettingsReachTheFilesOfItsJoints) {
   const fs::path file = CONTACT_DATA_DIR "/cases/flywheels.toml";
   const Case plain = separation::read_case(file);

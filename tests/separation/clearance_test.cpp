@@ -76,7 +76,7 @@ class Draw {
     return points;
   }
 
-  // Of flat faces, on round numbers or not.
+  // Solid of flat faces, on round numbers or not.
   Shape polyhedron(int kind, bool round) {
     if (kind == 0) {
       const Vector3d size =
@@ -290,8 +290,8 @@ TEST(Clearance, BoxesAgainstTheirClosedForm) {
   EXPECT_LE(largest, 1e-9);
 }
 
-// Of the segments from p to q and from r to s, where both are nearest within
-// both, or at an end.
+// Distance of the segments from p to q and from r to s, whose nearest points
+// are within both, or at an end.
 double between_edges(const Vector3d& p, const Vector3d& q, const Vector3d& r,
                      const Vector3d& s) {
   const Vector3d u = q - p;
@@ -545,7 +545,7 @@ TEST(PairWay, IsNeverAboveTheDistance) {
     }
     way.move_on(step, bodies);
     const double now = clearance.distance(0, bodies);
-    // Of the distances, by clearance/nearest.hpp.
+    // Accuracy of the distances, by clearance/nearest.hpp.
     constexpr double accuracy = 2e-8;
     EXPECT_LE(way.least_now(), now + accuracy);
     way.know(now);

@@ -1,4 +1,4 @@
-// What changes at one instant: hinges that begin to slide, motors that end with
+// Changes at one instant: hinges that begin to slide, motors that end with
 // their hinge, and the peaks of hinges that change together.
 #include <gtest/gtest.h>
 

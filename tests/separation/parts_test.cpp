@@ -179,7 +179,7 @@ TEST(Peaks, BetweenLooks) {
   // The maximum of a polynomial of degree 6 over 0.6 s.
   EXPECT_NEAR(times[0], 0.7, 1e-6);
   EXPECT_NEAR(times[1], 0.4, 1e-4);
-  // Of what grows it is the end.
+  // The peak of a growing value is the end.
   EXPECT_NEAR(times[2], 0.9, 1e-5);
   // Known already, or far away.
   EXPECT_FALSE(may_peak(look(0.3), look(0.6), look(0.9), 0.6,
@@ -233,7 +233,7 @@ class CheckpointFile : public testing::Test {
   std::string bytes_;
 };
 
-// Of every byte of the first line and of the check sum, of some between.
+// Damage to every byte of the first line and check sum, and to some between.
 TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
   separation::Run run(
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
@@ -257,7 +257,7 @@ TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
   expect_damaged(bytes + '0');
 }
 
-// Where SQLite does not see it, it is in what nobody reads.
+// Damage that SQLite does not see is in bytes that nobody reads.
 TEST_F(CheckpointFile, DamageMakesNoOtherState) {
   const auto state = [this] {
     return separation::saved_bytes(
@@ -307,7 +307,7 @@ TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
   EXPECT_EQ(message(), stranger);
 }
 
-// What is damaged does not get to the terminal as it is.
+// Damaged bytes do not get to the terminal as they are.
 TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
   const std::string bytes = "\x1b[2J\xff\x9b\xc2\x80";
   EXPECT_TRUE(message_of(bytes_.substr(0, bytes_.size() - 8) + bytes)

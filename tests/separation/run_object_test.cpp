@@ -56,7 +56,7 @@ TEST_P(Runs, StopsAndLooksOnTheWayChangeNothing) {
   const Case c = case_of(GetParam());
   CaseRun run(c);
   double largest = 0;
-  // Neither the steps nor the output times.
+  // Times that are neither steps nor output times.
   const double step = c.end_time / 37.3;
   for (double t = step; run.advance_to(t) == Status::running; t += step) {
     ASSERT_EQ(run.time(), t);
@@ -80,7 +80,7 @@ TEST_P(Runs, GoOnFromASavedStateToTheSameEnd) {
   const RunState saved = first.save();
   ASSERT_EQ(first.advance_to(c.end_time), Status::finished);
   CaseRun second(c);
-  second.advance_to(0.2 * c.end_time);  // of which nothing is left
+  second.advance_to(0.2 * c.end_time);  // leaves no trace
   second.restore(saved);
   EXPECT_EQ(second.time(), saved.simulation.motion.time);
   ASSERT_EQ(second.advance_to(c.end_time), Status::finished);
@@ -118,7 +118,7 @@ TEST_P(Runs, CopiesGoOnAsTheOriginal) {
   // Copies at the same time of both: all four go on alike.
   original.advance_to(0.6 * c.end_time);
   CaseRun second = original;
-  // What the others do is not felt.
+  // The steps of the others have no effect.
   ASSERT_EQ(second.advance_to(c.end_time), Status::finished);
   ASSERT_EQ(original.advance_to(c.end_time), Status::finished);
   expect_same(c, original.outcome(), second.outcome(), false);
@@ -220,7 +220,7 @@ TEST(Run, ValuesAreRowsOfTheHistory) {
   EXPECT_EQ(now.position.x(), values[column]);
 }
 
-// Where the last step goes beyond it.
+// The last step goes beyond the end.
 TEST(Run, EndsAndIsSavedWhereItIsBetweenOutputTimes) {
   Case c = case_of("two_stage_turn");
   c.output_step = 0.13;

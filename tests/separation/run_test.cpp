@@ -88,7 +88,7 @@ TEST(HistoryVectors, ActOnTheBodyAndStandInInertialAxes) {
   }
 }
 
-// What friction takes out of the motion is positive.
+// Friction takes a positive energy out of the motion.
 TEST(FrictionWork, IsPositiveAndWhatTheMotionLoses) {
   const Case c = wheel();
   const Outcome outcome = run_case(c, {});
@@ -327,7 +327,7 @@ force_N = [[3, 0, 0], [5, 0, 0], [-2, 0, 0], [-2, 0, 0], [7, 0, 0], [0, 0, 0],
                             "c.toml");
   const Outcome outcome = run_case(c, {});
   ASSERT_EQ(outcome.failure, "");
-  // Of the pieces: from, to, force at both ends.
+  // Pieces: from, to, force at both ends.
   constexpr double pieces[][4] = {
       {0.1, 0.3, 3, 5}, {0.3, 0.8, -2, -2}, {0.8, 1.2, 7, 0}, {1.2, 9, 1, 1}};
   const Rows& rows = outcome.memory.rows;
@@ -481,7 +481,7 @@ start = { rotation_deg = [0, 60, 0] }
   }
 }
 
-// What swings, turns and comes to rest on a carrier, with friction.
+// Bodies that swing, turn and come to rest on a carrier, with friction.
 std::string shaken(const std::string& carrier) {
   std::string text = R"(
 name = "bodies"
@@ -565,7 +565,7 @@ TEST(FixedCarrier, IsTheLimitOfAHeavyOne) {
             .norm();
       };
       EXPECT_LE(difference(".", "m"), 3 * moved);
-      // Of 1700 N and 3.3 N m at most.
+      // Forces are 1700 N and moments 3.3 N m at most.
       EXPECT_LE(difference(".reaction_", "N"), 1700 * moved);
       EXPECT_LE(difference(".friction_moment_", "N_m"), 3.3 * moved);
     }

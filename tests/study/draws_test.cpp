@@ -221,7 +221,7 @@ TEST_F(DrawnKeys, OfAJointAreThoseOfReadingAnew) {
   }
 }
 
-// What a force does to bodies that stand at the origin.
+// Effect of a force on bodies that stand at the origin.
 std::vector<double> effect_of(const separation::Case& c, std::size_t force) {
   const std::vector<multibody::BodyMotion> bodies(
       5, {{0, 0, 0}, {0, 0, 0}, Eigen::Matrix3d::Identity(), {0, 0, 0}});

@@ -197,7 +197,7 @@ TEST(Verdict, MetOpenNotMet) {
   EXPECT_EQ(study::answer(20, 1440, demand), Answer::not_met);
 }
 
-// Where the verdict changes, the upper bound is the probability asked for.
+// The upper bound is the probability asked for, where the verdict changes.
 TEST(Verdict, BoundsAgreeWithIt) {
   const auto bounds = study::failure_bounds(0, 1705, 0.1);
   EXPECT_EQ(bounds.low, 0);
@@ -212,8 +212,8 @@ TEST(Verdict, BoundsAgreeWithIt) {
   }
 }
 
-// Of many studies of 200 runs the bounds are wrong as often as the risk says,
-// but for what whole numbers leave, and not more often.
+// Bounds from many studies of 200 runs are wrong as often as the risk says, but
+// for the effect of whole numbers, and not more often.
 TEST(Percentile, BoundsHoldAsOftenAsTheySay) {
   constexpr int studies = 4000;
   constexpr std::size_t runs = 200;
@@ -297,7 +297,7 @@ TEST(Drivers, RegressionOfALinearFunction) {
   EXPECT_NEAR(answer.explained, 1, 1e-9);
 }
 
-// As many rows as a plane has numbers fit whatever they say: no answer.
+// A plane fits as many rows as it has numbers, whatever they say: no answer.
 TEST(Drivers, RegressionNeedsMoreRowsThanItFits) {
   study::Regression regression(2);
   const auto add = [&](double a, double b) {
@@ -354,7 +354,7 @@ double ishigami(const std::vector<double>& u) {
   return std::sin(x(0)) + 7 * std::pow(std::sin(x(1)), 2) +
          0.1 * std::pow(x(2), 4) * std::sin(x(0));
 }
-// Of a sum the variances add up; that of a product of independent numbers with
+// The variances of a sum add up; that of a product of independent numbers with
 // means m, n and variances V, W is V n^2 + W m^2 + V W.
 double sum_and_product(const std::vector<double>& u) {
   return 3 * u[0] + (u[1] + 0.5) * (4 * u[2] + 1);
@@ -562,7 +562,7 @@ TEST(Design, FactorsCorrelateDraws) {
   const double tolerance = 4 / std::sqrt(20'000);
   EXPECT_NEAR(study::correlation(scores[0], scores[1]), -0.48, tolerance);
   EXPECT_NEAR(study::correlation(scores[0], scores[2]), 0, tolerance);
-  // What each scatters by itself stays as it was.
+  // The scatter of each alone stays as it was.
   const Moments m = moments([&, i = std::size_t{0}](double) mutable {
     return scores[0][i++ % scores[0].size()];
   });

@@ -253,7 +253,7 @@ TEST_F(BallStudy, FailedRunsAreMisses) {
 
 class FailingRuns : public StudyFolder {
  protected:
-  // Of 200 runs, so many of which fail, with one requirement.
+  // Findings of 200 runs, of which `failing` fail, with one requirement.
   study::Findings findings(std::size_t failing, const std::string& limit,
                            const std::string& success) const {
     std::string text = ball_text.substr(0, ball_text.find("[[requirement]]"));
@@ -304,7 +304,7 @@ TEST_F(FailingRuns, AreAtTheBadEndOfPercentiles) {
   EXPECT_EQ(tenth.requirements[0].percentile.high, infinity);
 }
 
-// Where a run without the number is, is not known: at one end or the other.
+// A run without the number may be at one end or the other.
 TEST_F(FailingRuns, WidenPercentilesOfNumbersWithoutALimit) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto whole = findings(0, "at_most = 1e9", "0.9").quantities[0];

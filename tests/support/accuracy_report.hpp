@@ -30,7 +30,7 @@ class AccuracyReport {
   ///                  test, where it comes from
   AccuracyReport(std::string quantity, double budget)
       : quantity_(std::move(quantity)), budget_(budget) {}
-  /// What is moved from is not checked.
+  /// The report moved from is not checked.
   AccuracyReport(AccuracyReport&& other) noexcept : AccuracyReport(other) {
     other.is_checked_ = true;
   }
@@ -57,7 +57,7 @@ class AccuracyReport {
   std::size_t size() const { return count_; }
   const std::string& worst() const { return worst_; }
 
-  /// What happens at the end, now.
+  /// The check of the destructor, now.
   void check();
 
  private:

@@ -9,8 +9,7 @@
 
 namespace contact::test {
 
-/// What contact::Error says when `call` runs; "(no error)" if it does not
-/// throw one.
+/// Message of contact::Error when `call` runs; "(no error)" if it throws none.
 template <class Call>
 std::string error_message(const Call& call) {
   try {

@@ -25,7 +25,7 @@ class Histogram {
   int max_ = 0;
 };
 
-/// What random inputs show of the joint solver. Errors are the largest seen.
+/// Results of the joint solver on random inputs. Errors are the largest seen.
 struct JointSweep {
   std::uint64_t inputs = 0;
   std::uint64_t not_ok = 0;

@@ -18,8 +18,8 @@ struct UnilateralContact {
   Eigen::VectorXd theta;     ///< nodes, rad, increasing, within (0, pi)
   Eigen::VectorXd pressure;  ///< in units of P/rho or R_n/rho^2
   Eigen::VectorXd gap;       ///< in units of the radial clearance
-  /// Where p^2, nearly linear at the edge, is extrapolated to 0 from the last
-  /// two nodes in contact, rad.
+  /// Point at which p^2, nearly linear at the edge, extrapolates to 0 from the
+  /// last two nodes in contact, rad.
   double half_angle;
   int iterations;
   bool converged;

@@ -52,7 +52,7 @@ struct Path {
   JointContact contact;
   Vector3d reaction, rate;            // at 0
   Vector3d reaction_axis, rate_axis;  // about which they turn, 1 rad per unit
-  double growth;                      // of ln R and ln |Dw| per unit
+  double growth;                      // rate of ln R and ln |Dw| per unit
 
   bool is_pin() const { return contact.geometry().kind() == JointKind::pin; }
   Vector3d rate_at(double t) const {
@@ -370,7 +370,7 @@ TEST(JointTracker, JointsWithoutClearanceAreTracked) {
   }
 }
 
-// Whose integrals are not those of the cosine alone. Measured: 1.8e-15.
+// Laws whose integrals are not those of the cosine alone. Measured: 1.8e-15.
 TEST(JointTracker, EveryPressureLawIsTrackedThroughItsWindows) {
   for (const char* const law : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
     const double largest = largest_error(growing({.pressure = law}));
@@ -452,7 +452,7 @@ std::vector<double> errors_of(const JointTracker& tracker) {
   return errors;
 }
 
-// What slopes have missed is known then.
+// The first correction learns the error of the slopes.
 TEST(JointTracker, ASecondCorrectionLeavesLittle) {
   const std::vector<Path> all = paths(8, 28);
   JointTracker tracker = started(all);
@@ -566,7 +566,7 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
   }
 }
 
-// What reads rows may read all of the last packet.
+// Readers of rows may read the whole last packet.
 TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
   const std::vector<Path> many = paths(10, 17);
   for (int size = 1; size <= 17; ++size) {
@@ -611,7 +611,7 @@ TEST(JointTracker, StepsAreZeroBeyondTheJoints) {
       tracker.keep();
       tracker.extrapolate(1);
       check_padding();
-      // Neither has one that is not tracked.
+      // Joints that are not tracked have no step either.
       tracker.stop(size - 1);
       tracker.predict();
       tracker.apply();

@@ -11,7 +11,7 @@ namespace cli {
 struct Hdf5Column {
   std::string path;   ///< "GROUP/NAME"
   std::string unit;   ///< attribute "unit", if there is one
-  std::string words;  ///< of small integers, attribute "words"; "": of doubles
+  std::string words;  ///< for small integers, attribute "words"; "": doubles
 };
 
 /// An HDF5 file as bytes, made in memory and to be written by us: an HDF5 that

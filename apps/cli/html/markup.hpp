@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-/// What pages that need no network are made of.
+/// Parts of pages that need no network.
 namespace cli {
 
 /// Text as it stands in markup, not within quotes.

@@ -1,4 +1,4 @@
-// In what the joints of a run differ.
+// Differences between the joints of a run.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -30,7 +30,7 @@ struct KeyOption {
   const char* flag;
   std::string_view key;
   Dimension dimension;  ///< number: a text
-  /// Of a length, m: a larger number without a unit is hardly meant.
+  /// Largest plausible length, m: a larger number without a unit is a slip.
   double most;
   JointUse use;  ///< and those behind it
   const char* kind;
@@ -113,7 +113,7 @@ contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
           number.origin};
 }
 
-// A number without a unit is in m, which is hardly meant of a large one.
+// Notes on large numbers without a unit, which are in m.
 std::vector<std::string> length_notes(const JointOptions& o) {
   std::vector<std::string> notes;
   for (const KeyOption& option : key_options) {
@@ -127,7 +127,7 @@ std::vector<std::string> length_notes(const JointOptions& o) {
   return notes;
 }
 
-// What no joint file can say: moduli of which only the ratio is known.
+// Moduli with only the ratio known, which no joint file can give.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr Allowed poisson{0, 0.5, ""};
@@ -144,7 +144,7 @@ contact::MaterialPair materials_of(const JointOptions& o) {
       o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
   if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
   if (o.has("--wall")) refuse_without("--wall", either);
-  // Of a pressure law that looks at none.
+  // Any pair will do for a pressure law that needs none.
   return {"", contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3), {}};
 }
 
@@ -155,7 +155,7 @@ bool is_pin(const JointOptions& o) {
   refuse("--joint", kind, "ball, pin or a .toml file");
 }
 
-// What the size of a joint without a file has to say beside its keys.
+// Checks the size of a joint without a file; false if it has none.
 bool check_size(const JointOptions& o, bool pin) {
   const bool has_size = o.has("--radius") || o.has("--diameter");
   const bool friction = o.use == JointUse::friction;

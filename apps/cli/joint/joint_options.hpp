@@ -14,7 +14,7 @@
 /// A joint as all programs take it from the command line.
 namespace cli {
 
-/// What a program has use for; each of them for all before it too.
+/// Parts of a joint that a program uses; each includes all before it.
 enum class JointUse {
   pressure,  ///< a ball's pressure law, and materials if that needs them
   contact,   ///< half-angles: materials, with a size or dimensionless
@@ -28,7 +28,7 @@ enum class Laws { one, several };
 struct JointOptions {
   JointUse use;
   std::vector<std::string> joints = {};
-  std::vector<std::string> settings = {};  ///< of --set
+  std::vector<std::string> settings = {};  ///< texts of --set
   std::string pair = {};
   std::string modulus_ratio = {};
   std::string poisson1 = "0.3";
@@ -51,8 +51,7 @@ struct JointOptions {
     const auto found = keys.find(flag);
     return found == keys.end() ? "" : found->second;
   }
-  /// Where the materials are from, for messages: "--pair FILE"; "" if from
-  /// nowhere.
+  /// Source of the materials, for messages: "--pair FILE"; "" if there is none.
   std::string materials() const;
 };
 
@@ -64,7 +63,7 @@ void add_fileless_joint_options(Program& program, JointOptions& options);
 void add_law_options(Program& program, JointOptions& options, Laws half_angle,
                      Laws pressure);
 
-/// In what a joint differs from the others of a run: a cell of tables.
+/// Difference of a joint from the others of a run: a cell of tables.
 struct Difference {
   std::string column;  ///< "joint" or a key of --set
   std::string value;   ///< name of the file without its ending, or the key's
@@ -82,9 +81,9 @@ struct Joint {
   contact::ElasticPair pair;
   /// Without a size, which is 1 m then, only dimensionless loads and pressures.
   bool has_size = true;
-  /// Of a pin without one, which is 1 m then, loads are per length.
+  /// False for a pin without a length, which is 1 m then: loads are per length.
   bool has_length = true;
-  std::string title = {};  ///< of pictures
+  std::string title = {};  ///< title of pictures
   std::vector<Difference> differences = {};
   std::string among_several = {};  ///< its name in messages; "" if it is alone
   std::vector<std::string> notes = {};  ///< on options that are hardly meant
@@ -99,8 +98,7 @@ struct Joint {
                                 std::size_t pressure = 0) const;
 };
 
-/// What is above pictures of joints: the title that they share, and what comes
-/// behind it.
+/// Text above pictures of joints: their common title, and the rest behind it.
 std::string shared_title(const std::vector<Joint>& joints,
                          const std::string& behind);
 

@@ -13,7 +13,7 @@
 
 namespace cli {
 
-/// What interference and a clearance of 0 make of a contact, as columns of
+/// Effect of interference and of a clearance of 0 on a contact, as columns of
 /// tables: contact_state and contact::preload_quantities().
 class JointPreload {
  public:

@@ -8,7 +8,7 @@
 #include "cli/stream/report.hpp"
 #include "libcontact/base/error.hpp"
 
-/// What programs say of each of several joints.
+/// Reports on each of several joints.
 namespace cli {
 
 /// The report of the only joint, a line for each of its numbers, or of several
@@ -19,10 +19,10 @@ void write_reports(const std::vector<Joint>& joints,
                    const std::vector<Report>& reports, Output& output,
                    const TableStyle& style);
 
-/// What is said of one joint, which is named if there are several.
+/// Message on one joint, which is named if there are several.
 std::string said_of(const Joint& joint, const std::string& text);
 
-/// What `make` returns; its contact::Error names the joint.
+/// Result of `make`; its contact::Error names the joint.
 template <class Make>
 auto made_of(const Joint& joint, const Make& make) {
   try {

@@ -7,12 +7,11 @@
 
 namespace cli {
 
-/// What --set KEY=VALUES asks for, given once or more: the settings of each
-/// combination of the values, those of the last key running fastest. VALUES
-/// are numbers, a range of them as of Sweep, or texts between commas. One
-/// combination without settings if there are none. Throws contact::Error for
-/// a text of another form, a key that is there twice or too many
-/// combinations.
+/// Settings of --set KEY=VALUES, given once or more: one set for each
+/// combination of the values, those of the last key running fastest. VALUES are
+/// numbers, a range of them as of Sweep, or texts between commas. One
+/// combination without settings if there are none. Throws contact::Error for a
+/// text of another form, a key that is there twice or too many combinations.
 std::vector<contact::KeySettings> key_settings(
     const std::vector<std::string>& texts);
 

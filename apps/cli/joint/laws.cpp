@@ -33,7 +33,7 @@ std::vector<std::string> law_names(std::string_view option,
   refuse(option, text, "all alone, or names");
 }
 
-// What "all" stands for under these conditions.
+// Laws that "all" stands for under these conditions.
 template <class Entries>
 std::vector<std::string> all_names(
     const Entries& entries, const contact::ContactConditions& conditions) {

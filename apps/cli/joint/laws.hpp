@@ -27,8 +27,8 @@ struct NamedPressure {
   std::shared_ptr<const contact::PressureLaw> law;
 };
 
-/// What --loading says, `otherwise` if it was not given. Throws contact::Error
-/// for anything else than centre and back:PSI.
+/// Loading by --loading, `otherwise` if it is not given. Throws contact::Error
+/// for anything but centre and back:PSI.
 contact::InnerLoading parse_loading(const std::string& text,
                                     const contact::InnerLoading& otherwise);
 
@@ -55,9 +55,8 @@ void set_limit_angle(const std::string& text,
 std::string with_loading(const std::string& name,
                          const contact::InnerLoading& loading);
 
-/// Where half-angle laws are used outside their ranges: each reason once,
-/// with the laws that it holds for: "law tanh, blend: the limit half-angle is
-/// ..."
+/// Notes on half-angle laws outside their ranges: each reason once, with its
+/// laws: "law tanh, blend: the limit half-angle is ..."
 std::vector<std::string> law_notes(const std::vector<NamedLaw>& laws,
                                    const contact::ElasticPair& pair);
 

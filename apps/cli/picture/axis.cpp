@@ -43,8 +43,8 @@ bool fit(const Ticks& ticks, Run run, double room, bool logarithmic) {
     return logarithmic ? std::log(x / low) / std::log(high / low)
                        : (x - low) / (high - low);
   };
-  constexpr double apart = 0.8;    // of neighbours' ends
-  constexpr double height = 1.15;  // of a line with what is above the next
+  constexpr double apart = 0.8;    // distance of neighbours' ends
+  constexpr double height = 1.15;  // distance of lines
   for (std::size_t i = 1; i < ticks.places.size(); ++i) {
     const double distance =
         room * (at(ticks.places[i]) - at(ticks.places[i - 1]));
@@ -69,7 +69,7 @@ Ticks labelled(const Extent& range, std::vector<double> places) {
 
 // Multiples of a step.
 Ticks stepped(const Extent& extent, double step, bool whole) {
-  constexpr double rounding = 1e-9;  // of a step: an end that is one
+  constexpr double rounding = 1e-9;  // in steps: an end that is one
   const double first = whole ? std::floor(extent.low / step + rounding)
                              : std::ceil(extent.low / step - rounding);
   const double last = whole ? std::ceil(extent.high / step - rounding)
@@ -164,7 +164,7 @@ Axis axis_of(std::string_view symbol, std::string_view meaning,
   const std::string shown = shown_symbol(symbol);
   if (meaning.empty()) return {shown, unit};
   const std::string_view first = meaning.substr(0, meaning.find_first_of(",;"));
-  constexpr double longest_letter = 1.6;  // what is longer is a word
+  constexpr double longest_letter = 1.6;  // longer texts are words
   return {std::string(first) +
               (text_width(shown) < longest_letter ? ' ' + shown : ""),
           unit};

@@ -9,7 +9,7 @@
 
 namespace cli {
 
-/// What is on an axis.
+/// Quantity and range of an axis.
 struct Axis {
   std::string name;
   std::string unit = {};  ///< SI or deg; "" for none
@@ -65,7 +65,7 @@ struct Ticks {
   std::vector<double> places = {};
   std::vector<std::string> labels = {};
 
-  /// Of the widest label.
+  /// Width of the widest label.
   double width() const;
   /// gnuplot's range and labels of "x" or "y"; without labels marks alone.
   std::string script(std::string_view axis, bool labels_too = true) const;

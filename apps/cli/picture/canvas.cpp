@@ -32,7 +32,7 @@ Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
   std::erase_if(named, [](const LegendEntry& e) { return e.label.empty(); });
   // Below the plots it makes the canvas higher: places are known then only.
   const double width = width_of(named);
-  constexpr double most_beside = 0.34;  // of the width
+  constexpr double most_beside = 0.34;  // share of the width
   const bool below =
       !named.empty() &&
       (width > most_beside * canvas_width ||

@@ -16,7 +16,7 @@ struct Box {
   double height() const { return bottom - top; }
 };
 
-/// What a legend says of a curve.
+/// Entry of a legend for one curve.
 struct LegendEntry {
   std::string label;
   std::string line = {};   ///< gnuplot's style of it; "" for none
@@ -25,8 +25,8 @@ struct LegendEntry {
 
 enum class Anchor { left, center, right };
 
-/// Where the texts of a picture stand: each is placed by its measured size, so
-/// that none leaves the canvas or lies over another one.
+/// Layout of a picture's texts: each is placed by its measured size, so that
+/// none leaves the canvas or lies over another one.
 class Canvas {
  public:
   /// Takes the room of the title, in as many lines as it needs, and of the
@@ -35,9 +35,9 @@ class Canvas {
   explicit Canvas(std::string_view title,
                   const std::vector<LegendEntry>& legend = {});
 
-  /// Where there is nothing yet.
+  /// Room that is still free.
   const Box& room() const { return room_; }
-  /// Over that of a canvas without a legend below the plots.
+  /// Height over that of a canvas without a legend below the plots.
   double stretch() const { return stretch_; }
   /// The title and the legend.
   const std::string& script() const { return script_; }
@@ -54,7 +54,7 @@ class Canvas {
   static double above_height(const Box& plot, std::string_view text);
   /// gnuplot's margins of a plot.
   std::string margins(const Box& plot) const;
-  /// Where gnuplot's colours stand.
+  /// Place of gnuplot's colours.
   std::string colour_box(const Box& box) const;
   /// "X,Y" of gnuplot's screen.
   std::string at(double x, double y) const;

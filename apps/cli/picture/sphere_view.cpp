@@ -73,7 +73,7 @@ Vector2d SphereView::free_place(double size) const {
   for (int i = 1; i < 8; ++i) {
     const Vector2d place =
         size * Vector2d(std::sin(i * step), -std::cos(i * step));
-    // What is as far from all axes stands at the bottom.
+    // The bottom comes first among places equally far from all axes.
     if (distance(place) > distance(best) + 0.1 * radius) best = place;
   }
   return best;

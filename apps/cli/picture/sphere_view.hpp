@@ -10,15 +10,15 @@ namespace cli {
 /// equal in area: at the angle t from `up`, 2 sin(t/2) from the middle.
 struct SphereView {
   Eigen::Vector3d up;     ///< towards the eye
-  Eigen::Vector3d right;  ///< of the picture
+  Eigen::Vector3d right;  ///< to the right of the picture
   Eigen::Vector3d top;
-  double radius = 0;  ///< of what is shown, at most 2
+  double radius = 0;  ///< radius of the part shown, at most 2
 
   /// Z at the top, or Y where the eye looks along Z.
   /// @param towards_eye  unit vector
   explicit SphereView(const Eigen::Vector3d& towards_eye);
 
-  /// Where a point of the unit sphere is in the picture.
+  /// Place of a point of the unit sphere in the picture.
   Eigen::Vector2d at(const Eigen::Vector3d& point) const;
   /// The point that is there.
   Eigen::Vector3d point(double x, double y) const;
@@ -29,7 +29,7 @@ struct SphereView {
   std::string circles() const;
 
  private:
-  /// Those of the directions X, -X, ... that can be seen.
+  /// Visible ones of the directions X, -X, ...
   std::vector<Eigen::Vector3d> axes() const;
   /// On a circle, away from the axes.
   Eigen::Vector2d free_place(double size) const;

@@ -6,7 +6,7 @@
 namespace cli {
 namespace {
 
-// Of the characters from the blank to the tilde, in thousandths.
+// Widths of the characters from the blank to the tilde, in thousandths.
 constexpr std::array<int, 95> ascii = {
     318, 401, 460, 838, 636,  950, 780, 275, 390, 390, 500, 838, 318, 361,
     318, 337, 636, 636, 636,  636, 636, 636, 636, 636, 636, 636, 337, 337,

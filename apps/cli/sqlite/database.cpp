@@ -139,7 +139,7 @@ void Database::write_ahead() const {
     if ((code & 0xff) != SQLITE_BUSY) break;
     std::this_thread::sleep_for(10ms);
   }
-  // What is new is brought back every 16 MB.
+  // The log is written back every 16 MB.
   run("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000");
 }
 

@@ -12,7 +12,7 @@ struct sqlite3_stmt;
 
 namespace cli {
 
-/// What SQLite complains of, with its primary result code.
+/// Error of SQLite, with its primary result code.
 class DatabaseError : public contact::Error {
  public:
   DatabaseError(const std::string& message, int code)
@@ -96,7 +96,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// What is done is kept by commit(), or not at all.
+/// Changes that commit() keeps; without it they are undone.
 class Transaction {
  public:
   explicit Transaction(const Database& database) : database_(database) {

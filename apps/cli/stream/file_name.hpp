@@ -9,10 +9,10 @@ namespace cli {
 /// True if a file's name ends so, in small or capital letters.
 bool ends_in(std::string_view name, std::string_view ending);
 
-/// Of a history.
+/// True for a history in HDF5.
 bool is_hdf5(std::string_view name);
 
-/// Of a replay.
+/// True for a replay.
 bool is_page(std::string_view name);
 
 /// Names of files that an option takes.

@@ -79,7 +79,7 @@ std::optional<std::string> LineReader::line() {
   return line;
 }
 
-// What is behind the next line end becomes rest_, what is before it is gone.
+// Drops the text up to the next line end; the rest becomes rest_.
 void LineReader::skip_line() {
   std::size_t end = std::string::npos;
   do {

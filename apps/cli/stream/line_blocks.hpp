@@ -13,8 +13,8 @@ inline constexpr std::size_t longest_line = 1'000'000;
 
 /// Some whole lines of a text.
 struct LineBlock {
-  /// Of a line that is longer than longest_line only the beginning may be
-  /// there; it is longer than that too.
+  /// Text of the lines; one longer than longest_line may be cut, but stays
+  /// longer than that.
   std::string text;
   /// Number of the first of them, from 1.
   std::size_t first_line = 1;

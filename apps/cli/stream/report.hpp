@@ -17,7 +17,7 @@ namespace cli {
 /// Nothing, a number, a whole number, a text.
 using Cell = std::variant<std::monostate, double, std::size_t, std::string>;
 
-/// What a program has to say of a whole run: named numbers with their meaning.
+/// Report of a program on a whole run: named numbers with their meaning.
 class Report {
  public:
   struct Line {

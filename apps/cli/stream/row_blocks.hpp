@@ -20,8 +20,8 @@ namespace cli {
 struct RowBlock {
   std::size_t first = 0;  ///< number of its first row, from 0
   std::size_t last = 0;   ///< one behind its last row
-  Text rows;              ///< what is written of them
-  std::string messages;   ///< of lines that are bad
+  Text rows;              ///< their text
+  std::string messages;   ///< on bad lines
   std::size_t bad_lines = 0;
 
   std::size_t size() const { return last - first; }

@@ -36,7 +36,7 @@ class TurnedTable {
   bool latex_;
   std::size_t names_width_ = 3;
   std::vector<Row> rows_ = {};
-  std::size_t width_ = 0;  ///< of the group so far
+  std::size_t width_ = 0;  ///< width of the group so far
   bool first_ = true;
 };
 

@@ -41,7 +41,7 @@ class AxisLink {
     return m;
   }
 
-  /// What follows from the motion alone.
+  /// Sets the quantities that follow from the motion alone.
   /// @param state  angle and its rate
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,

@@ -37,7 +37,7 @@ class BallLink {
   /// n_y E of N_i acts like a mass at the hinge.
   CarrierMatrix<P> fixed_part() const { return point_mass(k_.n.y, k_.hinge); }
 
-  /// What follows from the motion alone.
+  /// Sets the quantities that follow from the motion alone.
   /// @param state  quaternion of C_i and relative angular velocity
   [[gnu::always_inline]] void set_motion(const T* state,
                                          const CarrierMotion<T>& carrier,

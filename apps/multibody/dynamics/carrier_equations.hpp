@@ -8,11 +8,11 @@ namespace multibody {
 /// Accelerations of the carrier, carrier axes.
 template <class T>
 struct CarrierAcceleration {
-  Vec3<T> linear;   ///< of the centre of mass without gravity (V'_0), m/s^2
+  Vec3<T> linear;   ///< centre of mass without gravity (V'_0), m/s^2
   Vec3<T> angular;  ///< w'_0, rad/s^2
 };
 
-/// What the bodies need to know of the carrier's motion, carrier axes.
+/// Motion of the carrier as the bodies need it, carrier axes.
 template <class T>
 struct CarrierMotion {
   Vec3<T> w;        ///< angular velocity
@@ -46,7 +46,7 @@ struct CarrierMatrix {
   }
 };
 
-/// What a point mass fixed to the carrier adds to the matrix.
+/// Contribution of a point mass fixed to the carrier to the matrix.
 template <class P>
 [[gnu::always_inline]] inline CarrierMatrix<P> point_mass(const P& mass,
                                                           const Vec3<P>& at) {

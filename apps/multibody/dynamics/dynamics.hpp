@@ -68,7 +68,7 @@ class Dynamics {
   Vec3<double> relative_acceleration(int body) const {
     return kernel_->relative_acceleration(body);
   }
-  /// That of all bodies.
+  /// Relative accelerations of all bodies.
   /// @param to  size() of them
   void relative_accelerations(std::span<Vec3<double>> to) const {
     assert(static_cast<int>(to.size()) == size());

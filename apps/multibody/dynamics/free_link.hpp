@@ -46,7 +46,7 @@ class FreeLink {
       const BodyAcceleration<N>& acceleration, N* to) {
     body_rates(state, at, acceleration.linear, gravity, acceleration.turn, to);
   }
-  /// Of the centre of mass without gravity, link axes.
+  /// Acceleration of the centre of mass without gravity, link axes.
   const Vec3<T>& linear_acceleration() const { return linear_; }
   /// Absolute: there is nothing to be relative to.
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {

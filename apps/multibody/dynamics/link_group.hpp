@@ -26,7 +26,7 @@ constexpr int lane_count() {
 template <class T, class S>
 struct Lanes {
   static constexpr int width = lane_count<S>();
-  /// Of a body's parameters.
+  /// Type of a body's parameters.
   using Parameter = std::conditional_t<(width > 1), S, double>;
 
   static T at(const S& s, int lane) {
@@ -158,7 +158,7 @@ class LinkGroup {
   struct Packet {
     Kernel kernel;
     int body[width];    ///< -1: empty lane, whose constants are all 0
-    int offset[width];  ///< where its state begins
+    int offset[width];  ///< first number in the state
     bool in_order;      ///< bodies that follow on each other, as in VectorRows
   };
 

@@ -6,8 +6,8 @@
 /// Derivatives of the numbers of a state.
 namespace multibody {
 
-/// Of a quaternion at q and an angular velocity at w, both in the state and in
-/// `to`.
+/// Rates of a quaternion at q and an angular velocity at w, both in the state
+/// and in `to`.
 template <class T>
 [[gnu::always_inline]] inline void turn_rates(const T* state, int q, int w,
                                               const Vec3<T>& acceleration,
@@ -24,8 +24,8 @@ template <class T>
   to[w + 2] = acceleration.z;
 }
 
-/// Of a body in inertial axes, whose numbers begin at `at`; accelerations in
-/// its own axes.
+/// Rates of a body in inertial axes, whose numbers begin at `at`; accelerations
+/// in its own axes.
 template <class T>
 [[gnu::always_inline]] inline void body_rates(const T* state, int at,
                                               const Vec3<T>& linear,
@@ -47,7 +47,7 @@ template <class T>
   turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
 }
 
-/// Of the numbers of a hinge that is held.
+/// Rates of a hinge that is held.
 template <HingeKind kind, class T>
 [[gnu::always_inline]] inline void put_zeros(int at, T* to) {
   constexpr int n = StateLayout::link_size(kind, JointMode::held);
@@ -57,7 +57,7 @@ template <HingeKind kind, class T>
 /// Accelerations of a body that its rates are made of, its own axes.
 template <class T>
 struct BodyAcceleration {
-  Vec3<T> linear;  ///< of a body of its own
+  Vec3<T> linear;  ///< acceleration of a body of its own
   Vec3<T> turn;    ///< relative angular acceleration
 };
 

@@ -137,7 +137,7 @@ class TwoStep {
     });
   }
 
-  /// Of all bodies.
+  /// Reactions of all bodies.
   void reactions(Reaction<T>* to) const {
     const CarrierAcceleration<S> carrier = L::spread(carrier_);
     for_packets([&](const auto& packet) {
@@ -183,7 +183,7 @@ class TwoStep {
     JointMode mode;
     int packet;
     int lane;
-    int offset;  ///< where its state begins
+    int offset;  ///< first number in the state
   };
 
   template <class F>
@@ -277,7 +277,7 @@ class TwoStep {
   }
 
   const SystemConstants& system_;
-  CarrierMatrix<T> fixed_;  ///< what does not depend on the motion
+  CarrierMatrix<T> fixed_;  ///< the part that does not depend on the motion
   std::vector<BodyInfo> bodies_;
   /// The kernels of all kinds of hinges, turning and held.
   std::tuple<Group<BallLink>, Group<AxisLink>, Group<HeldBall>, Group<HeldAxis>,

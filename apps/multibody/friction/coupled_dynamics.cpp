@@ -84,11 +84,11 @@ void update_slopes(Hinges& at) {
     dg += (hinge.solved - hinge.last_solved).squaredNorm() /
           hinge.solved.squaredNorm();
   }
-  constexpr double rounding = 1e-20;  // of squares
+  constexpr double rounding = 1e-20;  // squared
   if (!(dx > rounding)) return;
   report.contraction = std::max(report.contraction, std::sqrt(dg / dx));
   at.memory().tracked.learn_contraction(report.contraction);
-  constexpr double notable = 0.1;  // of squares
+  constexpr double notable = 0.1;  // squared
   for (const int i : at.active()) {
     if (change(i) < notable * most) continue;
     HingeMemory& memory = at.memory(i);
@@ -109,7 +109,7 @@ void set_steps(Hinges& at) {
     HingeInstant& hinge = at.now(i);
     const Vector3d residual = hinge.solved - memory.moment;
     if (memory.slope.norm() >= strong && at.report().contraction < strong) {
-      memory.slope.setZero();  // of another time
+      memory.slope.setZero();  // out of date
     }
     Vector3d step = (Matrix3d::Identity() - memory.slope).inverse() * residual;
     // Too far to trust, or no number: let it crawl; the search follows if it
@@ -162,7 +162,7 @@ double CoupledDynamics::slip_limit(int body, Hinges at) const {
                                                : options_.ball_slip_threshold;
   const double held = vec3(at.reaction(body).moment).norm();
   const double share = at.uncertain_moment() * at.utilisation(body) / held;
-  // Where next to nothing is held, as without a body, it is infinite.
+  // With next to nothing held, as without a body, the share is infinite.
   constexpr double most = 1e-3;
   return 1 + (share > threshold ? std::min(share, most) : threshold);
 }
@@ -219,7 +219,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
   double floor = 0;
   for (report.iterations = 1;; ++report.iterations) {
     const bool first = report.iterations == 1;
-    // Where the loop takes long it may be rounding that it looks at.
+    // A loop that takes long may be looking at rounding.
     constexpr int patience = 5;
     if (report.iterations == patience) {
       floor = at.rounding().moment / tolerance;
@@ -251,7 +251,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
     }
     set_steps(at);
     at.apply_changes();
-    // What this step leaves, if it gains what steps have gained lately.
+    // Residual expected after this step, at the gain of recent steps.
     constexpr double safety = 10;
     const double left = safety * memory.usual_gain * report.residual;
     if (!(first && look) && left <= tolerance) {
@@ -312,7 +312,7 @@ const CoupledReport& CoupledDynamics::evaluate(const double* state,
   return evaluation.report;
 }
 
-// Of those ball joints that have begun to slide.
+// Directions of the ball joints that have begun to slide.
 bool CoupledDynamics::find_directions(const double* state, Hinges& at,
                                       const std::vector<Onset>& begun) const {
   std::vector<Onset> balls;

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-/// What is asked of an instant with friction, and how it came out.
+/// Options and report of an evaluation with friction.
 namespace multibody {
 
 /// When the outer loop stops.
@@ -39,7 +39,7 @@ enum class CoupledStatus {
 
 /// Friction moments that fit the reactions they cause.
 struct CoupledSolution {
-  /// Of each body, link axes, N m; 0 where no friction is looked for.
+  /// Moment of each body, link axes, N m; 0 where no friction is looked for.
   std::vector<Eigen::Vector3d> moments;
 };
 
@@ -53,13 +53,13 @@ struct CoupledReport {
   /// Largest ratio of the changes of M_t(R) to those of M_t between two
   /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
-  int body = -1;  ///< where it failed, -1: nowhere in particular
+  int body = -1;  ///< body that failed, -1: none in particular
   /// no_contact: which joint of that body's hinge, and the force on it, N.
   int joint = -1;
   double force = 0;
 };
 
-/// What rounding makes of reactions that cancel: an upper estimate.
+/// Effect of rounding on reactions that cancel: an upper estimate.
 struct CoupledRounding {
   double force;   ///< N
   double moment;  ///< N m
@@ -71,7 +71,7 @@ struct OuterStep {
   double residual;
 };
 
-/// Of an evaluation on its way.
+/// Report of an evaluation in progress.
 struct CoupledProgress : CoupledReport {
   std::vector<OuterStep>* trace = nullptr;  ///< null: none is wanted
   void start() { *this = {{}, trace}; }

@@ -35,13 +35,13 @@ struct Evaluation {
 
   Dynamics dynamics;
   CoupledProgress report;
-  /// What a search found; empty if there was none.
+  /// Solutions of a search; empty if there was none.
   std::vector<CoupledSolution> solutions;
 
-  // What follows is for Hinges.
+  // Members below are for Hinges.
   std::vector<HingeInstant> hinges;
-  std::vector<int> active;           ///< those that slide with friction
-  std::vector<Vec3<double>> change;  ///< of moments, about to be made
+  std::vector<int> active;           ///< hinges that slide with friction
+  std::vector<Vec3<double>> change;  ///< changes of moments, about to be made
   std::vector<Reaction<double>> reactions;
   bool reactions_known = true;  ///< none before the first evaluation
   bool is_refined = false;      ///< to Hinges::refined_tolerance

@@ -8,7 +8,7 @@
 
 namespace multibody {
 
-/// What is remembered of a hinge, link axes.
+/// Memory of a hinge, link axes.
 struct HingeMemory {
   /// M_t found last.
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
@@ -23,9 +23,8 @@ struct HingeMemory {
   HingeSolver::Memory solver;
 };
 
-/// Where an evaluation of friction starts from: what the evaluations before it
-/// have found along the motion. A value: an evaluation with a copy leaves no
-/// trace.
+/// Start of an evaluation of friction: the results of those before it along the
+/// motion. A value: an evaluation with a copy leaves no trace.
 struct FrictionMemory {
   std::vector<HingeMemory> hinges;
   TrackedLoop tracked;

@@ -20,7 +20,7 @@ Eigen::Map<const Lanes> at(const double* row, int component = 0) {
   return Eigen::Map<const Lanes>(row + component * VectorRows::lanes);
 }
 
-// Of a hinge that can be tracked.
+// Contacts of a hinge if it can be tracked, else none.
 std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   const auto is_consistent = [](const auto& of) {
     if constexpr (requires { of.estimate; }) {
@@ -108,8 +108,8 @@ bool FrictionTracker::is_tracked(int hinge) const {
   return count > 0 && k == count;
 }
 
-// Of a group only the sum of the joints' moments along the axis is known: the
-// first joint takes what it has changed by.
+// Only the sum of a group's moments along the axis is known: the first joint
+// takes the change.
 void FrictionTracker::set_applied_moment(int hinge, const Vector3d& moment) {
   const int first = joint(hinge, 0);
   joints_.set_applied_moment(

@@ -59,7 +59,7 @@ class FrictionTracker {
 
   /// The joints of all hinges.
   contact::JointTracker& joints() { return joints_; }
-  /// What joints().apply() changed: the motion follows.
+  /// Makes the motion follow the changes by joints().apply().
   void move(Dynamics& dynamics);
 
  private:

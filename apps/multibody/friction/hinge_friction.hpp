@@ -6,10 +6,10 @@
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
 
-/// What friction sits in the hinge of a body.
+/// Friction in the hinge of a body.
 namespace multibody {
 
-/// Which force the friction is worked out from.
+/// Force that friction is computed from.
 enum class FrictionEstimate {
   consistent,   ///< R_n, with R = R_n n + R_t: friction as it is
   traditional,  ///< R in place of R_n, as is customary: too much friction
@@ -36,10 +36,10 @@ struct GroupFriction {
 using HingeFriction =
     std::variant<std::monostate, JointFriction, GroupFriction>;
 
-/// Of its joints, in the order of the group.
+/// Contacts of its joints, in the order of the group.
 std::vector<contact::JointContact> contacts(const HingeFriction& friction);
 
-/// What a hinge does.
+/// State of a hinge.
 enum class HingeMode {
   sliding,   ///< turns, or is about to
   resting,   ///< relative velocity exactly 0, held by friction

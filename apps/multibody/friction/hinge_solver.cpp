@@ -24,7 +24,7 @@ Vector3d nan_vector() {
   return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Of the joints' own iteration: well below what the outer loop asks for.
+// Tolerance of the joints' own iteration: well below that of the outer loop.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
 // Whether its friction is more than none at speed 0: neither viscous nor 0.
@@ -101,7 +101,7 @@ bool HingeSolver::solve_group(const Reaction<double>& reaction, double rate,
                .angular_velocity = rate},
               memory.group);
   std::ranges::copy(memory.group.joints, memory.joints.begin());
-  // Where joints carry little, rounding keeps a group from its own tolerance.
+  // Rounding keeps lightly loaded groups from their own tolerance.
   constexpr double fair = 1e-11;
   if (memory.group.status != contact::Status::ok &&
       !(memory.group.residual <= fair)) {
@@ -169,7 +169,7 @@ double HingeSolver::utilisation(const Reaction<double>& held,
   return needed == 0 ? 0 * limit : std::abs(needed) / limit;
 }
 
-// What the joints on an axis hold against sliding with this sign.
+// Moment that the joints on an axis hold against sliding with this sign.
 double HingeSolver::moment_limit(const Reaction<double>& held, double sign,
                                  Memory& memory) const {
   const auto* group = std::get_if<GroupFriction>(&friction_);

@@ -18,8 +18,8 @@ class HingeSolver {
     std::vector<contact::JointSolution> joints;
     contact::JointGroup::Solution group;
     contact::RestSolution rest;
-    /// Of the last utilisation(): where it would slide to, unit vector; 0
-    /// where nothing pushes it.
+    /// Direction of impending slip in the last utilisation(), unit vector; 0
+    /// without a driving moment.
     Eigen::Vector3d slip_direction = Eigen::Vector3d::Zero();
   };
 

@@ -246,7 +246,7 @@ CoupledRounding Hinges::rounding() const {
 }
 
 double Hinges::uncertain_moment() const {
-  // Of all forces together, of which a hinge takes a part.
+  // Share of one hinge in the rounding of all forces.
   constexpr double part = 0.1;
   double sum = 0;
   for (const int i : active()) sum += memory(i).moment.norm();

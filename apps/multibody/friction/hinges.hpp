@@ -19,16 +19,16 @@ struct Hinge {
   HingeMode mode = HingeMode::sliding;
   bool straight = false;  ///< keeps its direction
   bool follows = false;   ///< its direction is that of its acceleration
-  bool has_friction, can_rest, is_axis;  ///< of the solver
+  bool has_friction, can_rest, is_axis;  ///< as the solver says
   /// m arm/J: |dR/dM| on a fixed carrier.
   double leverage;
   double mass;
   double inertia;  ///< least about the hinge of a turn that moves the body
-  double length;   ///< of the arms of its hinge
+  double length;   ///< length of the arms of its hinge
   HingeSolver solver;
 };
 
-/// What the dynamics make of a hinge.
+/// Mode of a hinge in the dynamics.
 JointMode joint_mode(HingeMode mode);
 
 /// @throws contact::Error if friction and kind of hinge do not go together
@@ -61,7 +61,7 @@ class Hinges {
   Evaluation& evaluation() const { return at_; }
   CoupledProgress& report() const { return at_.report; }
   ActiveForces<double>& forces() const { return at_.forces; }
-  /// Which hinges slide with friction, as of the last set_state().
+  /// Hinges that slide with friction, as of the last set_state().
   const std::vector<int>& active() const { return at_.active; }
   bool is_prescribed() const { return at_.prescribed.has_value(); }
   /// Whether a hinge has hardly begun to slide: its acceleration is what its
@@ -73,7 +73,7 @@ class Hinges {
   void set_state(const double* state);
   /// The motion with the present moments, which are entered in forces().
   void start();
-  /// By which the moment of a hinge is about to change.
+  /// Change of a hinge's moment, about to be made.
   Vec3<double>& change(int body) { return at_.change[body]; }
   void apply_changes();
 
@@ -97,13 +97,13 @@ class Hinges {
   std::span<const contact::JointSolution> joints(int body);
   double utilisation(int body);
   CoupledRounding rounding() const;
-  /// By which what a hinge holds may be wrong where friction is found to
+  /// Largest error of the moment that a hinge holds, with friction found to
   /// refined_tolerance, N m: an upper estimate.
   double uncertain_moment() const;
   double kappa(int body);
 
-  /// What a sliding ball joint feels: the inertia against which its friction
-  /// works and its acceleration without friction.
+  /// Inertia against which a sliding ball joint's friction works, and its
+  /// acceleration without friction.
   struct Felt {
     Eigen::Matrix3d inertia;
     Eigen::Vector3d free;
@@ -111,7 +111,7 @@ class Hinges {
   Felt felt(int body);
 
  private:
-  /// Of a hinge's acceleration and reaction to its own moment.
+  /// Response of a hinge's acceleration and reaction to its own moment.
   struct Response {
     Eigen::Matrix3d acceleration, force, moment;
   };

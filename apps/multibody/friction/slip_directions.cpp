@@ -35,7 +35,8 @@ void SlipDirections::set(const std::vector<Vector3d>& directions) {
   }
 }
 
-// What has to vanish, in units of the accelerations, along the tangents.
+// Components along the tangents, in units of the accelerations: 0 at a
+// solution.
 bool SlipDirections::across(VectorXd& parts) {
   if (!evaluate_()) return false;
   for (std::size_t k = 0; k < balls_.size(); ++k) {

@@ -73,9 +73,9 @@ void TrackedLoop::learn_contraction(double contraction) {
   usual_contraction_ = std::max(contraction, 0.7 * usual_contraction_);
 }
 
-// From what the last step of relax() has left.
+// Learns from the residual of the last step of relax().
 void TrackedLoop::learn_step(CoupledReport& report, double residual) {
-  // Of smaller steps rounding is left, whatever the contraction.
+  // Steps below this are dominated by rounding, whatever the contraction.
   constexpr double telling = 1e-9;
   if (!(last_residual_ > telling)) return;
   const double contraction = residual / last_residual_;
@@ -185,7 +185,7 @@ bool TrackedLoop::track_joints(Hinges& hinges) {
   return false;
 }
 
-// Not again and again where it does not work.
+// Tracking pauses where it fails, and is not tried again and again.
 bool TrackedLoop::converge(Hinges& hinges) {
   constexpr double strong = 0.3;  // contraction
   constexpr int longest_pause = 64;

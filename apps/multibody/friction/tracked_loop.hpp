@@ -30,7 +30,7 @@ class TrackedLoop {
   void start(const Hinges& hinges);
   /// A hinge does something else: all starts anew.
   void stop(int body);
-  /// Where the motion comes from says nothing on where it goes.
+  /// Forgets the path of the motion, which no longer tells where it goes.
   void forget_path();
   /// Moments of hinges were changed by others.
   void forget_applied() { applied_known_ = false; }
@@ -54,7 +54,7 @@ class TrackedLoop {
   // State of the last evaluation tracked, its move from the one before, that of
   // the present one from it; how many have been kept since the path began.
   Eigen::VectorXd path_end_, path_, step_;
-  double path_square_ = 0, step_square_ = 0;  // of their lengths
+  double path_square_ = 0, step_square_ = 0;  // squared lengths
   int kept_ = 0;
   // Whether the tracker's applied moments are those of the hinges; as track()
   // left them the largest, squared, and the largest of the leverages.
@@ -63,7 +63,7 @@ class TrackedLoop {
   double largest_leverage_ = 0;
   double last_residual_ = 0;  // before the last step of relax(); 0: none yet
   double usual_contraction_ = 1;
-  bool is_weak_ = false;  // that of the present evaluation
+  bool is_weak_ = false;  // the present contraction is weak
   int pause_ = 0;         // evaluations until tracking is tried again
   int last_pause_ = 0;
 };

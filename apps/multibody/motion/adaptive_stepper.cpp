@@ -139,9 +139,9 @@ class AdaptiveStepper final : public Stepper {
   // output keeps up.
   static constexpr ARKODE_ERKTableID table = ARKODE_DORMAND_PRINCE_7_4_5;
 
-  // Of a step in a row. Where a lock opens the friction may turn about within
-  // microseconds, after steps of a tenth of a second; each failure makes the
-  // step a few times shorter.
+  // Failures in a row. Friction may reverse within microseconds of the opening
+  // of a lock, after steps of a tenth of a second; each failure makes the step
+  // a few times shorter.
   static constexpr int most_failures = 60;
 
   static int rate(realtype time, N_Vector state, N_Vector to, void* self) {
@@ -215,7 +215,7 @@ class AdaptiveStepper final : public Stepper {
   void* memory_ = nullptr;
   N_Vector vector_ = nullptr;  // has the numbers of to_
   N_Vector other_ = nullptr;
-  N_Vector errors_ = nullptr;  // of the last step
+  N_Vector errors_ = nullptr;  // errors of the last step
   // The last evaluation in a step.
   double last_time_ = std::numeric_limits<double>::quiet_NaN();
   std::vector<double> last_state_, last_rates_;

@@ -47,7 +47,7 @@ Values bernstein(const Values& values) {
   }
   Values result{};
   for (int i = 0; i <= last; ++i) {
-    double share = 1;  // of binomials i over j and last over j
+    double share = 1;  // ratio of binomials, i over j and last over j
     for (int j = 0; j <= i; ++j) {
       result[i] += share * power[j];
       share *= static_cast<double>(i - j) / (last - j);
@@ -170,7 +170,7 @@ class Separation {
     points.push_back({t, sign * value});
   }
 
-  static constexpr int bits = 26;  // of time: values differ by 1e-15 of it
+  static constexpr int bits = 26;  // in time: values differ by 1e-15 of it
   const StepFunction& function_;
   double begin_, end_;
   double unsure_;

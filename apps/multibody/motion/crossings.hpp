@@ -18,8 +18,8 @@ inline constexpr double just_crossed = std::numeric_limits<double>::min();
 /// Whether a function goes through 0 that way between two values.
 bool is_crossing(double before, double after, MotionEvent::Crossing way);
 
-/// Where a function of time crosses 0 within a step, crossings included that
-/// come back before its end.
+/// Zero of a function of time within a step, including crossings that come back
+/// before its end.
 ///
 /// It is looked at in 7 Chebyshev points of the step, 5 of them inside: what
 /// is a polynomial of degree 6 in time is known from them for certain, and
@@ -41,8 +41,8 @@ class StepFunction {
       : begin_(begin), end_(end), at_(std::move(at)) {}
 
   double operator()(double time) const { return at_(time); }
-  /// Where it crosses 0 once, to the rounding of time: the far side, where it
-  /// has happened. (Values may be NaN in between.)
+  /// Place of a single crossing, to the rounding of time: the side after it.
+  /// (Values may be NaN in between.)
   double locate(double low, double low_value, double high,
                 double high_value) const;
   double at_begin() const { return at_(begin_); }

@@ -55,7 +55,7 @@ int Equations::owner_of(int number) const {
   return body;
 }
 
-// What hinges hold now is the unit of the numbers for it.
+// Units of the numbers for each hinge: the forces and moments held now.
 void Equations::set_held_units() {
   Hinges at = coupled.at(memory, here_.friction);
   held_units_.assign(size(), {});
@@ -66,8 +66,8 @@ void Equations::set_held_units() {
   const CoupledRounding rounding = at.rounding();
   for (int i = 0; i < size(); ++i) {
     const Reaction<double>& r = at.reaction(i);
-    // What is tiny among the forces of the system, or little but rounding,
-    // need not be followed.
+    // Forces that are tiny in the system, or little but rounding, need not be
+    // followed.
     const double own =
         vec3(r.force).norm() + 1e-3 * force + 1e6 * rounding.force;
     held_units_[i].force = own > 0 ? own : 1;

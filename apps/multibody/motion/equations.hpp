@@ -65,7 +65,7 @@ class Equations {
   bool rates_in_step(double time, const double* state, double* to);
   /// The same with a copy of it: leaves no trace.
   bool rates_aside(double time, const double* state, double* to);
-  /// Which hinges hold, see CoupledDynamics::resolve_rest().
+  /// Decides which hinges hold, see CoupledDynamics::resolve_rest().
   CoupledReport resolve_rest(double time, const double* state, bool due);
   /// A new beginning: of the numbers for what hinges hold, too.
   void begin_at(double time, const double* state);
@@ -75,9 +75,9 @@ class Equations {
   void set_mode(int body, HingeMode mode) {
     coupled.set_mode(body, mode, memory);
   }
-  /// Of the last evaluation in a step or of resolve_rest().
+  /// The last evaluation in a step or in resolve_rest().
   const Evaluation& last() const { return here_.friction; }
-  /// For when the body is released.
+  /// Keeps the angle when the body is released.
   void keep_hinge_angle(int body, double angle) {
     here_.bodies[1 + body].hinge_angle = angle;
   }
@@ -91,7 +91,7 @@ class Equations {
   double next_break = std::numeric_limits<double>::infinity();
   long evaluations = 0;  ///< along the motion
   long outer_iterations = 0;
-  CoupledReport failed_report;  ///< of the last that failed
+  CoupledReport failed_report;  ///< the last that failed
   double failed_time = 0;
 
  private:

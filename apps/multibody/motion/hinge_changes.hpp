@@ -20,8 +20,8 @@ class HingeChanges {
   HingeChanges(Equations& equations, MotionSample& view,
                const MotionOptions& options);
 
-  /// Which hinges hold from this state on, see CoupledDynamics::resolve_rest();
-  /// not ok: that cannot be said.
+  /// Decides which hinges hold from this state on, see
+  /// CoupledDynamics::resolve_rest(); not ok: undecided.
   CoupledReport resolve_rest(double time, const std::vector<double>& state,
                              bool due);
   /// It does so now.

@@ -32,7 +32,7 @@ std::pair<double, double> peak_between(const StepFunction& tau, double low,
   if (!inside || value + slope * slope / (8 * bend) < -near) {
     return {middle, value};
   }
-  constexpr int bits = 20;  // of time: values there differ by 1e-12 from it
+  constexpr int bits = 20;  // in time: values there differ by 1e-12
   std::uintmax_t steps = 40;
   const auto [time, below] = boost::math::tools::brent_find_minima(
       [&](double t) { return -tau(t); }, low, high, bits, steps);
@@ -76,7 +76,7 @@ void HingeEvents::sample_slip() {
     if (!slides_to_stop(i)) continue;
     bodies.push_back(i);
     slips_[i].direction = equations_.memory.hinges[i].direction;
-    // Where it was going when the step began.
+    // Direction at the beginning of the step.
     const Vector3d rate = equations_.rate_of(i, stepper_.begin_state().data());
     if (coupled_.hinge(i).follows && !rate.isZero(0)) {
       slips_[i].direction = rate.normalized();
@@ -94,7 +94,7 @@ void HingeEvents::sample_slip() {
   }
 }
 
-// Where sliding in a known direction passes 0.
+// Time at which sliding in a known direction passes 0.
 std::optional<double> HingeEvents::slip_end(int body) {
   const StepFunction along = function(
       [this, body] { return view_.rate_of(body).dot(slips_[body].direction); });
@@ -125,7 +125,7 @@ bool HingeEvents::stops_in_step(int body) {
   if (!view_.work_out()) return false;
   const Vector3d rate = view_.rate_of(body);
   const Vector3d alpha = view_.hinges().acceleration(body);
-  // What follows is some work.
+  // The test below takes some work.
   constexpr double near = 10;
   return rate.norm() < near * h * alpha.norm() &&
          CoupledDynamics::stops_within(body, rate, h, view_.hinges());
@@ -169,8 +169,8 @@ std::optional<double> HingeEvents::turning(int body) {
              : std::nullopt;
 }
 
-// Where a resting hinge holds no longer, or has a contact without a value,
-// whose tau is NaN: resolve_rest() tells the two apart.
+// Time from which a resting hinge no longer holds, or has a contact without a
+// value, whose tau is NaN: resolve_rest() tells the two apart.
 std::optional<double> HingeEvents::rest_end(int body) {
   const StepFunction tau = function([this, body] {
     const double utilisation = view_.utilisation(body);
@@ -185,9 +185,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   const double begin = tau.at_begin();
   if (!(begin <= 0)) return t0;
   double last = stepper_.end();
-  // Of a joint without body tau jumps from 0 to infinity where a moment begins
-  // to grow: that is known to the shortest step that can be made, which has
-  // some roundings of time.
+  // Without a body, tau jumps from 0 to infinity as a moment begins to grow:
+  // that is located to the shortest possible step, some roundings of time.
   const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
   const auto passed = [&](double time, double at_time) {
     return std::max(t0 + soon, tau.locate(t0, begin, time, at_time));
@@ -195,8 +194,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   std::optional<double> lost;
   for (;;) {
     if (std::isnan(last_value)) {
-      // Not to the rounding of time: so far on that it is NaN again when the
-      // step is made to end there.
+      // Located less closely than to the rounding of time: it must be NaN again
+      // when the step is made to end there.
       constexpr int bits = 25;
       double known = t0;
       lost = last;
@@ -240,7 +239,7 @@ std::vector<StepEvent> HingeEvents::first() {
   std::vector<StepEvent> together;
   for (const StepEvent& event : found) {
     if (event.time > first + instant * (1 + std::abs(first))) break;
-    // What else happens to a hinge depends on what happens to it first.
+    // Later events of a hinge depend on its first one.
     const bool is_new = std::ranges::find(together, event.index,
                                           &StepEvent::index) == together.end();
     if (is_new) together.push_back(event);

@@ -9,7 +9,7 @@
 
 namespace multibody {
 
-/// Where within a step hinges stop, slow down, turn or give way.
+/// Events within a step: hinges that stop, slow down, turn or give way.
 class HingeEvents {
  public:
   /// Refers to all of them.
@@ -31,7 +31,7 @@ class HingeEvents {
   std::optional<double> turning(int body);
   std::optional<double> rest_end(int body);
   bool stops_in_step(int body);
-  /// Of a value in view that passes 0.
+  /// Function of a value in view that passes 0.
   template <class Value>
   StepFunction function(Value value);
 
@@ -41,8 +41,8 @@ class HingeEvents {
   Stepper& stepper_;
   const HingeChanges& hinges_;
   bool fixed_steps_;
-  // Of each body, in the last step: direction in which sliding is looked at
-  // for its end, and the rate along it.
+  // For each body, in the last step: direction in which the end of sliding is
+  // looked for, and the rate along it.
   struct Slip {
     Eigen::Vector3d direction;
     StepFunction::Values rates;

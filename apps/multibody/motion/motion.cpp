@@ -79,7 +79,7 @@ Motion::Motion(const System& system, std::vector<HingeFriction> friction,
                                                 *hinges_, options_);
   user_events_ = std::make_unique<UserEvents>(*view_);
   resume(start_state(*equations_, start));
-  // Whoever is at rest at the start has not come to rest.
+  // Hinges at rest at the start have not come to rest.
   hinges_->forget();
 }
 
@@ -154,9 +154,9 @@ void Motion::show_step(double time) {
   step_watch_(*view_);
 }
 
-// Where the direction of a ball joint that has just begun to slide comes to an
-// end with nothing near to go on to, it stays until the joint is faster. True:
-// the last step can be tried again.
+// Freezes the direction of a ball joint that has just begun to slide, where it
+// ends with nothing near to follow, until the joint is faster. True: the last
+// step can be tried again.
 bool Motion::keep_directions() {
   CoupledDynamics& coupled = equations_->coupled;
   std::vector<int> following;

@@ -28,11 +28,11 @@ class HingeEvents;
 class Stepper;
 class UserEvents;
 
-/// What changes at one instant.
+/// Changes at one instant.
 struct MotionChange {
   std::vector<int> unlocked{};  ///< bodies
   std::vector<int> released{};
-  /// Not set: they stay as they are.
+  /// New forces; the old ones stay if it is not set.
   std::optional<std::shared_ptr<const ForceModel>> forces{};
 };
 
@@ -83,7 +83,7 @@ class Motion {
   void set_forces(std::shared_ptr<const ForceModel> forces) {
     change({.forces = std::move(forces)});
   }
-  /// Which hinges hold is decided once, after all of it.
+  /// Makes the changes, then decides once which hinges hold.
   void change(const MotionChange& what);
 
   /// Adds an event; its index.
@@ -100,7 +100,7 @@ class Motion {
   /// called again.
   void halt_when(std::function<bool()> halt) { halt_ = std::move(halt); }
 
-  /// Where the step begins that sample() is in, or at whose end it is.
+  /// Beginning of the step that contains sample() or ends at it.
   double step_begin() const;
   /// Length of the last step, s.
   double last_step() const;
@@ -140,7 +140,7 @@ class Motion {
   bool resume(std::vector<double> state, bool due = false);
   void set_failure(const CoupledReport& report, double time);
 
-  // Where they are they refer to each other.
+  // These refer to each other, and must not move.
   std::unique_ptr<Equations> equations_;
   std::unique_ptr<MotionSample> view_;
   std::unique_ptr<Stepper> stepper_;

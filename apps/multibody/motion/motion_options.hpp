@@ -11,7 +11,7 @@
 /// How a motion begins and how it goes through time.
 namespace multibody {
 
-/// Where a body is at the start.
+/// Position and velocity of a body at the start.
 struct BodyStart {
   /// ball: C, body axes to carrier axes, and the relative angular
   /// velocity, body axes. Exactly 0: the hinge begins at rest if its
@@ -27,7 +27,7 @@ struct BodyStart {
                   Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
 };
 
-/// Where everything is at the start.
+/// State of the whole system at the start.
 struct MotionStart {
   double time = 0;  ///< s
   BodyMotion carrier{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),

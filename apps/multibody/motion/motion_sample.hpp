@@ -11,12 +11,12 @@
 #include "multibody/friction/hinge_friction.hpp"
 #include "multibody/system/force_model.hpp"
 
-/// What is seen of a motion at one time.
+/// View of a motion at one time.
 namespace multibody {
 
-/// What a hinge does at one time; body axes.
-/// Where no friction moments are found that fit, or several are, forces and
-/// moments are NaN and there are no joints.
+/// State of a hinge at one time; body axes. Forces and moments are NaN, and
+/// there are no joints, where no friction moments are found that fit, or
+/// several are.
 struct HingeSample {
   HingeMode mode;
   /// C: body axes to carrier axes.
@@ -33,10 +33,10 @@ struct HingeSample {
   /// sliding with friction: 1; NaN otherwise.
   double utilisation;
   double dissipated;  ///< work of friction since the start, >= 0, J
-  /// Of each joint of the hinge, in the order of the group; empty without
-  /// friction or if locked or released. At rest: the sliding that is near;
-  /// there, and where a ball joint just begins or ends its sliding, power and
-  /// slip velocity are those of 1 rad/s.
+  /// One solution per joint of the hinge, in the order of the group; empty
+  /// without friction or if locked or released. At rest: the sliding that is
+  /// near; there, and where a ball joint just begins or ends its sliding, power
+  /// and slip velocity are those of 1 rad/s.
   std::span<const contact::JointSolution> joints;
 };
 
@@ -68,7 +68,7 @@ class MotionSample {
   const BodyMotion& carrier() const { return motions()[0]; }
   const BodyMotion& body(int body) const { return motions()[1 + body]; }
   HingeMode mode(int body) const;
-  /// Of a body on an axis, rad: cheap, nothing has to be worked out.
+  /// Angle of a body on an axis, rad: cheap, without evaluating forces.
   double angle(int body) const;
   /// Works out accelerations and reactions.
   HingeSample hinge(int body) const;
@@ -78,7 +78,7 @@ class MotionSample {
   Eigen::Vector3d angular_acceleration(int place) const;
   EnergyBook energy() const;
 
-  // What follows is for the motion itself: it changes what is shown.
+  // Functions below are for the motion itself: they change the view.
   /// Refers to the equations.
   explicit MotionSample(const Equations& equations);
   ~MotionSample();
@@ -93,12 +93,12 @@ class MotionSample {
   bool work_out() const;
   /// All hinges, once they have been worked out.
   Hinges hinges() const;
-  /// Of a resting hinge; NaN where nothing can be worked out.
+  /// Utilisation of a resting hinge; NaN where the evaluation fails.
   double utilisation(int body) const;
   const std::vector<double>& state() const { return state_; }
   /// Relative angular velocity, link axes.
   Eigen::Vector3d rate_of(int body) const;
-  /// For when the body is released.
+  /// Keeps the angle when the body is released.
   void keep_hinge_angle(int body, double angle);
   /// Whether accelerations and reactions were asked for since the last time.
   bool was_asked() { return std::exchange(asked_, false); }

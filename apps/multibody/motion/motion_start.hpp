@@ -6,7 +6,7 @@
 
 namespace multibody {
 
-/// What is asked for, made ready for the equations.
+/// Checked options, ready for the equations.
 /// @throws contact::Error if it does not fit
 MotionOptions checked_options(const System& system, const MotionStart& start,
                               const MotionOptions& given);

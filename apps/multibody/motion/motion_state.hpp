@@ -7,7 +7,7 @@
 #include "multibody/friction/coupled_report.hpp"
 #include "multibody/friction/hinge_friction.hpp"
 
-/// What is kept of a motion, and of its end.
+/// Records of a motion and of its end.
 namespace multibody {
 
 /// A change of a hinge.
@@ -18,7 +18,7 @@ struct HingeChange {
   HingeMode to;
 };
 
-/// What happens within a step.
+/// Event within a step.
 struct StepEvent {
   enum class Kind {
     slip_ends,   ///< sliding about a known direction passes 0
@@ -36,7 +36,7 @@ struct StepEvent {
 
 /// Work so far along the motion, without that of looks.
 struct MotionCounts {
-  long evaluations = 0;  ///< of accelerations
+  long evaluations = 0;  ///< evaluations of accelerations
   long steps = 0;
   long outer_iterations = 0;
 };
@@ -47,9 +47,9 @@ struct MotionFailure {
   double time;
   int body;            ///< -1: none in particular
   std::string reason;  ///< "at 0.3 s: ...", without the body
-  /// Of several_solutions: the friction moments, link axes.
+  /// For several_solutions: the friction moments, link axes.
   std::vector<CoupledSolution> solutions;
-  int joint = -1;  ///< of no_contact: which one of the body's hinge
+  int joint = -1;  ///< for no_contact: which joint of the body's hinge
 
   /// The reason, with body and joint by their numbers.
   std::string message() const;
@@ -62,8 +62,8 @@ struct MotionState {
   std::vector<HingeMode> modes;
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
-  std::vector<double> straight_from;  ///< of balls that slide straight, else 0
-  /// Of them those that just began: size of their accelerations, else 0.
+  std::vector<double> straight_from;  ///< for balls that slide straight, else 0
+  /// For those that have just begun: size of the acceleration, else 0.
   std::vector<double> paces;
   std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
   double step = 0;

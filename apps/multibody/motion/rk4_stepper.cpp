@@ -25,7 +25,7 @@ class Rk4Stepper final : public Stepper {
 
  private:
   bool make_step(double limit) override {
-    // Not a step that is nothing but rounding at the end.
+    // A step of nothing but rounding is not left for the end.
     constexpr double rounding = 1e-9;
     const bool last = limit - begin_ <= (1 + rounding) * next_step_;
     end_ = last ? limit : begin_ + next_step_;

@@ -3,7 +3,7 @@
 #include "multibody/motion/equations.hpp"
 #include "multibody/motion/motion_state.hpp"
 
-/// Whether a motion may have a state that others bring.
+/// Checks of states from outside the motion.
 namespace multibody {
 
 /// @throws contact::Error unless hinges can have its modes, and there is as

@@ -74,7 +74,7 @@ struct AdaptiveOptions {
   double relative_tolerance;
   double absolute_tolerance;
   double longest_step = std::numeric_limits<double>::infinity();
-  /// So many numbers at the end of a state need an absolute tolerance only:
+  /// Numbers at the end of a state that need an absolute tolerance only:
   int coarse = 0;
   double coarse_tolerance = 1e-6;
 };

@@ -75,10 +75,10 @@ void UserEvents::report(const StepEvent& event) {
   all_[event.index].before = event.rises ? just_crossed : -just_crossed;
 }
 
-// What the function is now. One that has crossed 0 since, as wanted, keeps the
-// old value: the crossing is reported in the next step. One that is just at 0,
-// where rounding would say which side that is, counts as on the side that it
-// crosses from.
+// Takes the function's present value. An event that has crossed 0 since, in its
+// direction, keeps the old one: the crossing is reported in the next step. A
+// value just at 0, where rounding would decide the side, counts as on the side
+// that it crosses from.
 void UserEvents::note(Watched& w, double value) {
   constexpr double rounding = 1e-12;
   const double size = std::max(std::abs(w.values[StepFunction::middle]),

@@ -29,7 +29,7 @@ class UserEvents {
   /// Nothing happened up to the end of that step, or to the state in view.
   void go_on();
   void go_on_from_view();
-  /// That one did, in view.
+  /// This event has happened, in view.
   void report(const StepEvent& event);
   /// An event whose function jumped over 0, to the state in view, when a hinge
   /// changed.

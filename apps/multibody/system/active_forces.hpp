@@ -7,9 +7,9 @@
 
 namespace multibody {
 
-/// What acts on a body, link axes: active force and moment about the centre
-/// of mass, both without gravity, and the moment of friction in its joint
-/// (the opposite one acts on the carrier).
+/// Loads on a body, link axes: active force and moment about the centre of
+/// mass, both without gravity, and the moment of friction in its joint (the
+/// opposite one acts on the carrier).
 template <class T>
 struct LinkForces {
   Vec3<T> force{};     ///< F_ia, N
@@ -17,7 +17,7 @@ struct LinkForces {
   Vec3<T> friction{};  ///< M_it, N m; ignored while the joint is held
 };
 
-/// What acts on the carrier, carrier axes, without gravity.
+/// Loads on the carrier, carrier axes, without gravity.
 template <class T>
 struct CarrierActiveForces {
   Vec3<T> force{};   ///< F_0a, N
@@ -32,7 +32,7 @@ struct ActiveForces {
   std::vector<LinkForces<T>> bodies;
 };
 
-/// Of all bodies.
+/// Vectors of all bodies.
 using contact::VectorRows;
 
 /// Reaction on a body in its joint, link axes.

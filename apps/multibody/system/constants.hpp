@@ -6,9 +6,9 @@
 #include "multibody/system/linear3.hpp"
 #include "multibody/system/system.hpp"
 
-/// What never changes during a motion, worked out once per body; of bodies that
-/// turn in their hinges see system/hinges. P is the type of the parameters:
-/// double, or lanes if they differ between them.
+/// Constants during a motion, computed once per body; for bodies that turn in
+/// their hinges see system/hinges. P is the type of the parameters: double, or
+/// lanes if they differ between them.
 namespace multibody {
 
 /// A body that does not turn in its joint, link axes; r is the hinge (axis:
@@ -40,10 +40,10 @@ class SystemConstants {
   double carrier_mass() const;
   const Sym3<double>& carrier_inertia() const;
   HingeKind kind(int body) const;
-  /// Those of a body that turns in its hinge, as a row of numbers: Constants of
-  /// its kind.
+  /// Constants of a body that turns in its hinge, as a row of numbers:
+  /// Constants of its kind.
   const double* turning(int body) const;
-  /// Of any body.
+  /// Constants of any body.
   const HeldConstants<double>& held(int body) const;
   const FreeConstants<double>& free(int body) const;
 

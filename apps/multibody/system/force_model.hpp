@@ -5,18 +5,18 @@
 #include <limits>
 #include <span>
 
-/// What an application says about the forces on its bodies.
+/// Forces of an application on its bodies.
 namespace multibody {
 
 /// A body on its way. In rows of them the carrier comes first.
 struct BodyMotion {
-  Eigen::Vector3d position;  ///< of the centre of mass, inertial axes, m
-  Eigen::Vector3d velocity;  ///< of the centre of mass, inertial axes, m/s
+  Eigen::Vector3d position;  ///< centre of mass, inertial axes, m
+  Eigen::Vector3d velocity;  ///< centre of mass, inertial axes, m/s
   /// Body axes to inertial axes.
   Eigen::Matrix3d rotation;
   Eigen::Vector3d angular_velocity;  ///< inertial axes, rad/s
-  /// Of a body on an axis: the angle of its hinge with full turns counted,
-  /// rad; after its release the angle that it had then. NaN otherwise.
+  /// Angle of the hinge of a body on an axis, full turns counted, rad; after
+  /// its release the angle at that time. NaN otherwise.
   double hinge_angle = std::numeric_limits<double>::quiet_NaN();
 
   /// Place of a point fixed to the body, inertial axes, m.
@@ -30,7 +30,7 @@ struct BodyMotion {
   }
 };
 
-/// What acts on a body, inertial axes.
+/// Load on a body, inertial axes.
 struct BodyForce {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the COM, N m

@@ -7,8 +7,8 @@
 namespace multibody {
 
 using contact::Vec3;
-/// Of rotations: the unit vectors of the body's axes in the outer axes, so that
-/// C * v turns body components into outer ones (the paper's C, B, B_0).
+/// Rotation by the unit vectors of the body's axes in the outer axes: C * v
+/// turns body components into outer ones (the paper's C, B, B_0).
 using contact::Mat3;
 
 /// Symmetric matrix.

@@ -6,14 +6,14 @@
 
 namespace multibody {
 
-/// What a joint does at the moment.
+/// State of a joint at the moment.
 enum class JointMode {
   turning,   ///< turns, or is about to: its friction moment is given
   held,      ///< locked or at rest: its moment is an unknown reaction
   released,  ///< there is no joint (any more)
 };
 
-/// Where the numbers of a state are: the carrier's first, then body by body.
+/// Layout of the numbers of a state: the carrier's first, then body by body.
 ///   carrier:            position 3 and velocity 3 of the centre of mass,
 ///                       inertial axes; quaternion 4, carrier axes to inertial
 ///                       ones; angular velocity 3, carrier axes

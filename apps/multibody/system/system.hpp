@@ -24,8 +24,7 @@ enum class HingeKind {
 /// Numbers of a kind of hinge.
 struct HingeTraits {
   int state_size;
-  /// Where in its state a quaternion begins, which keeps the length 1; -1:
-  /// none.
+  /// Index in its state of a quaternion, which keeps the length 1; -1: none.
   int quaternion;
   /// It turns about z of the link axes alone, by an angle that is the first
   /// number of its state; its rate is the second.

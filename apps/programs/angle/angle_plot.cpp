@@ -33,7 +33,7 @@ cli::Axis load_axis(LoadVariable variable, const cli::Joint& joint) {
   return {ball ? "load parameter μ" : "load parameter λ"};
 }
 
-// What a picture of some 1,000 dots across can show.
+// Values that a picture of some 1,000 dots across can show.
 std::vector<double> shown_values(const cli::Sweep& values) {
   constexpr std::size_t most_points = 1000;
   const std::size_t count = values.size();

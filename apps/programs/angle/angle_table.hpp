@@ -19,10 +19,10 @@ namespace hinge_angle {
 
 using cli::NamedLaw;
 
-/// What is to be said of the rows of one law.
+/// Counts of remarkable rows of one law.
 struct Findings {
   std::size_t out_of_range = 0;  ///< without a value
-  std::size_t empty = 0;         ///< of these, where no law has one
+  std::size_t empty = 0;         ///< rows that no law has a value for
   std::size_t not_converged = 0;
   contact::LargestContact largest;  ///< peaks not of dimensionless runs
 
@@ -84,7 +84,7 @@ class AngleTable {
   std::optional<cli::JointApproach> approach_;
   // For each law, where the tables have these columns.
   std::vector<cli::JointPreload> preload_;
-  // Whose columns they are: those of exact, or of the first law.
+  // Number of their law: exact, or the first one.
   std::size_t preload_law_ = 0;
   bool has_clearance_ = true;
 };

@@ -16,9 +16,9 @@ struct LawComparison {
   /// Largest |theta0/exact - 1| at the same load, percent; infinite if the law
   /// has no value somewhere.
   double error_percent;
-  double load_parameter;  ///< where
+  double load_parameter;  ///< mu or lambda there
   double exact;           ///< theta0 there, rad
-  double half_angle;      ///< of the law; NaN if it has none
+  double half_angle;      ///< theta0 of the law; NaN if it has none
   /// One half-angle as a multiple of a std::tanh; roughly.
   int cost;
   bool recommended;

@@ -8,7 +8,7 @@
 
 namespace hinge_angle {
 
-/// What the command line sweeps, as it was written.
+/// Swept variable on the command line, as it was written.
 struct LoadOptions {
   std::string load;
   std::string load_parameter;
@@ -24,15 +24,15 @@ struct LoadOptions {
 /// Adds --load, --load-parameter and --x.
 void add_load_options(cli::Program& program, LoadOptions& options);
 
-/// What is swept: a load in one of its variables, or the half-angle.
+/// Sweep of a load in one of its variables, or of the half-angle.
 struct Input {
   LoadVariable variable;
   bool inverse;
   cli::Sweep values;
 };
 
-/// What the options sweep. Throws contact::Error if they do not say, or a value
-/// is not allowed.
+/// Sweep of the options. Throws contact::Error if it is missing or a value is
+/// not allowed.
 Input make_input(const LoadOptions& options, const cli::Joint& joint);
 
 }  // namespace hinge_angle

@@ -9,7 +9,7 @@
 
 namespace hinge_angle {
 
-/// In what a load is given.
+/// Variable in which a load is given.
 enum class LoadVariable {
   load,       ///< N; N/m of a pin without a length
   line_load,  ///< N/m of a pin

@@ -23,7 +23,7 @@ namespace {
 
 // Some rows on their way through the program.
 struct Block : cli::RowBlock {
-  std::vector<std::vector<Findings>> findings;  // of each joint and law
+  std::vector<std::vector<Findings>> findings;  // for each joint and law
 };
 
 // One table of several joints, one after the other.
@@ -79,7 +79,7 @@ std::vector<std::vector<Findings>> write_table(
   return findings;
 }
 
-// What the laws could not give, and should not have.
+// Warns of rows that laws could not give, and of unreliable ones.
 cli::ExitStatus report(const std::vector<cli::Joint>& joints,
                        const std::vector<std::vector<Findings>>& findings,
                        std::size_t rows) {

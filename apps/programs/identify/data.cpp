@@ -88,7 +88,7 @@ struct Columns {
   }
 };
 
-// What goes with the columns of a file.
+// Checks options against the columns of a file.
 void check_options(const Options& options, const cli::PointHeader& header,
                    const Columns& columns) {
   const char* error = options.sigma_abs   ? "--sigma-abs"

@@ -171,7 +171,7 @@ Fitted fitted(const FrictionFit& fit, std::span<const MeasuredMoment> data,
   return to;
 }
 
-// Of the moments with their errors over rho R.
+// Range of the moments with their errors over rho R.
 cli::Extent moments(std::span<const MeasuredMoment> data, double radius) {
   std::vector<double> all;
   for (const MeasuredMoment& d : data) {
@@ -186,7 +186,7 @@ cli::Extent moments(std::span<const MeasuredMoment> data, double radius) {
 std::string residual_panels(const cli::Canvas& canvas, const cli::Box& box,
                             const cli::Ticks& residuals,
                             std::span<const MeasuredMoment> data) {
-  constexpr double gap = 2.2;  // of numbers at the ends of neighbours
+  constexpr double gap = 2.2;  // between numbers at the ends of neighbours
   const double width = (box.width() - 2 * gap) / 3;
   struct Over {
     cli::Axis axis;

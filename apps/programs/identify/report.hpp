@@ -21,7 +21,7 @@ void write_residuals(const std::vector<cli::Joint>& joints,
                      std::span<const contact::MeasuredMoment> data,
                      cli::Output& output, const cli::TableStyle& style);
 
-/// What the data cannot tell, and what does not fit.
+/// Warnings of parameters that the data cannot tell, and of misfits.
 std::vector<std::string> warnings(const contact::FrictionFit& fit,
                                   std::span<const contact::MeasuredMoment> data,
                                   const contact::IdentifyOptions& options);

@@ -36,9 +36,9 @@ std::vector<LoadedContact> shown_contacts(const LoadedContacts& contacts,
   return shown;
 }
 
-// What the curves of a picture have in common and in what they differ. Of two
-// laws the second is dashed, and joints and loads have the colours; more laws
-// have the colours, and the title the loads.
+// Common and distinct properties of a picture's curves. With two laws the
+// second is dashed, and joints and loads have the colours; more laws have the
+// colours, and the title has the loads.
 struct Labels {
   bool joints;
   bool loads;

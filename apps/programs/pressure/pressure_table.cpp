@@ -156,7 +156,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
       }
     }
     row.number(area);
-    // What is over the load has no value without one.
+    // Ratios to the load have no value without one.
     const double load = contact.load == 0
                             ? std::numeric_limits<double>::quiet_NaN()
                             : contact.load;

@@ -24,9 +24,8 @@ namespace {
 
 using hinge_angle::Input;
 
-// What is to be said of the contacts of one joint: loads without a half-angle,
-// or one that has not converged, half-angles beyond a pressure law, the
-// largest contact.
+// Remarkable contacts of one joint: loads without a half-angle, or one that has
+// not converged, half-angles beyond a pressure law, the largest contact.
 class Findings {
  public:
   Findings(const cli::Joint& joint, const PressureTable& table)
@@ -101,7 +100,7 @@ class Findings {
   std::size_t none_ = 0;
   std::size_t rough_ = 0;
   double half_angle_ = 0;
-  std::vector<std::size_t> beyond_;  // of each pressure law
+  std::vector<std::size_t> beyond_;  // for each pressure law
   std::vector<double> peak_;
 };
 

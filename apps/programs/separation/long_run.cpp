@@ -68,7 +68,7 @@ class Keeper {
     file_ = checkpoints.file;
     writer_.emplace(file_, checkpoints.identity, every);
   }
-  // Whether one is written or not, the run goes on as if.
+  // The run goes on alike whether a checkpoint is written or not.
   void keep(Run& run) {
     const SimulationState state = run.renew();
     if (!writer_) return;

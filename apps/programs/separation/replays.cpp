@@ -14,7 +14,7 @@
 namespace separation {
 namespace {
 
-// What is run: a pipe has been read, and keys may have other values.
+// Text of the case as run: a pipe is read by then, and keys may be changed.
 std::string text_of_case(const Case& c, const Options& options) {
   std::error_code ignored;
   std::string text = std::filesystem::is_regular_file(c.file, ignored)

@@ -80,7 +80,7 @@ Case case_of(const Options& o) {
   return c;
 }
 
-// What the case has nothing for.
+// Refuses options that the case has nothing for.
 void check_case(const Options& o, const Case& c) {
   const auto needs_joints = [&](bool given, const std::string& option) {
     if (!given || c.has_joints()) return;
@@ -164,14 +164,14 @@ struct Tables {
   std::optional<cli::Output> events = {};
 
   Tables(const Case& c, const Options& o, bool clearance) : style(o.output) {
-    style.format = cli::Format::csv;  // what is asked for is of the summary
+    style.format = cli::Format::csv;  // the format asked for is the summary's
     if (!o.history.empty()) {
       history.emplace(o.history, style, history_columns(c, clearance));
     }
     if (!o.events.empty()) events.emplace(o.events);
   }
 
-  // What one file has no room for costs the others nothing.
+  // A file that cannot be written costs the others nothing.
   cli::ExitStatus write(const Outcome& outcome) {
     cli::ExitStatus status = cli::all_good;
     const auto write = [&status](const auto& file) {

@@ -10,13 +10,13 @@ namespace separation {
 
 inline constexpr const char* program_name = "hinge-separation";
 
-/// What is said on standard error as it is found, and again in a replay.
+/// Warnings: on standard error when they are found, and again in a replay.
 class Warnings {
  public:
   /// @param aloud  false: nothing on standard error
   explicit Warnings(bool aloud = true) : aloud_(aloud) {}
   void add(std::string text);
-  /// What a replay does not say.
+  /// A note, which replays do not show.
   void note(const std::string& text) const;
   const std::vector<std::string>& texts() const { return texts_; }
 
@@ -29,10 +29,10 @@ class Warnings {
 /// their fits were read.
 void warn_of_joints(const Case& c, Warnings& warnings);
 
-/// What has come of a run and was hardly meant.
+/// Warns of effects of a run that were hardly intended.
 void warn_of_run(const Case& c, const Outcome& outcome, Warnings& warnings);
 
-/// What the replay cannot show as it is. It gets this and all warnings before.
+/// Warns of faults of the replay's picture, and gives it all warnings so far.
 void warn_of_replay(Replay& replay, Warnings& warnings);
 
 }  // namespace separation

@@ -176,8 +176,8 @@ std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
   return parts;
 }
 
-// Of a range, the rows that no journal has. A signal ends this between rows;
-// later it ends the program as it would any other.
+// Computes the rows of a range that no journal has. A signal ends this between
+// rows; later it ends the program as it would any other.
 cli::ExitStatus compute_missing(const Options& o, const Study& study,
                                 const Range& range, Journal& journal) {
   const auto missing = journal.missing(range.first, range.last);
@@ -250,7 +250,7 @@ cli::OutputNames check_outputs(const Options& o) {
   return names;
 }
 
-// Of the nominal run, which these are about.
+// Warns for the nominal run, which the warnings are about.
 void say_warnings(const Study& study) {
   for (const std::string& warning : study.warnings()) {
     cli::warn(program, "nominal run: " + warning);

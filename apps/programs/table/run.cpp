@@ -92,7 +92,7 @@ std::vector<std::string> column_names(const Method& method,
   return names;
 }
 
-// What was not as it should be, over a whole table.
+// Counts of faults over a whole table.
 struct Problems {
   std::size_t bad_lines = 0;
   std::size_t inaccurate = 0;
@@ -196,8 +196,7 @@ Problems write_two_way(const Grid& grid, const Method& method,
 // alpha, over theta0. Returns why there is no picture, or "".
 std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
                  const std::string& joint, const Options& options) {
-  // What a picture of some 1,000 dots across can show, however long the
-  // table is.
+  // Limits of a picture of some 1,000 dots across, however long the table is.
   constexpr std::size_t most_curves = 12;
   constexpr std::size_t most_points = 1000;
   const bool over_alpha = grid.alpha.size() > 1 || grid.theta0.size() == 1;

@@ -14,9 +14,9 @@ struct Options {
   std::string alpha;
   std::string points;
   std::string method = "exact";
-  // Of markdown, latex and pictures; without it chi.
+  // For markdown, latex and pictures; chi by default.
   std::string quantity;
-  // Of the method quadrature; without it 1e-10.
+  // For the method quadrature; 1e-10 by default.
   std::string tolerance;
   cli::JointOptions joint = {.use = cli::JointUse::pressure};
   cli::OutputOptions output;
@@ -24,7 +24,7 @@ struct Options {
 
 /// The whole program. Throws contact::Error for options that are wrong.
 cli::ExitStatus run(const Options& options);
-/// What it does once the method is known.
+/// The program once the method is known.
 /// @param joint  its name, for pictures
 cli::ExitStatus run(const Options& options, const Method& method,
                     const std::string& joint);

@@ -18,7 +18,7 @@ using contact::detail::must_be;
 using separation::Case;
 using separation::Run;
 
-/// What C holds of a run.
+/// State of a run behind C's handle.
 struct contact_run  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
   explicit contact_run(Case c)

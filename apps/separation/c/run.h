@@ -50,7 +50,7 @@ contact_status contact_run_values(const contact_run* run, double* values,
 size_t contact_run_row_count(const contact_run* run);
 const double* contact_run_row(const contact_run* run, size_t i);
 
-/* What has happened: "release: axis breaks". */
+/* Event of a run: "release: axis breaks". */
 typedef struct contact_event {
   double time; /* s */
   const char* body;

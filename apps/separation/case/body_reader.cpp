@@ -48,7 +48,7 @@ Shape read_shape(const TomlTable& table) {
   return shape;
 }
 
-// Of the three principal moments none may exceed the sum of the others.
+// Checks that no principal moment exceeds the sum of the other two.
 void check_inertia(const TomlTable& table, std::string_view key,
                    const Matrix3d& inertia) {
   const double scale = inertia.cwiseAbs().maxCoeff();

@@ -94,7 +94,7 @@ struct Force {
   std::string name;
   int body;
   Clock begin, end = never;
-  /// What it does, of one of force_kinds(); copies of a case share it.
+  /// Action of the force, one of force_kinds(); copies of a case share it.
   std::shared_ptr<const ForceLaw> law;
 };
 
@@ -114,7 +114,7 @@ struct Event {
   bool together;
 };
 
-/// Which friction a run has.
+/// Friction of a run.
 enum class FrictionChoice { full, ideal, traditional };
 
 /// More rows than anyone looks at, and memory for them.
@@ -123,7 +123,7 @@ inline constexpr double most_rows = 1e6;
 struct Case {
   std::string name;
   std::string file;
-  std::string content;  ///< of the file: TomlTable::canonical_text()
+  std::string content;  ///< TomlTable::canonical_text()
   double end_time;      ///< s
   double output_step;   ///< s
   FrictionChoice friction;

@@ -13,8 +13,7 @@ namespace separation {
 /// Names in a case file and what they stand for, while it is being read.
 struct CaseNames {
   const Case& of;
-  /// Of each body, the turn of its copy: carrier axes as written to carrier
-  /// axes.
+  /// Turn of each body's copy: carrier axes as written to carrier axes.
   std::vector<Eigen::Matrix3d> turns;
   std::vector<std::string> events;
 

@@ -56,7 +56,7 @@ void read_bodies(const TomlTable& table, const JointLaws& laws,
 std::string circle_of(const std::vector<Event>& events, int event) {
   std::string text = events[event].name;
   int after = events[event].after;
-  // As many steps as there are events, or another circle has been met.
+  // More steps than events mean that another circle has been met.
   for (std::size_t i = 0; i < events.size() && after >= 0; ++i) {
     text += " after " + events[after].name;
     if (after == event) return text;

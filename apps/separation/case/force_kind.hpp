@@ -39,7 +39,7 @@ struct ForceTable {
 /// what it does.
 struct ForceKind {
   std::string_view name;
-  /// Beside those of all forces.
+  /// Keys beside those of all forces.
   contact::KnownKeys keys;
   std::shared_ptr<const ForceLaw> (*read)(const ForceTable& from);
 };

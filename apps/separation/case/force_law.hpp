@@ -15,8 +15,8 @@ struct ForceInstant {
   const Case& of;
   int body;  ///< on which it acts
   std::span<const multibody::BodyMotion> bodies;
-  double time;   ///< of the motion, s
-  double begin;  ///< of the force, s
+  double time;   ///< since the motion began, s
+  double begin;  ///< begin of the force, s
   double own;    ///< when its own clock strikes, s
 
   const multibody::BodyMotion& on() const { return bodies[body]; }
@@ -26,17 +26,17 @@ struct ForceInstant {
 /// The points at which a force enters bodies, from their centres of mass, in
 /// their axes, m.
 struct ForceEnds {
-  Eigen::Vector3d point;  ///< of its body
+  Eigen::Vector3d point;  ///< on its body
   int other = -1;         ///< rigid body with the opposite force; -1: none
   Eigen::Vector3d other_point = Eigen::Vector3d::Zero();
 };
 
-/// What a force does between its begin and its end.
+/// Action of a force between its begin and its end.
 class ForceLaw {
  public:
   virtual ~ForceLaw() = default;
 
-  /// Adds what it does, as ForceModel::add_forces().
+  /// Adds its forces and moments, as ForceModel::add_forces().
   virtual void add(const ForceInstant& at,
                    std::span<multibody::BodyForce> forces) const = 0;
   /// The points at which it enters, as pictures show it; a moment is drawn at
@@ -50,8 +50,8 @@ class ForceLaw {
                           [[maybe_unused]] std::vector<double>& breaks) const {}
   /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
-  /// Of a force that ends when its stroke is used up, which is when this rises
-  /// to 0: what is used of the stroke less its length, m.
+  /// Used part of the stroke less its length, m, for a force that ends when its
+  /// stroke is used up: when this rises to 0.
   virtual std::optional<double> overrun(
       [[maybe_unused]] int body,
       [[maybe_unused]] std::span<const multibody::BodyMotion> bodies) const {

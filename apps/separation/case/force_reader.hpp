@@ -10,7 +10,7 @@ namespace separation {
 /// One [[force]]: one for each body that it names.
 std::vector<Force> read_forces(const contact::TomlTable& table,
                                const CaseNames& names);
-/// Of these the one on the body in place `copy`, from 0.
+/// Force on the body in place `copy` among these, from 0.
 Force read_force(const contact::TomlTable& table, const CaseNames& names,
                  int copy);
 

@@ -16,7 +16,7 @@ using contact::Error;
 using contact::JointContact;
 using Eigen::Matrix3d;
 
-// What is wrong with them is the command line's, not the file's.
+// Errors in these laws are the command line's, not the file's.
 void take_laws(const JointLaws& laws, contact::SharedLaws& made,
                contact::JointSpec& joint) {
   const auto take = [&](const char* option, const std::string& name,

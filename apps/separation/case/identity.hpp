@@ -6,8 +6,8 @@
 
 namespace separation {
 
-/// What two cases that move alike have in common: the numbers of the joints,
-/// which may come from other files, and the content of the case's.
+/// Text common to all cases that move alike: the numbers of the joints, which
+/// may come from other files, and the content of the case file.
 std::string identity(const Case& c);
 
 }  // namespace separation

@@ -6,7 +6,7 @@
 
 #include "libcontact/files/toml_reader.hpp"
 
-/// What the readers of case files share.
+/// Helpers of the readers of case files.
 namespace separation {
 
 using contact::Interval;

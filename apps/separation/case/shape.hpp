@@ -55,7 +55,7 @@ struct SolidProperties {
 /// solid (separation/parts_test.cpp).
 SolidProperties solid_properties(const Shape& shape);
 
-/// Of several solids together; where they overlap the density adds up.
+/// Properties of several solids together; densities add up where they overlap.
 SolidProperties solid_properties(const std::vector<Shape>& shapes);
 
 }  // namespace separation

@@ -34,12 +34,12 @@ class Clearance {
   /// be certified.
   std::vector<double> distances(
       std::span<const multibody::BodyMotion> bodies) const;
-  /// Of one of them.
+  /// Distance of one pair.
   double distance(std::size_t pair,
                   std::span<const multibody::BodyMotion> bodies) const;
 
-  /// Where the bodies of a pair are nearest to each other, inertial axes, m;
-  /// nothing if they overlap or it could not be certified.
+  /// Nearest points of the two bodies of a pair, inertial axes, m; none if they
+  /// overlap or the result is not certified.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> nearest_points(
       std::span<const multibody::BodyMotion> bodies, std::size_t pair) const;
 
@@ -47,7 +47,7 @@ class Clearance {
   Nearest nearest_of(const Pair& pair,
                      std::span<const multibody::BodyMotion> bodies) const;
 
-  std::vector<std::vector<Solid>> solids_;  // of each body
+  std::vector<std::vector<Solid>> solids_;  // one list per body
   std::vector<Pair> pairs_;
 };
 

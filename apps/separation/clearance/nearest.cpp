@@ -23,7 +23,7 @@ constexpr double wanted = 1e-10;
 constexpr double required = 1e-7;
 constexpr double rounding = 1e-14;
 
-// Of larger ones the squares of areas would overflow, m.
+// Limit beyond which the squares of areas would overflow, m.
 constexpr double largest_size = 1e70;
 
 // Near its end the points come no nearer in doubles while the planes still do.
@@ -66,7 +66,7 @@ class Simplex {
   std::array<Corner, 4> corners_;
   std::array<double, 4> weights_{};
   int count_ = 0;
-  double square_ = infinity;  // of the point
+  double square_ = infinity;  // squared distance of the point
 };
 
 // The last corner with these: better if all weights are positive and the point
@@ -155,7 +155,7 @@ Nearest nearest(const Solid& a, const Solid& b, const RelativePlace& b_in_a,
   const double size = b_in_a.position.norm() + a.reach() + b.reach();
   if (!(size < largest_size)) return {nan};
   const double touching = margin + rounding * size;
-  // Of the cores: planes are so far apart, and two points so near.
+  // Distances of the cores: the planes are so far apart, two points so near.
   double planes = 0;
   double points = infinity;
   Vector3d normal = Vector3d::Zero();

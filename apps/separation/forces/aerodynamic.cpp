@@ -10,11 +10,11 @@ using Eigen::Vector3d;
 /// Air.
 struct Aerodynamic final : ForceLaw {
   Vector3d axis;   ///< unit, body axes: the nose
-  Vector3d point;  ///< where the coefficients refer to
+  Vector3d point;  ///< point of reference of the coefficients
   double area;
   double length;
-  /// Of the air past the body, unit, inertial axes; with a density instead of
-  /// a dynamic pressure it follows from the velocity in the wind.
+  /// Direction of the air past the body, unit, inertial axes; with a density
+  /// instead of a dynamic pressure it follows from the velocity in the wind.
   Vector3d flow = Vector3d::UnitX();
   Table<double> dynamic_pressure;  ///< Pa, over time; empty with a density
   double density = 0;              ///< kg/m^3

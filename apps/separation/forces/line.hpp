@@ -24,7 +24,7 @@ inline void add_opposite(std::array<int, 2> on,
 struct Line {
   Eigen::Vector3d end;       ///< place of the latter, m
   Eigen::Vector3d span;      ///< to it, m
-  Eigen::Vector3d velocity;  ///< of the end as seen from the begin, m/s
+  Eigen::Vector3d velocity;  ///< velocity of the end from the begin, m/s
 
   Line(const multibody::BodyMotion& from, const Eigen::Vector3d& from_point,
        const multibody::BodyMotion& to, const Eigen::Vector3d& to_point)

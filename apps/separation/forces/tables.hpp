@@ -43,8 +43,8 @@ struct Table {
   }
 };
 
-/// What the tables of a force go over: time since the force began, or the
-/// angle of the body's hinge.
+/// Variable of a force's tables: time since the force began, or the angle of
+/// the body's hinge.
 enum class Variable { none, time, angle };
 
 /// Rows over the keys `time` or `angle`; none if neither is there.
@@ -54,7 +54,7 @@ struct RowsOver {
 };
 RowsOver read_variable(const ForceTable& from);
 
-/// Where a table is read, and what its rows count from.
+/// Point at which a table is read, and the origin of its rows.
 struct TablePlace {
   double x;
   double origin;

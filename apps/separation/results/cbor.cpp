@@ -37,7 +37,7 @@ std::optional<Head> take_head(std::string_view& bytes) {
 // Whether an item was taken off.
 bool pass_item(std::string_view& bytes) {
   enum Kind : unsigned { positive, negative, binary, text, list, map, tag };
-  std::vector<std::uint64_t> left = {1};  // of every list that is open
+  std::vector<std::uint64_t> left = {1};  // items left in every open list
   while (!left.empty()) {
     if (left.back() == 0) {
       left.pop_back();

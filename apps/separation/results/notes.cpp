@@ -27,7 +27,7 @@ void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
   }
 }
 
-// Forces that do what was hardly meant.
+// Adds the faults of forces.
 void add_faults(const Case& c, const Outcome& outcome, Texts& texts) {
   for (const std::string& fault : force_faults(c, outcome.memory.forces)) {
     texts.push_back(fault);
@@ -69,7 +69,7 @@ void for_each_joint(const Case& c, const Visit& visit) {
   }
 }
 
-// Of all joints, each text once.
+// Texts of all joints, each once.
 template <class TextsOf>
 Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   std::set<std::string> texts;

@@ -6,11 +6,10 @@
 
 #include "separation/results/run.hpp"
 
-/// What is to be said of a case and its run, for every program and language.
+/// Notes on a case and its run, for every program and language.
 namespace separation {
 
-/// Where the clearances of the joints are from, fits and temperatures, each
-/// once.
+/// Sources of the joints' clearances, fits and temperatures, each once.
 std::vector<std::string> clearance_notes(const Case& c);
 /// Joints that leave the theory, once for each reason.
 std::vector<std::string> joint_notes(const Case& c);
@@ -22,8 +21,8 @@ std::vector<std::string> contact_notes(const Case& c,
 /// contact::ContactLimits::peak_pressure(); none without joints.
 std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory);
-/// Results of a run that were hardly meant: events that did not come, forces
-/// without effect, contacts beyond the theory, overlaps, a drifting energy.
+/// Unintended results of a run: events that did not come, forces without
+/// effect, contacts beyond the theory, overlaps, a drifting energy.
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

@@ -19,7 +19,7 @@ class OutputTimes {
   double instant() const { return rounding * step_; }
 
  private:
-  static constexpr double rounding = 1e-9;  // of a step
+  static constexpr double rounding = 1e-9;  // in steps
   double end_;
   double step_;
   long count_;

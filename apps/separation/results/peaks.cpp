@@ -63,11 +63,11 @@ std::vector<double> peak_times(const std::array<Look, peak_nodes>& looks,
   for (std::size_t i = 0; i < known.size(); ++i) {
     std::array<double, peak_nodes> values;
     for (int k = 0; k < peak_nodes; ++k) values[k] = looks[k].values[i];
-    // Where a run fails not all is known.
+    // A run that fails leaves some values unknown.
     const bool known_all = std::ranges::all_of(
         values, [](double value) { return std::isfinite(value); });
     if (!known_all) continue;
-    // Of the highest order it is the polynomial.
+    // The interpolant of highest order is the polynomial.
     const boost::math::barycentric_rational<double> polynomial(
         nodes.data(), values.data(), peak_nodes, peak_nodes - 1);
     const auto top =

@@ -5,13 +5,12 @@
 #include "libcontact/quantities/quantity.hpp"
 #include "separation/results/record.hpp"
 
-/// What a run comes to, from which its summary and the numbers of studies are
-/// made.
+/// Quantities of a run, for its summary and the numbers of studies.
 namespace separation {
 
 std::span<const contact::Quantity<JointPeaks>> joint_quantities();
 std::span<const contact::Quantity<BodyRecord>> hinge_quantities();
-/// Of a body with a lock, behind those of the hinge.
+/// Quantities of a body with a lock, after those of the hinge.
 std::span<const contact::Quantity<BodyRecord>> lock_quantities();
 std::span<const contact::Quantity<BodyRecord>> body_quantities();
 std::span<const contact::Quantity<BodyRecord::Release>> release_quantities();

@@ -36,26 +36,26 @@ struct JointPeaks {
   double reaction_time = 0;  ///< s
   double pressure = 0;       ///< Pa
   double half_angle = 0;     ///< theta0, rad
-  double moment = 0;         ///< of friction, N m
+  double moment = 0;         ///< friction moment, N m
 };
 
-/// What has come of a body.
+/// Results of one body.
 struct BodyRecord {
-  double peak_reaction = 0;  ///< of the hinge, N
+  double peak_reaction = 0;  ///< at the hinge, N
   double peak_reaction_time = 0;
-  double peak_lock = 0;  ///< of the lock, N
+  double peak_lock = 0;  ///< at the lock, N
   double peak_lock_time = 0;
-  double work = 0;       ///< of friction, J
+  double work = 0;       ///< work of friction, J
   double rest_time = 0;  ///< s
   std::vector<JointPeaks> joints;
   /// At the release of the hinge; time infinite if there was none.
   struct Release {
     double time = History::not_yet;
     double angle = 0;  ///< rad
-    double rate = 0;   ///< of the angle on an axis, else |Dw|
+    double rate = 0;   ///< rate of the angle on an axis, else |Dw|
     /// Dw, body axes, rad/s.
     Eigen::Vector3d rates = Eigen::Vector3d::Zero();
-    /// Of the centre of mass against the carrier's, carrier axes, m/s.
+    /// Velocity of the centre of mass from the carrier's, carrier axes, m/s.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   } release;
 };
@@ -96,7 +96,7 @@ class Recorder {
     look_at_changes(simulation);
     look_between(simulation);
   }
-  /// What is about to happen: call it before Simulation::apply().
+  /// Notes happenings that are due: call it before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
   /// "", or which distance could not be certified, and when.
@@ -108,10 +108,10 @@ class Recorder {
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
     std::vector<ForceRecord> forces;
-    std::vector<int> modes;  ///< of each body at the last look
+    std::vector<int> modes;  ///< mode of each body at the last look
     double last_time = 0;
     double first_balance = 0;
-    double largest_drift = 0;   ///< of the energy balance, J
+    double largest_drift = 0;   ///< drift of the energy balance, J
     double largest_energy = 0;  ///< scale of the drift, J
     bool begun = false;
   };
@@ -146,8 +146,8 @@ class Recorder {
   bool keep_rows_;
   bool refine_;
   std::optional<Clearance> clearance_;
-  std::vector<PairWay> ways_;  ///< of its pairs
-  std::vector<double> seen_;   ///< what look_at_peaks() has seen
+  std::vector<PairWay> ways_;  ///< one for each pair
+  std::vector<double> seen_;   ///< peaks that look_at_peaks() has seen
   std::vector<Look> looks_;    ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
   std::string fault_;

@@ -31,15 +31,15 @@ struct RunOptions {
   std::function<void(const Run&)> progress = {};
 };
 
-/// What has come of a run.
+/// Results of one run.
 struct Outcome {
   FrictionChoice friction;
-  std::string failure;  ///< "" or why it has come no further
+  std::string failure;  ///< reason of an early stop, or ""
   double end_time;      ///< s
   Recorder::Memory memory;
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
-  History history;                          ///< what had happened by then
+  History history;                          ///< its state at the end
 };
 
 /// All that a run needs to go on later.
@@ -102,10 +102,10 @@ class Run {
     return simulation_->motion().counts();
   }
   double last_step() const { return simulation_->motion().last_step(); }
-  /// What keeps its steps short: Pace::text().
+  /// Text on the limits of its steps: Pace::text().
   std::string pace() const { return pace_.text(*simulation_); }
 
-  /// What has come of it so far.
+  /// Results so far.
   Outcome outcome() const { return outcome_with(memory()); }
   /// The same with a last row where it is, which ends the run.
   Outcome end() &&;
@@ -140,7 +140,7 @@ class Run {
   const OutputTimes outputs_;
   Recorder recorder_;
   std::unique_ptr<Simulation> simulation_;
-  long next_ = 1;  // of outputs_
+  long next_ = 1;  // number in outputs_
   Status status_ = Status::running;
   std::string message_;
   std::string stopped_by_;

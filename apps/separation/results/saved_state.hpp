@@ -7,8 +7,8 @@
 
 namespace separation {
 
-/// What makes two runs the same: what the case file says, the numbers of its
-/// joints, which may come from other files, and the options.
+/// Text that is equal for equal runs: the content of the case file, the numbers
+/// of its joints, which may come from other files, and the options.
 std::string identity_of(const Case& c, const RunOptions& options);
 
 /// A run in the middle as bytes: for who keeps it elsewhere than in the files

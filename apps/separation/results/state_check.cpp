@@ -122,7 +122,7 @@ void check_rows(const Rows& rows, double now, const OutputTimes& outputs) {
     if (rows.columns[i].ends_with(".mode")) modes.push_back(i);
   }
   double before = 0;
-  long next = 0;  // of the outputs
+  long next = 0;  // number of the output
   const auto comes_before = [&](double time) {
     return outputs.has(next + 1) && outputs[next] < time;
   };

@@ -8,7 +8,7 @@
 #include "libcontact/base/error.hpp"
 #include "separation/results/run.hpp"
 
-// What is kept of a run, there and back.
+// Conversion of a run's state to JSON and back.
 template <>
 struct nlohmann::adl_serializer<Eigen::Vector3d> {
   static void to_json(json& j, const Eigen::Vector3d& v) {
@@ -62,7 +62,7 @@ nlohmann::json unpacked(std::string_view bytes, const std::string& source);
 /// @throws contact::Error if it is not the "identity" of j
 void check_identity(const nlohmann::json& j, const std::string& identity,
                     const std::string& source);
-/// What is no state of a run at all.
+/// Refuses data that are no state of a run at all.
 [[noreturn]] void refuse_stranger(const std::string& source);
 
 }  // namespace separation

@@ -18,8 +18,8 @@ struct Missed {
 };
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
-/// What a run came to (keys: README.md of this folder). Angles in degrees,
-/// all else in SI units; infinity is the text "inf" or "-inf".
+/// Summary of a run as JSON (keys: README.md of this folder). Angles in
+/// degrees, all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

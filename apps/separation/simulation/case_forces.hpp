@@ -10,12 +10,12 @@ namespace separation {
 
 struct ForceInstant;
 
-/// What has happened so far, as far as forces depend on it.
+/// Past of a simulation, as far as forces depend on it.
 struct History {
   static constexpr double not_yet = std::numeric_limits<double>::infinity();
   /// Time of event e for body i: events[e][i]; not_yet.
   std::vector<std::vector<double>> events;
-  /// Of each force: its stroke is used up, and it acts no more.
+  /// One flag per force: its stroke is used up, and it acts no more.
   std::vector<char> spent;
 
   History() = default;
@@ -39,7 +39,7 @@ class CaseForces final : public multibody::ForceModel {
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const override;
   double next_break(double time) const override;
-  /// What one force of the case does to its body; none before its begin, after
+  /// Load by one force of the case on its body; none before its begin, after
   /// its end, and without stroke.
   std::optional<multibody::BodyForce> of(
       int force, double time,
@@ -49,7 +49,7 @@ class CaseForces final : public multibody::ForceModel {
   struct Active {
     const Force* force;
     double begin, end;  // s
-    double own;         // of its own clock
+    double own;         // its own clock
     bool is_on(double time) const { return time >= begin && time < end; }
   };
   ForceInstant instant(const Active& active, double time,

@@ -7,12 +7,12 @@
 
 namespace separation {
 
-/// What has been seen of a force.
+/// Observations of a force.
 struct ForceRecord {
   bool on = false;     ///< it has begun, with stroke left
   bool acted = false;  ///< it has been other than 0
-  /// What it does is hardly what was meant: a number of ForceLaw::faults(),
-  /// from 1; 0: none is known.
+  /// Fault, a sign of unintended action: a number of ForceLaw::faults(), from
+  /// 1; 0: none is known.
   int fault = 0;
   double fault_time = 0;  ///< s
 };
@@ -22,10 +22,10 @@ struct ForceRecord {
 void look_at_forces(const Simulation& simulation,
                     std::vector<ForceRecord>& records);
 
-/// What is wrong with forces, a sentence each.
+/// Faults of forces, a sentence each.
 std::vector<std::string> force_faults(const Case& c,
                                       const std::vector<ForceRecord>& records);
-/// What has not acted in a run that has come to its end.
+/// Forces without effect in a run that has come to its end.
 std::vector<std::string> idle_forces(const Case& c, const History& history,
                                      const std::vector<ForceRecord>& records,
                                      double end_time);

@@ -6,7 +6,7 @@
 
 namespace separation {
 
-/// What is known of the steps of a run: why one does not get on.
+/// Records of a run's steps: the reasons why they are short.
 class Pace {
  public:
   /// After every step.

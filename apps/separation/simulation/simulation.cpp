@@ -127,7 +127,7 @@ bool Simulation::is_armed(const Happening& h) const {
   return history_.time_of(clock, h.body + 1, case_) != History::not_yet;
 }
 
-// Of an event that does not depend on the motion.
+// Time of an event that does not depend on the motion.
 double Simulation::due_time(const Happening& h) const {
   const Event& event = case_.events[h.event];
   if (event.trigger == Event::Trigger::time) return event.value;
@@ -150,10 +150,10 @@ double Simulation::condition(const MotionSample& sample,
   return force.norm() / event.value - 1;
 }
 
-// What is due now: by the clock, or because its condition was met already when
-// it was armed or when something changed. Not whenever the motion is looked
-// at: conditions that come true on the way are found by the motion, which
-// must not depend on the output times.
+// Finds happenings due now: by the clock, or because the condition was met
+// already when it was armed or when something changed. It does not run whenever
+// the motion is looked at: conditions that come true on the way are found by
+// the motion, which must not depend on the output times.
 void Simulation::find_due() {
   const bool changed = std::exchange(changed_, false);
   for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {

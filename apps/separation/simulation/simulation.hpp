@@ -53,8 +53,8 @@ class Simulation {
   const multibody::Motion& motion() const { return motion_; }
   const History& history() const { return history_; }
 
-  /// What a force of the case does to its body at time(), were the bodies
-  /// there; none while it is not on.
+  /// Load by a force of the case on its body at time(), were the bodies there;
+  /// none while it is off.
   std::optional<multibody::BodyForce> force(
       int force, std::span<const multibody::BodyMotion> bodies) const {
     return forces_->of(force, sample().time(), bodies);
@@ -114,7 +114,7 @@ class Simulation {
   multibody::Motion motion_;
   /// +1: an angle event of a body waits for larger angles; [event][body].
   std::vector<std::vector<double>> sense_;
-  /// Of each motion event: the happening or the force whose stroke ends.
+  /// Meaning of a motion event: the happening, or the force whose stroke ends.
   struct Meaning {
     Happening happening;
     int force;

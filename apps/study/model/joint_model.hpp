@@ -36,7 +36,7 @@ class JointModel : public Model {
 
   const Plan& plan_;
   contact::TomlFiles files_;
-  contact::SharedLaws laws_;  ///< of the nominal joint
+  contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
   mutable Pool<Form> forms_;

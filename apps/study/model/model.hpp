@@ -22,22 +22,22 @@ struct Unreached {
 /// theory or what the materials bear.
 inline constexpr const char* over_limit = "p_peak_over_limit";
 
-/// What came of a run: numbers by their names, or why it failed.
+/// Result of one run: numbers by their names, or the reason of its failure.
 struct Result {
   std::string failure;
   std::map<std::string, double> numbers;
-  std::vector<Unreached> unreached = {};   ///< of Effort::remarks
-  std::vector<std::string> warnings = {};  ///< of Effort::remarks
+  std::vector<Unreached> unreached = {};   ///< with Effort::remarks
+  std::vector<std::string> warnings = {};  ///< with Effort::remarks
 };
 
-/// What is looked at on the way.
+/// Evaluations wanted along a run.
 struct Effort {
   bool peaks = true;
   bool clearance = true;
-  bool remarks = false;  ///< what came of it and was hardly meant
+  bool remarks = false;  ///< effects that are hardly intended
 };
 
-/// What a study runs again and again, from several threads at once.
+/// System that a study runs again and again, from several threads at once.
 class Model {
  public:
   virtual ~Model() = default;
@@ -59,7 +59,7 @@ class Model {
   /// @throws contact::Error if they make no case
   virtual Result run(const std::vector<double>& draws, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
-  /// What the numbers depend on beside the settings.
+  /// Identity of everything that numbers depend on beside the settings.
   virtual std::string identity() const = 0;
 };
 

@@ -256,7 +256,7 @@ Case SeparationModel::case_of(const std::vector<double>& draws) const {
 
 Result SeparationModel::run(Case c, const Effort& effort,
                             const std::function<std::string()>& stop) const {
-  // What a number is does not depend on when rows of a history would be.
+  // Numbers do not depend on the times of a history's rows.
   c.output_step = c.end_time;
   separation::RunOptions options;
   options.rows = false;

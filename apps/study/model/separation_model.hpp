@@ -42,7 +42,7 @@ class SeparationModel : public Model {
 
   const Plan& plan_;
   contact::TomlFiles files_;
-  contact::SharedLaws laws_;  ///< of the nominal case
+  contact::SharedLaws laws_;  ///< laws of the nominal case
   separation::Case nominal_;
   mutable Pool<separation::CaseForm> forms_;
 };

@@ -17,7 +17,7 @@ struct Draw {
   int copy;  ///< from 1; 0: of all
 };
 
-/// What the numbers of each run are. Run 0 is the nominal one and has none.
+/// Numbers of each run. Run 0 is the nominal one and has none.
 class Design {
  public:
   /// @param copies  names of each dispersion's; none: one draw for all
@@ -25,7 +25,7 @@ class Design {
   Design(const Plan& plan, const std::vector<std::vector<std::string>>& copies);
 
   const std::vector<Draw>& draws() const { return draws_; }
-  /// What scatters by itself: the factors, then the draws.
+  /// Independent sources of scatter: the factors, then the draws.
   const std::vector<std::string>& sources() const { return sources_; }
   /// A source's name for people.
   const std::string& source_label(std::size_t source) const {
@@ -40,7 +40,7 @@ class Design {
     return numbers_of(uniforms(run));
   }
   std::vector<double> numbers_of(const std::vector<double>& uniforms) const;
-  /// Of a draw that is not pushed by factors.
+  /// Number of a draw that is not pushed by factors.
   double number(std::size_t draw, double u) const {
     return plan_.dispersions[draws_[draw].dispersion].quantile(u);
   }

@@ -37,7 +37,7 @@ Quantile truncated(const TomlTable& table, const Distribution& all) {
   };
   const double from = low ? below(*low) : 0;
   const double to = high ? below(*high) : 1;
-  // What is left of it is drawn from: not only its last digits.
+  // The rest is drawn from, and must keep more than its last digits.
   constexpr double least = 1e-6;
   if (!(to - from > least)) {
     table.must_be(low ? "low" : "high",

@@ -14,7 +14,7 @@ using Quantile = std::function<double(double u)>;
 /// Reads a distribution from a table with distribution_keys(): its `kind` and
 /// what belongs to that.
 Quantile read_distribution(const contact::TomlTable& table);
-/// What such a table says: "uniform, low 1, high 2".
+/// Text of such a table: "uniform, low 1, high 2".
 std::string distribution_text(const contact::TomlTable& table);
 contact::KnownKeys distribution_keys();
 

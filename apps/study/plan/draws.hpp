@@ -16,7 +16,7 @@ class Stream {
   double uniform(std::uint64_t run) const;
   /// 64 random bits.
   std::uint64_t bits(std::uint64_t counter) const;
-  /// Where i goes in a random order of 0 ... n - 1.
+  /// Place of i in a random order of 0 ... n - 1.
   std::uint64_t permuted(std::uint64_t i, std::uint64_t n) const;
 
  private:

@@ -115,8 +115,8 @@ Requirement read_requirement(const TomlTable& table) {
       .table = table};
 }
 
-// As many as the file says; else those that the requirements need if no run
-// fails.
+// Number of runs in the file; else the number that the requirements need if no
+// run fails.
 std::uint64_t read_runs(const TomlTable& file, const Plan& plan) {
   if (file.has("runs")) {
     return static_cast<std::uint64_t>(file.integer("runs", 1, most_runs));

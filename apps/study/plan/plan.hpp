@@ -35,16 +35,16 @@ struct Dispersion {
   /// The same in words: "uniform, low 1, high 2".
   std::string distribution;
   std::vector<Share> shares;
-  /// What the file says of it: TomlTable::canonical_text().
+  /// Text of the dispersion in the file: TomlTable::canonical_text().
   std::string content;
   /// For messages: its table in the file.
   contact::TomlTable table;
 
-  /// Of its key with this draw.
+  /// Setting of the key with this draw.
   contact::KeySetting setting(double number) const;
 };
 
-/// What has to be.
+/// Condition on a quantity.
 struct Requirement {
   /// With `*`: the worst of all that match.
   std::string quantity;
@@ -71,13 +71,13 @@ struct Plan {
   std::vector<std::string> factors;
   std::vector<Dispersion> dispersions;
   std::vector<Requirement> requirements;
-  /// That are recorded beside those of the requirements; may have `*`.
+  /// Quantities recorded beside those of the requirements; may have `*`.
   std::vector<std::string> quantities;
   std::filesystem::path path;
   contact::TomlTable file;
 };
 
-/// What the command line says instead of the file.
+/// Settings of the command line in place of the file's.
 struct PlanChanges {
   std::optional<std::uint64_t> runs = {};
   std::optional<std::uint64_t> seed = {};

@@ -20,9 +20,9 @@ namespace {
 using cli::Database;
 using contact::detail::must_be;
 
-// What SQLite's header says of a file of this kind.
+// Application id in SQLite's header for this kind of file.
 constexpr int application = 0x686a6e6c;
-// Of the rows: another one where the same study has other numbers.
+// Version of the rows: another one when the same study gives other numbers.
 constexpr int version = 3;
 // SQLite's own limit unless it was built for more.
 constexpr std::size_t most_columns = 2000;
@@ -109,7 +109,7 @@ Journal::Journal(const std::string& path, const std::string& identity,
                   "INSERT OR IGNORE INTO rows VALUES (" + places + ")");
 }
 
-// What is open would keep it as it is.
+// Open statements would keep the file as it is.
 Journal::~Journal() {
   append_.reset();
   has_.reset();
@@ -121,7 +121,7 @@ void Journal::fail(const std::string& why) const {
   throw contact::Error(fmt::format("{}: {}", database_.name(), why));
 }
 
-// Of several programs that open a new journal one makes it.
+// The first of several programs that open a new journal makes it.
 void Journal::make(const std::string& hash,
                    const std::vector<std::string>& names) {
   if (numbers_ + other_columns > most_columns) {

@@ -31,7 +31,7 @@ class Journal {
 
   bool has(std::uint64_t run) const;
   std::size_t size() const;
-  /// Of the runs from `first` to `last` those that are not there.
+  /// Runs from `first` to `last` that are not there.
   std::vector<std::uint64_t> missing(std::uint64_t first,
                                      std::uint64_t last) const;
   /// From now on nothing is appended here: rows are read in less time, and

@@ -6,7 +6,7 @@
 
 namespace study {
 
-/// What a run was given and what came of it.
+/// Inputs of a run and its results.
 struct Row {
   std::uint64_t run;
   std::string failure;  ///< "" or why there are no quantities

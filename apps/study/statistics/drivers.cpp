@@ -111,7 +111,7 @@ Regression::Answer Regression::solve() const {
   covariance -= sums_ * sums_.transpose() / count_;
   Eigen::VectorXd scale = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   if (!(scale[inputs] > 0)) return answer;
-  // What does not vary correlates with nothing, not even itself.
+  // Constants correlate with nothing, not even themselves.
   for (double& s : scale) s = s > 0 ? 1 / s : 0;
   covariance = scale.asDiagonal() * covariance * scale.asDiagonal();
   for (Eigen::Index i = 0; i < inputs; ++i) {

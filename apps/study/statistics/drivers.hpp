@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-/// What drives a number: rank correlation, regression, Sobol' indices.
+/// Drivers of a number: rank correlation, regression, Sobol' indices.
 namespace study {
 
 /// Ranks from 1; equal numbers share theirs. NaN has rank NaN and none counts

@@ -64,7 +64,7 @@ Percentile percentile(std::span<const double> sorted, double p, double risk) {
                  static_cast<double>(n - 1));
   const auto i = static_cast<std::size_t>(place);
   const double share = place - static_cast<double>(i);
-  // Not a difference of infinities.
+  // (A difference of infinities would be NaN.)
   result.value =
       share == 0 ? sorted[i] : (1 - share) * sorted[i] + share * sorted[i + 1];
   const auto number = [&](double q) {

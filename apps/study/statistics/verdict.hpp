@@ -4,14 +4,14 @@
 #include <optional>
 #include <span>
 
-/// What random runs say of a probability, by counting them alone (Hanson and
-/// Beard, NASA/TP-2010-216447): of the distribution nothing is assumed.
+/// Bounds of a probability from random runs, by counting alone (Hanson and
+/// Beard, NASA/TP-2010-216447): nothing is assumed of the distribution.
 namespace study {
 
-/// What is asked of a share of runs.
+/// Requirement on a share of runs.
 struct Demand {
   double success = 0.9973;  ///< share of all possible runs that has to succeed
-  double risk = 0.1;        ///< of the consumer: that of a wrong "met"
+  double risk = 0.1;        ///< consumer's risk: that of a wrong "met"
 };
 
 /// Probability that of n runs at most k fail if each fails with probability p.

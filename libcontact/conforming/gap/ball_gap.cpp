@@ -39,7 +39,7 @@ BallGap::BallGap(const LayeredPair& pair, int unknowns)
   first_ = walls.first;
   correction_ = walls.correction;
   if (correction_.empty()) return;
-  // What the walls change in e_n, over N.
+  // Change of e_n by the walls, over N.
   std::vector<double> change(correction_.size(), 0);
   for (int n = 2; n < static_cast<int>(change.size()); ++n) {
     const double order = n + 0.5;
@@ -56,8 +56,8 @@ double BallGap::stiffness_rest(int n) const {
 }
 
 double BallGap::rest_limit() const {
-  // Of N s_n = 1 + (1 - 2 nu)^2/(2 (1 - nu) N) + ..., for the cavity with the
-  // other sign.
+  // Second term of N s_n = 1 + (1 - 2 nu)^2/(2 (1 - nu) N) + ...; the cavity
+  // has the other sign.
   const auto excess = [](double nu) {
     return (1 - 2 * nu) * (1 - 2 * nu) / (2 * (1 - nu));
   };

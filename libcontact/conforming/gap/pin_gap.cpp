@@ -17,7 +17,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-// Of the harmonics of a gap: the rest of the sums leaves 1/(3 psi N^3) of x.
+// Number of harmonics of a gap: the rest of the sums leaves 1/(3 psi N^3) of x.
 int harmonics(double opening, double share, std::size_t corrected) {
   const double smooth = share * std::max(2500.0, 3500 / std::cbrt(opening));
   return std::max(static_cast<int>(smooth), static_cast<int>(corrected));
@@ -49,7 +49,7 @@ GapField PinGap::field(double psi) const {
   Eigen::VectorXd constant(count);
   Eigen::VectorXd cosine(count);
   project_first_harmonics(psi, constant, cosine);
-  Eigen::VectorXd difference(count);  // of cos t' - 1, without cancellation
+  Eigen::VectorXd difference(count);  // cos t' - 1, without cancellation
   const double q = std::tan(psi / 4);
   for (int k = 0; k < count; ++k) {
     difference(k) = constant(k) * (2 * k - 2 * (k + 1) * q * q) / (1 + q * q);

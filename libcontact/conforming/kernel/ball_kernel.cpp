@@ -129,7 +129,7 @@ BallKernel::BallKernel(const BallConstants& constants)
 BallKernel BallKernel::of_gap(const BallConstants& constants) {
   const Excess excess(constants);
   const Powers q = excess.expansion<powers>();
-  Powers inverse;  // of 1 + q_0/N + q_1/N^2 + ..., without the 1
+  Powers inverse;  // 1/(1 + q_0/N + q_1/N^2 + ...), without the 1
   for (int k = 0; k < powers; ++k) {
     inverse[k] = -q[k];
     for (int j = 0; j < k; ++j) inverse[k] -= q[j] * inverse[k - 1 - j];

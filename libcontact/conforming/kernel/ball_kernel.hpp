@@ -56,10 +56,10 @@ class BallKernel {
   /// @param direct  the first harmonics
   BallKernel(const Powers& q, const Direct& direct);
 
-  std::array<double, series_terms> even_{};     // of x^2
-  std::array<double, powers / 2> logarithmic_;  // of x^2, times ln x
-  std::array<double, powers / 2> odd_;          // of x^2, times x
-  Direct direct_;                               // of cos((n + 1/2) x)
+  std::array<double, series_terms> even_{};     // powers of x^2
+  std::array<double, powers / 2> logarithmic_;  // powers of x^2, times ln x
+  std::array<double, powers / 2> odd_;          // powers of x^2, times x
+  Direct direct_;                               // terms of cos((n + 1/2) x)
 };
 
 }  // namespace contact::detail

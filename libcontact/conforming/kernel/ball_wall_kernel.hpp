@@ -5,7 +5,7 @@
 
 namespace contact::detail {
 
-/// What walls add to the kernel of a ball's equation,
+/// Contribution of walls to the kernel of a ball's equation,
 ///
 ///     kappa_c(x) = sum_{n >= 0} (n + 1/2) Dc_n cos((n + 1/2) x),
 ///

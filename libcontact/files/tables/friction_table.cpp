@@ -46,7 +46,7 @@ FrictionStress stress_from_table(const TomlTable& friction) {
   return entry.make(numbers, {});
 }
 
-// What a key measures by its SI unit.
+// Dimension of a key, from its SI unit.
 Dimension dimension_of(std::string_view unit) {
   for (int i = 0; i <= static_cast<int>(Dimension::hersey); ++i) {
     const auto dimension = static_cast<Dimension>(i);

@@ -11,8 +11,8 @@
 namespace contact {
 namespace {
 
-// What their values are to be multiplied by for a radial clearance; 0 for the
-// radius. Interference is said by positive numbers.
+// Factor from a key's value to the radial clearance; 0 stands for the radius.
+// Interference is given as positive numbers.
 struct ClearanceKey {
   std::string_view key;
   double scale;

@@ -7,7 +7,7 @@
 
 namespace contact {
 
-/// Whether a material may be rigid: youngs_modulus = inf.
+/// Permission for rigid materials: youngs_modulus = inf.
 enum class Rigid { allowed, refused };
 
 /// The keys of material_keys() of a table.

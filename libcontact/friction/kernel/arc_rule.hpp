@@ -6,7 +6,7 @@
 /// pressures"), to some 1e-11, to be had by cap_rule_index.
 namespace contact::detail {
 
-/// What the pressure along an arc has beside a few smooth terms.
+/// Kinds of terms in the pressure along an arc, beside a few smooth ones.
 enum class ArcTerms {
   smooth,           ///< nothing
   logarithm,        ///< a small logarithm, or terms of a high order

@@ -11,11 +11,11 @@
 /// cap_integrals.hpp. Letters as on that page.
 namespace contact::detail {
 
-/// Which great circles through the slip axis a sum runs over.
+/// Great circles through the slip axis that a sum runs over.
 enum class Circles {
-  outside,  ///< those cut by the edge, no pole in the contact or both
+  outside,  ///< arcs cut by the edge, no pole in the contact or both
   inside,   ///< all, one pole in the contact
-  whole     ///< those within the contact, both poles in it
+  whole     ///< arcs within the contact, both poles in it
 };
 
 /// A contact and slip axis; CapPoint but for the sign of c.
@@ -164,7 +164,7 @@ template <Circles circles, bool with_logarithm, class V>
   return arc;
 }
 
-/// What the sums are of.
+/// Sums over the nodes.
 template <class V>
 struct PressureSums {
   V force = 0.0, sliding = 0.0, spinning = 0.0;
@@ -185,7 +185,7 @@ template <bool whole, int terms, bool with_logarithm, class V, class C>
   const V delta2 = arc.constant + arc.cosine * node.cosine_squared;
   const V half = arc.half * node.sine_squared;
   const V& rest = whole ? node.cosine_squared : delta2;  // cos^2(eta/2)
-  const V& root = whole ? delta2 : node.cosine_squared;  // what x^2 vanishes by
+  const V& root = whole ? delta2 : node.cosine_squared;  // factor of x^2
   const V cosine = rest - half;
   const V height = pressure.edge_constant + arc.radius * cosine;
   const V product = height * delta2;

@@ -29,8 +29,8 @@ struct CapSums {
   V force_area = 0.0, sliding_area = 0.0, spinning_area = 0.0;
 };
 
-/// Which series serves h: by the cosine c of the half-angle, since all arcs
-/// have cos d in [c, 1].
+/// Series for h: by the cosine c of the half-angle, since all arcs have cos d
+/// in [c, 1].
 enum class ArcRange { small, medium, large };
 [[gnu::always_inline]] inline ArcRange arc_range(double c) {
   return c >= arc_h_short.lower    ? ArcRange::small

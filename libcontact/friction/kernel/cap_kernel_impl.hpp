@@ -334,7 +334,7 @@ class Block {
   const FrictionBatchOutput& out_;
   const ExpansionTable* table_;
   std::size_t offset_;
-  bool wants_sums_;  // of the cosine pressure and the area
+  bool wants_sums_;  // sums of the cosine pressure and the area
   int count_;
   Array s_, c_, sa_, q_, k_, m_, beyond_, branch_;
   std::array<short, capacity> key_;

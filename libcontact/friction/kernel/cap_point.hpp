@@ -8,8 +8,8 @@
 #include "libcontact/base/sine_cosine.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
-/// What the exact method does before and after its sum over nodes, for V a
-/// lane type or double.
+/// Steps of the exact method before and after its sum over nodes, for V a lane
+/// type or double.
 namespace contact::detail {
 
 /// A contact and slip axis with the branches it takes.
@@ -71,7 +71,7 @@ CapResult<V> assemble(const PreparedCap<V>& cap, const CapSums<V>& sum) {
   const CapPoint<V>& p = cap.point;
   const V s2 = p.s * p.s;
   const V s4 = s2 * s2;
-  // What the arc ranges left out of f and h.
+  // Factors of f and h that the arc ranges left out.
   const auto large = p.c < arc_h_medium.lower;
   const V reciprocal = 1.0 / select(large, s2, p.c);
   const V f_factor = select(large, V(1.0), reciprocal);

@@ -21,7 +21,7 @@ struct CapRule {
   const double* cosine_squared;  ///< cos^2 am(u_i, k)
   const double* sine_squared;    ///< sin^2 am(u_i, k)
   const double* weight;          ///< K/n dn(u_i, k)
-  /// What stands for ln cos^2 am(u_i, k); rules for logarithms only, else 0.
+  /// Substitute for ln cos^2 am(u_i, k); rules for logarithms only, else 0.
   const double* log_cosine_squared;
 };
 
@@ -33,7 +33,7 @@ using CapRules = std::span<const CapRule>;
 /// built.
 extern const CapRules cap_rules;
 
-/// Where ranges of k'^2 end, from 1 downwards: four steps while few nodes
+/// Ends of the ranges of k'^2, from 1 downwards: four steps while few nodes
 /// suffice and one more or less counts, then octaves. Below 2^-54 the modulus
 /// no longer differs from 1 in double precision.
 inline constexpr int cap_rule_count = 57;

@@ -4,15 +4,15 @@
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/friction/kernel/cap_point.hpp"
 
-/// What the friction functions by the exact method and by other pressures
-/// share; in friction/exact.cpp.
+/// Parts common to the friction functions by the exact method and by other
+/// pressures; in friction/exact.cpp.
 namespace contact::detail {
 
 /// The exact method for one point.
 FrictionIntegrals exact_point(const CapKernel& kernel,
                               const PreparedCap<double>& cap);
 
-/// Whether a batch can be worked on.
+/// Checks that a batch can be computed.
 /// @throws Error if lengths differ, or as check_instruction_set().
 void check_batch(const FrictionBatchInput& in, const FrictionBatchOutput& out);
 

@@ -13,7 +13,7 @@ class PressureLaw;
 
 namespace contact::detail {
 
-/// What an expansion asks of arc_rules().
+/// Kind of rule that an expansion needs from arc_rules().
 [[gnu::always_inline]] inline ArcTerms arc_terms(const PressureExpansion& p) {
   // By measurement: they leave some 5e-11.
   constexpr int few = 8;
@@ -51,10 +51,10 @@ struct ExpansionTable {
   ExpansionTable(const PressureLaw& law, double lower, double upper);
 
   int rows;      ///< 1 for a single half-angle
-  int size = 1;  ///< of the coefficients
+  int size = 1;  ///< number of coefficients
   bool has_cosine = false, has_logarithm = false;
   ArcTerms arc_terms = ArcTerms::smooth;  ///< the most that any asks
-  double middle;                          ///< of sqrt(theta0)
+  double middle;                          ///< value of sqrt(theta0)
   double inverse_half_width;
   /// One more than rows, for loops over pairs.
   std::array<std::array<double, most_rows + 1>, columns> series{};

@@ -36,7 +36,7 @@ class Modulus {
     const Thetas at = thetas(swapped() ? Real(cosh(z)) : Real(cos(z)));
     const Real cn = at_0_[2] / at_0_[0] * at[0] / at[2];
     const Real dn = at_0_[2] / at_0_[1] * at[1] / at[2];
-    // Of K' at iz: Jacobi's imaginary transformation (16.20).
+    // K' is taken at iz: Jacobi's imaginary transformation (16.20).
     return swapped() ? Node{1 / cn, du * dn / cn} : Node{cn, du * dn};
   }
   /// The same times cos(am u).

@@ -13,7 +13,7 @@ namespace {
 // Before the gap's series.
 constexpr int leading = 4;
 
-// What all columns but p(0) are of the order of.
+// Order of magnitude of all columns but p(0).
 double unit(double opening) {
   const double sine = std::sin(opening / 2);
   return sine * sine;

@@ -29,7 +29,7 @@ class LiftedPressure {
   double centre(double opening) const;  ///< p(0)/p_1
   /// @param theta  from the contact's centre, rad, [0, pi]
   double pressure(double theta, double opening) const;
-  /// Of a ball: p_n/p_1, n < out.size().
+  /// For a ball: p_n/p_1, n < out.size().
   void harmonics(double opening, std::span<double> out) const;
 
  private:

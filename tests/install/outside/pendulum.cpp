@@ -29,8 +29,8 @@ int main() {
     const Eigen::Matrix3d A = attitude.toRotationMatrix();
     const Eigen::Matrix3d J = A * inertia.asDiagonal() * A.transpose();
     const Vector3d c = A * centre, torque = c.cross(weight);
-    // Where it would be without friction, and where it is with it: a velocity
-    // of exactly 0 as long as the joint holds.
+    // Velocity without friction, and with it: exactly 0 as long as the joint
+    // holds.
     const Vector3d free = w + dt * J.inverse() * (torque - w.cross(J * w));
     s = step(joint, {.reaction = R, .angular_velocity = w, .free = free},
              J / dt, s);

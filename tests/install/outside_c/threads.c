@@ -32,7 +32,7 @@ static int load(const char* file, const char* runs_file) {
   void* library = dlopen(file, RTLD_NOW | RTLD_LOCAL);
   void* runs_library = dlopen(runs_file, RTLD_NOW | RTLD_LOCAL);
   if (!library || !runs_library) return 0;
-    /* What POSIX says of dlsym(): an object pointer that is copied. */
+    /* POSIX on dlsym(): an object pointer that is copied. */
 #define LOAD_FROM(library, name)                \
   {                                             \
     void* found = dlsym(library, #name);        \

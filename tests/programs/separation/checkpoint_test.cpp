@@ -108,7 +108,7 @@ TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   EXPECT_EQ(early.err,
             "hinge-separation: c.db: a checkpoint at t = 8 s requires "
             "--end-time of 8 s or above: this run ends at 7.9 s\n");
-  // Of an end that is no output time the row stays.
+  // The row of an end that is no output time stays.
   ASSERT_EQ(
       run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db").status,
       0);
@@ -203,8 +203,8 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   const std::string history = folder.read("h.csv");
   EXPECT_EQ(folder.files(),
             (std::vector<std::string>{"c.db", "h.csv", "o.json"}));
-  // Of 11 s and of 19.9 s: the state does not grow but for numbers that have
-  // more digits.
+  // States at 11 s and at 19.9 s: they grow only by numbers that have more
+  // digits.
   checkpoints("early.db", "11");
   checkpoints("late.db", "19.9");
   const auto ask = [&](const std::string& name, const std::string& what) {
@@ -423,8 +423,7 @@ TEST(Checkpoint, HasOneWriterAtATime) {
                                "checkpoint\n");
   };
   expect_locked_out("c.db");
-  // What is left of a program that was killed at its beginning locks nobody
-  // out.
+  // Remains of a program that was killed at its beginning lock nobody out.
   EXPECT_EQ(folder.read("c.db"), "");
   EXPECT_EQ(folder.run(run + "c.db && ln -s c.db link.db").status, 0);
   expect_locked_out("link.db");

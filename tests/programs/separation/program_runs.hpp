@@ -64,7 +64,7 @@ class History {
   mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
-/// What it prints of a run that goes well.
+/// Output of a run that goes well.
 inline json run_json(const ProgramFolder& folder,
                      const std::string& arguments) {
   const ProgramResult result = folder.run("hinge-separation " + arguments);
@@ -89,7 +89,7 @@ inline std::string sample_case(const std::string& name) {
   return text;
 }
 
-/// What a case says of a carrier that stays where it is.
+/// Table of a carrier that stays where it is.
 inline std::string carrier_at_rest(const std::string& name) {
   return "[carrier]\nname = \"" + name + R"("
 mass_kg = 1000

@@ -1,4 +1,4 @@
-// What hinge-separation says of cases that go wrong.
+// Messages of hinge-separation on cases that go wrong.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -11,7 +11,7 @@
 namespace contact::test {
 namespace {
 
-// What is in the file for nothing, or does what was hardly meant.
+// Entries of the file without effect, or with one hardly intended.
 TEST(SeparationWarnings, ForcesThatDoNotDoWhatTheyShouldAreWarnedOf) {
   const ProgramFolder folder;
   const auto warnings = [&](const std::string& text) {
@@ -275,7 +275,7 @@ moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
   }
 }
 
-// What has been reached by then is in the history.
+// The history has everything up to the failure.
 TEST(SeparationWarnings, FailedRunsAreKeptToTheirEnd) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(

@@ -1,4 +1,4 @@
-// What replays show: solids, poses between rows, key frames, nearest points,
+// Content of replays: solids, poses between rows, key frames, nearest points,
 // pages of few rows. The files as others read them: tests/browser.
 #include <gtest/gtest.h>
 
@@ -46,7 +46,7 @@ Shape cube(double half) {
   return separation::convex_hull(corners);
 }
 
-// Of the solid within, by its triangles, which look outwards.
+// Volume of the solid within, by its triangles, which face outwards.
 double volume(const Mesh& mesh) {
   double sum = 0;
   for (std::size_t i = 0; i < mesh.corners.size(); i += 3) {
@@ -73,7 +73,7 @@ TEST(Replay, MeshesAreTheSolids) {
   for (const Shape& shape : shapes) {
     Mesh mesh;
     mesh.add(shape);
-    // Of 40 sides a circle has 0.4 % less area, a ball 1 % less volume.
+    // A circle of 40 sides has 0.4 % less area, a ball 1 % less volume.
     const double part =
         volume(mesh) / separation::solid_properties(shape).volume;
     EXPECT_GT(part, 0.9895);
@@ -92,7 +92,7 @@ TEST(Replay, MeshesAreTheSolids) {
   }
 }
 
-// Of the rows of `coarse`, at the times of `fine` in between.
+// Largest error of the rows of `coarse`, at the times of `fine` in between.
 double worst_error(const Case& c, const Rows& coarse, const Rows& fine,
                    double length, double angle) {
   double worst = 0;

@@ -71,7 +71,7 @@ TEST_F(HingeStudy, SameBytesInAnyThreadsAndParts) {
   EXPECT_EQ(results("a"), serial);  // nothing is computed
   EXPECT_EQ(run("s.toml --rows 120:300 --journal p2 --jobs 2"), "");
   EXPECT_EQ(run("s.toml --rows 0:99 --journal p1"), "");
-  // What no part has is computed.
+  // Runs that no part has are computed.
   EXPECT_EQ(results("c", "--merge p1 p2"), serial);
   // More runs leave the first ones.
   const auto more = results("a", "--runs 400");
@@ -312,7 +312,7 @@ TEST_F(HingeStudy, TheReportSaysWhatScatters) {
   }
 }
 
-// Of polyethylene, which this load breaks.
+// The joint is of polyethylene, which this load breaks.
 TEST_F(HingeStudy, SaysTheWarningsOfTheNominalRun) {
   folder_.write("j.toml",
                 "name = 'ball'\nkind = 'ball'\n"
@@ -434,7 +434,7 @@ TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
     if (!folder_.has(name)) continue;
     ++pages;
     EXPECT_EQ(times_in(page, "\"a%20%22%23b_run" + number + ".html\""), 1);
-    // Of this run: with its draw.
+    // The file names the draw of this run.
     const std::string row = run("c.toml --run " + number);
     const auto at = row.find("mass_t,") + 7;
     EXPECT_EQ(times_in(folder_.read(name),
@@ -466,7 +466,7 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
                 "[[dispersion]]\nkey = 'run.end_time_s'\nrelative = true\n"
                 "kind = 'uniform'\nlow = 0.99\nhigh = 1\n");
   const auto said = folder_.run_well("hinge-study c.toml --report r.html");
-  // Those of the nominal run are said.
+  // Warnings of the nominal run are printed.
   for (const char* words :
        {"hinge-study: warning: nominal run: event \"release\" did not",
         "hinge-study: warning: nominal run: carrier and stage overlap from t "

@@ -43,7 +43,7 @@ struct AxisHinge {
   static void set_rate(double* s, const Eigen::Vector3d& rate) {
     s[1] = rate.z();
   }
-  /// What a start says (BodyStart), into the state.
+  /// Writes a start (BodyStart) into the state.
   template <class Start>
   static void put(const Start& start, const Link&, const std::string&,
                   double* to) {

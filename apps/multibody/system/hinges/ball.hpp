@@ -52,7 +52,7 @@ struct BallHinge {
   static void set_rate(double* s, const Eigen::Vector3d& rate) {
     Eigen::Map<Eigen::Vector3d>(s + 4) = rate;
   }
-  /// What a start says (BodyStart), into the state.
+  /// Writes a start (BodyStart) into the state.
   template <class Start>
   static void put(const Start& start, const Link& link,
                   const std::string& place, double* to) {

@@ -8,7 +8,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
-/// What the checks of bodies have in common.
+/// Checks common to all bodies.
 namespace multibody {
 
 // A moment of inertia that small beside the largest is rounding of zero.

@@ -24,14 +24,14 @@ using nlohmann::json;
 
 using Notes = std::vector<Note>;
 
-// What SQLite's header says of a file of this kind.
+// Application id in SQLite's header for this kind of file.
 constexpr int application = 0x6873636b;
 
 void add(const json& from, Notes& notes) {
   for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
-// Of another program or another version of this one.
+// Refuses files of another program or another version of this one.
 void check_application(const Database& database) {
   try {
     if (database.ask("PRAGMA application_id") == application) return;

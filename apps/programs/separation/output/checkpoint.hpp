@@ -57,7 +57,7 @@ class CheckpointWriter {
   cli::Database database_;
   std::string identity_;
   double every_;
-  // That are written.
+  // Numbers, notes and blocks written.
   std::size_t numbers_ = 0;
   std::size_t notes_ = 0;
   std::size_t blocks_ = 0;

@@ -37,7 +37,7 @@ Quaterniond turn_by(const Vector3d& v) {
   return Quaterniond(AngleAxisd(angle, v / angle));
 }
 
-// Between two key frames, as whoever shows them does.
+// Pose between two key frames, as viewers interpolate it.
 Pose between(const Pose& a, const Pose& b, double part) {
   return {a.position + part * (b.position - a.position),
           a.rotation.slerp(part, b.rotation)};
@@ -114,7 +114,7 @@ Quaterniond BodyPath::rotation(std::size_t i, double part, int body) const {
     return rotation(i, part, 0) * AngleAxisd(turn * degree, hinge.axis) *
            Quaterniond(hinge.zero_rotation);
   }
-  // Of the vector v of the turn since row i. The rates in body axes are
+  // Slope of the vector v of the turn since row i. The rates in body axes are
   // v' - v x v'/2 + v x (v x v')/6 - ..., which is turned round here.
   const Vector3d all = turn_vector(from.rotation.conjugate() * to.rotation);
   const Vector3d across = all.cross(to.rates);
@@ -195,7 +195,7 @@ class Splitter {
 
   // At the rows between and three times between two of these.
   bool fits(double a, const Pose& from, double b, const Pose& to) const {
-    // What turns by more than half a turn would be turned back.
+    // Turns by more than half a turn would go back.
     constexpr double most = std::numbers::pi / 2;
     if (from.rotation.angularDistance(to.rotation) > most) return false;
     const double start = path_.time(a);
@@ -217,7 +217,7 @@ class Splitter {
   }
 
   void split(double a, const Pose& from, double b, const Pose& to) {
-    constexpr double least = 1.0 / (1 << 20);  // of a row: never reached
+    constexpr double least = 1.0 / (1 << 20);  // in rows: never reached
     if (b - a < least || fits(a, from, b, to)) return add(b, to);
     const double half = (a + b) / 2;
     const double middle = b - a > 1 ? std::floor(half) : half;

@@ -10,7 +10,7 @@
 /// The motion between the rows of a history, as it is shown.
 namespace separation {
 
-/// Where a body is: its centre of mass from the carrier's, in inertial
+/// Place of a body: its centre of mass from the carrier's, in inertial
 /// directions, m, and its turn from body axes to inertial ones. Without the
 /// drift of the carrier, floats have room for millimetres.
 struct Pose {
@@ -65,7 +65,7 @@ class BodyPath {
     std::size_t mode = 0;   // 0: no hinge
     std::size_t angle = 0;  // 0: no axis
   };
-  std::vector<Columns> columns_;  // of the carrier, of the body
+  std::vector<Columns> columns_;  // columns of the carrier, of the body
 };
 
 /// Key frames between which poses are interpolated: positions on straight

@@ -7,7 +7,7 @@
 /// A replay as one page that needs no network.
 namespace separation {
 
-/// What a page is made of beside runs, read before they begin.
+/// Parts of a page beside runs, read before they begin.
 class PageParts {
  public:
   /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
@@ -27,7 +27,7 @@ class PageParts {
 /// fourth, ... is shown.
 struct Page {
   std::string text;
-  int every;  ///< of which rows one is shown
+  int every;  ///< one row in `every` is shown
 };
 inline constexpr std::size_t most_page = 50'000'000;
 Page replay_page(const Replay& replay, const PageParts& parts,

@@ -83,8 +83,8 @@ ordered_json force_json(const Case& c, const Force& force) {
   return j;
 }
 
-// What the page draws; the glTF has the motion. Components of a lock's reaction
-// are 0 without a lock.
+// True for columns that the page draws; the glTF has the motion. Components of
+// a lock's reaction are 0 without a lock.
 bool is_shown(const Case& c, const std::string& column) {
   const auto point = column.rfind('.');
   const auto quantity = column.substr(point + 1);
@@ -110,8 +110,8 @@ std::vector<float> column_of(const Take& take, std::size_t column) {
   return values;
 }
 
-// Where the nearest two bodies are nearest to each other, of each row: the
-// number of the pair, and the points in the axes of the two.
+// Nearest points of the nearest two bodies, for each row: the number of the
+// pair, and the points in the axes of the two.
 std::string nearest_points(const Case& c, const Take& take) {
   std::vector<std::size_t> columns;
   for (const auto& [a, b] : c.clearance) {
@@ -215,7 +215,7 @@ std::string page_data(const Replay& replay, int every) {
   std::string result;
   for (const char character : text) {
     if (character == '<') {
-      result += "\\u003c";  // of no end of the element
+      result += "\\u003c";  // so that it ends no element
     } else {
       result += character;
     }

@@ -6,7 +6,7 @@
 
 namespace separation {
 
-/// What the script of a page reads: JSON that a script element may hold.
+/// Data of a page's script: JSON that a script element may hold.
 /// @param every  of which rows one is shown
 std::string page_data(const Replay& replay, int every);
 

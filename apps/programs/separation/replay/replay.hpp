@@ -6,7 +6,7 @@
 #include "programs/separation/replay/scene.hpp"
 #include "separation/results/run.hpp"
 
-/// What a replay shows, in a page or a glTF file.
+/// Replays as a page or a glTF file.
 namespace separation {
 
 /// A run and its place in a comparison.
@@ -17,7 +17,7 @@ struct ShownRun {
   const Case* of = nullptr;
 };
 
-/// What is written of one or of two runs of a case; the second one is faint.
+/// Content of a replay, one or two runs of a case; the second one is faint.
 struct Replay {
   const Case& c;
   std::vector<ShownRun> runs;
@@ -25,14 +25,14 @@ struct Replay {
   std::string case_text;  ///< "" leaves it out
 };
 
-/// Of rows one in `every`, and all about events.
+/// One row in `every`, and all rows at events.
 std::vector<Take> takes_of(const Replay& replay, int every);
 
 /// Animated glTF, all rows.
 std::string replay_glb(const Replay& replay);
 
-/// What cannot be shown as it is: bodies without shapes, turns that are too
-/// fast for the rows.
+/// Faults of the picture: bodies without shapes, turns that are too fast for
+/// the rows.
 std::vector<std::string> replay_faults(const Replay& replay);
 
 }  // namespace separation

@@ -65,7 +65,7 @@ class Stage {
   std::string file() const { return gltf_.file(); }
 
  private:
-  // Of all hinges and of all locks.
+  // Adds the marks of all hinges and of all locks.
   void add_marks() {
     const double r = 0.012 * size_;
     Mesh ball;
@@ -106,7 +106,7 @@ class Stage {
     const int mesh =
         gltf_.add_mesh(solids_[i], name, colour_of(i), take.faint ? 0.35 : 1);
     const BodyPath path(*take.of, *take.rows, take.kept, i);
-    // Of what may be wrong a tenth is for what happens between the rows.
+    // A tenth of the tolerance is left to the motion between rows.
     const double most = 0.9 * tolerance_;
     const KeyFrames keys =
         key_frames(path, most * shown_position * size_, most * shown_turn);
@@ -185,7 +185,7 @@ class Stage {
   double size_;
   double tolerance_;
   Gltf gltf_;
-  std::vector<ordered_json> solids_;  // of bodies
+  std::vector<ordered_json> solids_;  // one for each body
   const Case* solids_of_ = nullptr;
   int hinge_mesh_ = -1;
   int lock_mesh_ = -1;

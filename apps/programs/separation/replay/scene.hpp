@@ -15,16 +15,16 @@ struct Take {
   std::string name;  ///< added to names of bodies; "" for the only one
   bool faint;        ///< for comparison with the other one
   const Rows* rows;
-  std::vector<std::size_t> kept;  ///< of the rows: replay_rows()
+  std::vector<std::size_t> kept;  ///< rows shown: replay_rows()
 };
 
 struct Scene {
   std::string glb;  ///< the file's bytes
   double size;      ///< how far from the carrier's centre bodies reach at first
-  std::vector<int> nodes;  ///< of the bodies of the first take, in the glTF
+  std::vector<int> nodes;  ///< bodies of the first take, in the glTF
 };
 
-/// What a position and a turn between key frames may be wrong by: a part of
+/// Tolerances of a position and a turn between key frames: a part of
 /// Scene::size, and rad.
 inline constexpr double shown_position = 1e-4;
 inline constexpr double shown_turn = 0.05 * 3.14159265358979 / 180;

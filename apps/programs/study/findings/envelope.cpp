@@ -92,8 +92,8 @@ class Samples {
   double step_;
   Numbers numbers_;
   std::vector<std::vector<double>> values_;  // at each time
-  std::vector<std::size_t> counts_;          // of runs with any
-  std::vector<double> special_;              // of the last run
+  std::vector<std::size_t> counts_;          // runs with a value
+  std::vector<double> special_;              // the special run
 };
 
 // Draws that only together make no case have no history.

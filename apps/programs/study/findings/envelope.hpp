@@ -8,12 +8,12 @@
 
 namespace study {
 
-/// Between which values a quantity was over the time.
+/// Range of a quantity over the time.
 struct Envelope {
-  std::string name;   ///< of its picture
+  std::string name;   ///< name of its picture
   std::string label;  ///< with its unit
   std::size_t runs;
-  std::string special;  ///< what the last number is of
+  std::string special;  ///< run of the last number
   std::vector<double> times;
   /// Smallest, 5 %, 50 %, 95 %, largest, and that of the special run; NaN where
   /// there is none.
@@ -27,9 +27,9 @@ struct Envelope {
 /// Names that they may have.
 inline constexpr std::array envelope_names = {"clearance", "angles"};
 
-/// Of the first hundred runs and the worst ones, run again: the smallest
-/// clearance of all pairs, and the angles of all hinges until they break. Runs
-/// whose draws make no case are not among them.
+/// Envelopes of the first hundred runs and the worst ones, run again: the
+/// smallest clearance of all pairs, and the angles of all hinges until they
+/// break. Runs whose draws make no case are not among them.
 std::vector<Envelope> envelopes(const Study& study, const Findings& findings);
 
 }  // namespace study

@@ -18,7 +18,7 @@ struct RunValue {
   double value;
 };
 
-/// What the runs say of a requirement.
+/// Verdict of the runs on a requirement.
 struct Judgement {
   std::size_t misses;   ///< failed runs too
   std::size_t missing;  ///< runs without the number, each of them a miss
@@ -26,14 +26,15 @@ struct Judgement {
   std::optional<Answer> answer;
   Bounds miss_probability;  ///< at the consumer's risk
   std::size_t needed;       ///< runs with so many misses for "met"
-  double share;  ///< that of the percentile: success, or what is left
-  /// Of all runs. Those without the number are at the end that misses, so that
-  /// the percentile or a bound is infinite where it is one of them.
+  double share;             ///< share of the percentile: success, or the rest
+  /// Percentile of all runs. Those without the number are at the end that
+  /// misses, so that the percentile or a bound is infinite where it is one of
+  /// them.
   Percentile percentile;
   std::vector<RunValue> worst;
 };
 
-/// What a number is known to lie between.
+/// Bounds of a number.
 struct Range {
   double low;
   double high;
@@ -53,12 +54,12 @@ struct Scatter {
   std::size_t missing;
 };
 
-/// What drives a number: of each input.
+/// Drivers of a number, by input.
 struct Driven {
   std::string quantity;
   std::vector<double> spearman;
   Regression::Answer regression;
-  /// Of each source, of Saltelli's design only.
+  /// One for each source, with Saltelli's design only.
   std::vector<SobolIndex> sobol;
 };
 
@@ -68,7 +69,7 @@ struct Findings {
   std::size_t above_limit;  ///< runs with over_limit above 1
   std::vector<Judgement> requirements;
   std::vector<Scatter> quantities;
-  std::vector<Driven> driven;  ///< of requirements, then of other quantities
+  std::vector<Driven> driven;  ///< requirements, then other quantities
   std::vector<std::string> idle;
 };
 

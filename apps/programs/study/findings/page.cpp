@@ -28,7 +28,7 @@ std::string cell(const char* element, const std::string& markup) {
   return fmt::format("<{0}>{1}</{0}>", element, markup);
 }
 
-// What a row of the worst runs has beside its numbers.
+// Cells of the worst runs beside their numbers.
 std::string ways_to(const Study& study, std::uint64_t run,
                     const std::string& command, const PageExtras& extras) {
   std::string text;

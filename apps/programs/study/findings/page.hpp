@@ -8,7 +8,7 @@
 
 namespace study {
 
-/// Beside what a study says.
+/// Content of the page beside the results.
 struct PageExtras {
   std::map<std::string, std::string> pictures;  ///< SVG, by their names
   /// Names of the files of replays, beside the page, by their runs.

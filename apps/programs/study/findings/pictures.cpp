@@ -34,7 +34,7 @@ std::string bar_script(
     longest = std::max(longest, cli::text_width(name));
     extent = joined(extent, {value, value});
   }
-  constexpr double least = 8;  // of the bars, em
+  constexpr double least = 8;  // width of the bars, em
   const double left = std::min(room.left + longest + 0.7, room.right - least);
   const cli::Box box{left, room.right - 1, room.top,
                      room.bottom - cli::under_axis};

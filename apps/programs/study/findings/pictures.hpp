@@ -7,7 +7,7 @@
 
 namespace study {
 
-/// What gnuplot draws.
+/// Picture drawn by gnuplot.
 struct Picture {
   std::string name;
   std::string script;  ///< "": there are no numbers

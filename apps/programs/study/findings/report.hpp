@@ -8,7 +8,7 @@
 
 namespace study {
 
-/// What a study says, for programs; NaN is null, infinity the text "inf" or
+/// Results of a study, for programs; NaN is null, infinity the text "inf" or
 /// "-inf".
 nlohmann::ordered_json to_json(const Study& study, const Findings& findings);
 
@@ -21,19 +21,19 @@ struct Part {
   Cells header = {};  ///< none: no table
   std::vector<Cells> rows = {};
   std::vector<std::string> pictures = {};  ///< their names
-  std::vector<std::uint64_t> runs = {};    ///< that the rows are of
+  std::vector<std::uint64_t> runs = {};    ///< run of each row
 };
 
-/// What scatters and how, for people.
+/// Distributions of the inputs, for people.
 std::vector<Part> inputs_of(const Study& study);
-/// That runs have pressures above over_limit, and how many.
+/// Note on pressures above over_limit, with the number of runs.
 std::string above_limit_text(const Study& study, const Findings& findings);
 
-/// What a study says, for people.
+/// Results of a study, for people.
 std::vector<Part> parts_of(const Study& study, const Findings& findings);
 
-/// That repeats a run.
-/// @param command  that begins it
+/// Command that repeats a run.
+/// @param command  its beginning
 std::string command_of(const Study& study, const std::string& command,
                        std::uint64_t run);
 

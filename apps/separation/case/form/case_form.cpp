@@ -66,7 +66,7 @@ std::vector<CaseForm::Part> CaseForm::parts(const TomlTable& file,
   return result;
 }
 
-// Of "body[2].com[1]", those of the second body.
+// Keys of a body: the second one's for "body[2].com[1]".
 CaseForm::Keys& CaseForm::keys_of(const std::string& place) {
   const std::string step = place.substr(0, place.find('.'));
   const auto bracket = std::min(step.find('['), step.size());

@@ -74,7 +74,7 @@ void read_run(const TomlTable& table, Case& c) {
           .value_or(options.longest_step);
 }
 
-// Of the carrier or of a body of its own.
+// Start of the carrier or of a body of its own.
 BodyMotion read_free_start(const std::optional<TomlTable>& table) {
   BodyMotion start{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                    Vector3d::Zero()};

@@ -21,12 +21,12 @@ struct HingeTable {
 struct HingeType {
   multibody::HingeKind kind;
   std::string_view name;
-  /// Beside those of all hinges.
+  /// Keys beside those of all hinges.
   contact::KnownKeys keys;
   /// Full turns of its angle count; else it is one between two directions, 0 to
   /// 180 deg.
   bool counts_turns;
-  /// Of [body.start]: its rate.
+  /// Key of the rate in [body.start].
   std::string_view rate_key;
   /// Reads its own keys,
   void (*read)(const HingeTable& from, Hinge& hinge);
@@ -40,8 +40,8 @@ struct HingeType {
   /// Its angle, without full turns.
   /// @param rotation  body axes to carrier axes
   double (*angle)(const Hinge& hinge, const Eigen::Matrix3d& rotation);
-  /// What of an angular velocity, or acceleration, of the body relative to the
-  /// carrier is that of the angle; of a ball joint its length.
+  /// Part of an angular velocity, or acceleration, of the body relative to the
+  /// carrier that belongs to the angle; for a ball joint its length.
   /// @param carrier  carrier axes to those of the vector
   double (*turn)(const Hinge& hinge, const Eigen::Matrix3d& carrier,
                  const Eigen::Vector3d& relative);
@@ -49,7 +49,7 @@ struct HingeType {
 
 /// All kinds; list.cpp has the list.
 const std::vector<HingeType>& hinge_types();
-/// That of a hinge that is there.
+/// Type of an existing hinge.
 const HingeType& hinge_type(const Hinge& hinge);
 
 /// Refuses angles that its hinges do not have.
