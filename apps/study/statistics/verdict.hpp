@@ -4,8 +4,9 @@
 #include <optional>
 #include <span>
 
-/// What random runs say of a probability, by counting them alone (Hanson and
-/// Beard, NASA/TP-2010-216447): of the distribution nothing is assumed.
+/// What random runs say of a probability, by counting them alone
+/// (libcontact/docs/references.md#hanson-2010): of the distribution nothing is
+/// assumed.
 namespace study {
 
 /// What is asked of a share of runs.
