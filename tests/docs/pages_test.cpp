@@ -59,21 +59,21 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
 std::set<std::string> anchors(const fs::path& page) {
   std::set<std::string> names;
   for (const std::string& line : prose(page)) {
-    for (const std::string& id : matches(line, R"(<a id="([\w-]+)")")) {
+    for (const std::string& id : matches(line, R"re(<a id="([\w-]+)")re")) {
       EXPECT_TRUE(names.insert(id).second) << page << ": two of " << id;
-  }
-  const std::size_t level = line.find_first_not_of('#');
-  if (level == 0 || level == line.npos || line[level] != ' ') continue;
-  std::string name;
-  for (const unsigned char c : line.substr(level + 1)) {
-    if (c == ' ') name += '-';
-    if (std::isalnum(c) || c == '-' || c == '_') {
-      name += static_cast<char>(std::tolower(c));
     }
+    const std::size_t level = line.find_first_not_of('#');
+    if (level == 0 || level == line.npos || line[level] != ' ') continue;
+    std::string name;
+    for (const unsigned char c : line.substr(level + 1)) {
+      if (c == ' ') name += '-';
+      if (std::isalnum(c) || c == '-' || c == '_') {
+        name += static_cast<char>(std::tolower(c));
+      }
+    }
+    EXPECT_TRUE(names.insert(name).second) << page << ": two of " << name;
   }
-  EXPECT_TRUE(names.insert(name).second) << page << ": two of " << name;
-}
-return names;
+  return names;
 }
 
 std::vector<fs::path> pages() {
@@ -129,9 +129,9 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   std::set<std::string> rows;
   for (const std::string& line :
        prose(root / "libcontact/docs/references.md")) {
-    const auto key = matches(line, R"(^\| <a id="([\w-]+)" > </ a>\1 \|) ");
-        // The rows of a table, but for its head and the line below that.
-        if (line.starts_with("| ") && !line.starts_with("| key")) {
+    const auto key = matches(line, R"re(^\| <a id="([\w-]+)"></a>\1 \|)re");
+    // The rows of a table, but for its head and the line below that.
+    if (line.starts_with("| ") && !line.starts_with("| key")) {
       EXPECT_EQ(key.size(), 1u) << line;
     }
     rows.insert(key.begin(), key.end());
