@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# What the pressure laws make of contacts, and of the paper's examples: the
-# tables of libcontact/docs/pressure.md:
+# What the pressure laws make of contacts, and of the paper's examples: tables
+# of libcontact/docs/pressure.md and pressure_accuracy.md:
 #   scripts/pressure_tables.sh BUILD_DIR
-# prints them. Docs.PressureTables checks that they are those of the page.
+# prints them. Docs.PressureTables checks that they are those of the pages.
 set -euo pipefail
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2

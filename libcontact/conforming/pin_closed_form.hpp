@@ -18,11 +18,8 @@ namespace contact {
 /// 1/lambda = 0.1, where its own rounding begins to be magnified by the
 /// nearness of the limit angle; half_angle() 4e-16 of itself there; pressure
 /// 5e-15 of the peak (conforming/pin_test.cpp, against 50-digit arithmetic).
-/// Source: A. Persson, "On the stress distribution of cylindrical elastic
-/// bodies in contact", Chalmers (1964), for identical materials; M. Ciavarella
-/// and P. Decuzzi, "The state of stress induced by the plane frictionless
-/// cylindrical contact", Int. J. Solids Struct. 38 (2001) 4507-4533, for
-/// beta = 0.
+/// Sources: docs/references.md#persson-1964 for identical materials,
+/// docs/references.md#ciavarella-2001 for beta = 0.
 class PinClosedForm {
  public:
   /// @param outer_compliance_share  w_2 = (1 + alpha)/2, [0, 1]

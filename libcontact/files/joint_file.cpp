@@ -89,6 +89,7 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
       .outer =
           wall_from_table(table, geometry.radius(), materials.elastic.outer()),
       .friction = friction_from_table(table)};
+  take_plane_state(table, geometry.kind(), joint.inner, joint.outer);
   joint.conditions();  // refuses walls that do not fit the radius
   joint = at_temperatures(table, joint);
   joint.half_angle_law = joint.half_angle_law_name();

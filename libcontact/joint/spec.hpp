@@ -45,7 +45,7 @@ struct ThermalGrowth {
 ///                               .inner = cobalt,
 ///                               .outer = {{{0.008, polyethylene}},
 ///                                         Backing::rigid()},
-///                               .friction = FrictionLaw(0.062)});
+///                               .friction = FrictionLaw(0.0587)});
 ///
 /// The functions throw Error for numbers and laws that do not go together.
 struct JointSpec {

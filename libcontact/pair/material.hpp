@@ -51,10 +51,10 @@ void check_material(const Material& material, std::string place);
 /// Accuracy: relative error at most 5e-16 for all but alpha and beta, whose
 /// absolute error is at most 4e-16 (pair/pair_test.cpp, against 50-digit
 /// arithmetic).
-/// Source: the paper, section 2 (E, Ebar); J. Dundurs, "Edge-bonded dissimilar
-/// orthogonal elastic wedges under normal and shear loading", J. Appl. Mech.
-/// 36 (1969) 650-652 (alpha, beta, with the sign that makes alpha = -1 a rigid
-/// outer body here).
+/// Sources: the paper, section 2 (E, Ebar);
+/// docs/references.md#dundurs-1969, on edge-bonded wedges (alpha, beta,
+/// where the sign is here the one that makes
+/// alpha = -1 a rigid outer body).
 class ElasticPair {
  public:
   /// @param inner  body 1: ball or pin

@@ -27,9 +27,7 @@ struct PublishedForceLaw {
 };
 
 /// For a pin eight laws, for a ball Hertz' one: docs/play.md. First sources are
-/// named; the formulas as collected by C. Pereira, A. Ramalho, J. Ambrosio, "A
-/// critical overview of internal and external cylinder contact force models",
-/// Nonlinear Dyn. 63 (2011) 681-697.
+/// named; the formulas as collected in docs/references.md#pereira-2011.
 std::vector<PublishedForceLaw> published_force_laws(
     const JointGeometry& geometry, const ElasticPair& pair);
 

@@ -1,8 +1,12 @@
-# The tables that a script prints are those of a page.
-# -D SCRIPT=script -D BUILD=its argument -D PAGE=page
+# The tables that a script prints are those of some pages.
+# -D SCRIPT=script -D BUILD=its argument -D PAGES=page,page
 execute_process(COMMAND ${SCRIPT} ${BUILD} OUTPUT_VARIABLE tables
   COMMAND_ERROR_IS_FATAL ANY)
-file(READ ${PAGE} page)
+string(REPLACE "," ";" files ${PAGES})
+foreach(file IN LISTS files)
+  file(READ ${file} text)
+  string(APPEND page "${text}")
+endforeach()
 string(REGEX MATCHALL "\\|[^\n]*\n" rows "${tables}")
 list(LENGTH rows count)
 if(count LESS 3)
@@ -11,6 +15,6 @@ endif()
 foreach(row IN LISTS rows)
   string(FIND "${page}" "\n${row}" place)
   if(place EQUAL -1)
-    message(SEND_ERROR "${PAGE} has no row\n${row}")
+    message(SEND_ERROR "${PAGES}: no row\n${row}")
   endif()
 endforeach()

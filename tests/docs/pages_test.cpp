@@ -55,10 +55,13 @@ std::vector<std::string> matches(const std::string& text, const char* pattern) {
   return found;
 }
 
-/// How GitHub names the headings of a page.
+/// How GitHub names the headings of a page, and the anchors of its tables.
 std::set<std::string> anchors(const fs::path& page) {
   std::set<std::string> names;
   for (const std::string& line : prose(page)) {
+    for (const std::string& id : matches(line, R"re(<a id="([\w-]+)")re")) {
+      EXPECT_TRUE(names.insert(id).second) << page << ": two of " << id;
+    }
     const std::size_t level = line.find_first_not_of('#');
     if (level == 0 || level == line.npos || line[level] != ' ') continue;
     std::string name;
@@ -104,6 +107,37 @@ TEST(Pages, LinksLeadSomewhere) {
     }
   }
   EXPECT_GT(links, 50);
+}
+
+// A source is cited by the key of its row of references.md:
+// "references.md#KEY", a link in pages and plain text in docstrings and data
+// files.
+TEST(Pages, CiteEverySourceAndNoOther) {
+  std::set<std::string> cited;
+  const auto look = [&](const fs::path& file) {
+    const auto keys = matches(contents(file), R"(references\.md#([\w-]+))");
+    cited.insert(keys.begin(), keys.end());
+  };
+  const std::set<std::string> kinds = {".md",   ".hpp", ".cpp", ".h",
+                                       ".toml", ".csv", ".py",  ".in"};
+  look(root / "README.md");
+  for (const char* folder : {"apps", "data", "libcontact"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (kinds.contains(entry.path().extension())) look(entry.path());
+    }
+  }
+  std::set<std::string> rows;
+  for (const std::string& line :
+       prose(root / "libcontact/docs/references.md")) {
+    const auto key = matches(line, R"re(^\| <a id="([\w-]+)"></a>\1 \|)re");
+    // The rows of a table, but for its head and the line below that.
+    if (line.starts_with("| ") && !line.starts_with("| key")) {
+      EXPECT_EQ(key.size(), 1u) << line;
+    }
+    rows.insert(key.begin(), key.end());
+  }
+  EXPECT_GT(rows.size(), 50u);
+  EXPECT_EQ(cited, rows);
 }
 
 TEST(Pages, TimesOfTheReadmeAreMeasured) {

@@ -187,6 +187,50 @@ JointSpec walled(const std::string& walls) {
   return parsed(ball_file().edit("16...", walls));
 }
 
+// A pin in a plate, by Hertz' compliance of plane stress, 1/E, which is that of
+// plane strain of the materials taken, (1 - nu'^2)/E'; the shear modulus stays.
+TEST(JointFile, PlaneStressOfPins) {
+  const auto read = [](const std::string& key, const std::string& wall = "") {
+    return parse_joint(key + R"(
+        name = "pin in a plate"
+        kind = "pin"
+        geometry = { radius_mm = 30, radial_clearance_um = 5, length_mm = 1 }
+        materials.inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
+        materials.outer = { youngs_modulus_GPa = 70, poissons_ratio = 0.5 }
+        )" + wall,
+                       "plate.toml");
+  };
+  const JointSpec strain = read("plane_state = \"strain\"");
+  EXPECT_EQ(strain, read(""));
+  const JointSpec stress = read("plane_state = \"stress\"");
+  const auto compliance = [](const Material& m) {
+    return (1 - m.poissons_ratio * m.poissons_ratio) / m.youngs_modulus;
+  };
+  const auto shear = [](const Material& m) {
+    return m.youngs_modulus / (2 * (1 + m.poissons_ratio));
+  };
+  // 4 roundings.
+  constexpr double rounding = 4 * 2.3e-16;
+  for (const auto body : {&JointSpec::inner, &JointSpec::outer}) {
+    const Material& given = (strain.*body).surface();
+    const Material& taken = (stress.*body).surface();
+    EXPECT_NEAR(compliance(taken) * given.youngs_modulus, 1, rounding);
+    EXPECT_NEAR(shear(taken) / shear(given), 1, rounding);
+  }
+  EXPECT_EQ(parse_joint(stress.canonical_text(), "text"), stress);
+
+  const std::string wall =
+      "wall.backing = { youngs_modulus_GPa = 3, poissons_ratio = 0.4 }\n"
+      "[[wall.layer]]\nthickness_mm = 2\n";
+  const JointSpec plate = read("plane_state = \"stress\"", wall);
+  EXPECT_EQ(plate.outer.layers[0].material, stress.outer.surface());
+  EXPECT_NEAR(compliance(plate.outer.backing.material()) * 3e9, 1, rounding);
+  EXPECT_EQ(error_message(
+                [&] { read("plane_state = \"stress\"\ntemperature_C = 40"); }),
+            "plate.toml:1: plane_state = \"stress\" conflicts with "
+            "temperature_C (line 2)");
+}
+
 TEST(JointFile, SeatsThatEnd) {
   const auto seat = [](const std::string& keys) {
     return parsed(ball_file().edit("+", "[seat]\n" + keys)).geometry.seat();

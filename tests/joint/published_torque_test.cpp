@@ -1,5 +1,5 @@
 // Torque of bushes with interference over that with a clearance, as in
-// docs/against_the_world.md: what a measured ratio of 1.50 would ask for.
+// docs/measured.md: what a measured ratio of 1.50 would ask for.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/toms748_solve.hpp>

@@ -100,6 +100,19 @@ TEST(MeasuredMoment, OfAPinByHand) {
   EXPECT_NEAR(number(found, "f0"), f_m / std::sqrt(s * s - f_m * f_m), 1e-14);
 }
 
+// The sample hip's f0 gives the friction factor of its source, 0.062,
+// and f0 has three digits: half a unit of the last is 5e-5 in both.
+TEST(MeasuredMoment, TheHipsFrictionFactorIsThatOfItsSource) {
+  const ProgramFolder folder;
+  const std::string hip =
+      "hinge-joint --joint data/joints/hip_cocr_uhmwpe.toml --reaction 2000 "
+      "--beta 90 ";
+  EXPECT_NEAR(number(folder.run(hip), "f_M"), 0.062, 5e-5);
+  // 1.736 N m = 0.062 * 14 mm * 2 kN.
+  EXPECT_NEAR(number(folder.run(hip + "--measured-moment 1.736"), "f0"), 0.0587,
+              5e-5);
+}
+
 // The joint's own adhesion counts, --adhesion takes its place, and a joint
 // without friction has none. Each pair of laws has its own f0.
 TEST(MeasuredMoment, AdhesionIsGiven) {

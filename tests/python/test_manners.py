@@ -338,8 +338,8 @@ class Files(unittest.TestCase):
     def test_have_friction_wherever_it_stands(self):
         pin = source / "data/duty/stribeck_pin.toml"
         for joint, of in (
-            (hip, ("dry", 0.062, 0)),
-            (pickle.loads(pickle.dumps(hip)), ("dry", 0.062, 0)),
+            (hip, ("dry", 0.0587, 0)),
+            (pickle.loads(pickle.dumps(hip)), ("dry", 0.0587, 0)),
             (libcontact.Joint.from_file(rig_file), (None, None, None)),
             (libcontact.Joint.from_file(pin), ("stribeck", None, None)),
         ):  # fmt: skip

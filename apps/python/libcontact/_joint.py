@@ -64,7 +64,7 @@ class Joint(FileText, _core.Joint):
             inner={"youngs_modulus_GPa": 230, "poissons_ratio": 0.3},
             outer={"youngs_modulus_GPa": 1, "poissons_ratio": 0.4},
             wall={"backing": "rigid", "layer": [{"thickness_mm": 8}]},
-            coefficient=0.062)
+            coefficient=0.0587)
 
     Keywords are the keys of joint files with their units (libcontact's
     docs/joint_file.md): those of [geometry], [materials] and [friction] without

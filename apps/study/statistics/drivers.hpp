@@ -49,10 +49,12 @@ struct SobolIndex {
 };
 
 /// Indices from the outputs of Saltelli's design, groups of A, B and A with a
-/// column of B for each source: the estimators of Saltelli et al. (2010) and
-/// of Jansen. Errors are from the spread of the shifts, which take turns with
-/// the groups: as a root of mean squares 0.8 to 1.3 times the true error
-/// (Drivers.SobolErrorsAreAsLargeAsTheySay). Groups with a NaN are left out.
+/// column of B for each source: the estimators of
+/// libcontact/docs/references.md#saltelli-2010 and
+/// libcontact/docs/references.md#jansen-1999. Errors are from the spread of the
+/// shifts, which take turns with the groups: as a root of mean squares 0.8
+/// to 1.3 times the true error (Drivers.SobolErrorsAreAsLargeAsTheySay). Groups
+/// with a NaN are left out.
 std::vector<SobolIndex> sobol_indices(std::span<const double> outputs,
                                       std::size_t sources, std::size_t shifts);
 

@@ -204,6 +204,7 @@ KnownKeys geometry_keys() {
           {"outer_temperature", Dimension::temperature},
           {"reference_temperature", Dimension::temperature},
           {"axial_growth"},
+          {"plane_state"},
           table_key("geometry", {{"radius", Dimension::length},
                                  {"diameter", Dimension::length},
                                  {"radial_clearance", Dimension::length},

@@ -61,6 +61,22 @@ Backing backing_from_table(const TomlTable& wall) {
              : Backing::held();
 }
 
+Material in_plane_stress(Material material) {
+  const double nu = material.poissons_ratio;
+  material.youngs_modulus *= (1 + 2 * nu) / ((1 + nu) * (1 + nu));
+  material.poissons_ratio = nu / (1 + nu);
+  return material;
+}
+
+void put_in_plane_stress(LayeredBody& body) {
+  for (Layer& layer : body.layers) {
+    layer.material = in_plane_stress(layer.material);
+  }
+  if (body.backing.kind() == Backing::Kind::medium) {
+    body.backing = Backing::medium(in_plane_stress(body.backing.material()));
+  }
+}
+
 }  // namespace
 
 LayeredBody wall_from_table(const TomlTable& joint, double radius,
@@ -95,6 +111,20 @@ LayeredBody coated_body(const TomlTable& joint, double radius,
     }
   }
   return {std::move(coatings), Backing::medium(core)};
+}
+
+void take_plane_state(const TomlTable& joint, JointKind kind,
+                      LayeredBody& inner, LayeredBody& outer) {
+  const auto state = joint.optional_choice("plane_state", {"strain", "stress"});
+  if (!state) return;
+  if (kind == JointKind::ball) joint.needs("plane_state", "kind = \"pin\"");
+  if (*state == 0) return;
+  // Growth along the axis is another one in plane stress.
+  for (const char* key : {"temperature", "inner_temperature"}) {
+    joint.refuse_both("plane_state", key);
+  }
+  put_in_plane_stress(inner);
+  put_in_plane_stress(outer);
 }
 
 KnownKeys wall_keys() {

@@ -15,9 +15,9 @@
 /// where the cosine part has cos^2 phi, the sine part sin^2 phi in its
 /// numerator. The parts are what the friction integrals are made of: each is
 /// positive, and they stay accurate where K - E or Pi - K have lost their
-/// digits (x -> 1, n -> 0). Fukushima calls the parts of K B and D (Math.
-/// Comp. 80 (2011) 1725-1743). All reduce to Carlson's symmetric integrals,
-/// DLMF 19.25.
+/// digits (x -> 1, n -> 0). Fukushima calls the parts of K B and D
+/// (docs/references.md#fukushima-2011). All reduce to Carlson's symmetric
+/// integrals, DLMF 19.25.
 ///
 /// Arguments: x >= 0 (x > 1 is an imaginary modulus), p >= 0. K, Pi and the
 /// sine parts are +infinity at x = 0, Pi and its sine part also at p = 0.

@@ -20,7 +20,7 @@ int main() {
   const contact::ElasticPair materials({230e9, 0.3}, {1e9, 0.4});  // Pa, 1
   const contact::JointContact hip(
       contact::JointGeometry::ball(0.014, 100e-6),  // radius, clearance, m
-      materials, contact::FrictionLaw(0.062),
+      materials, contact::FrictionLaw(0.0587),
       contact::make_half_angle_law("fitted", ball, materials),
       std::make_shared<FlatTop>(ball));
 
@@ -29,5 +29,5 @@ int main() {
       hip.integrals(half_angle, contact::SlipAxis::from_degrees(90));
   std::printf("peak %.2f MPa, moment of pure spinning %.4f N m\n",
               hip.peak_pressure(2000, half_angle) / 1e6,
-              0.062 * 2000 * 0.014 * spinning.coefficient.spinning);
+              0.0587 * 2000 * 0.014 * spinning.coefficient.spinning);
 }

@@ -10,7 +10,7 @@ int main() {
       {.geometry = JointGeometry::ball(0.014, 100e-6),  // radius, clearance, m
        .inner = Material{230e9, 0.3},                   // Pa, 1
        .outer = {{{0.008, {1e9, 0.4}}}, Backing::rigid()},
-       .friction = FrictionLaw(0.062)});
+       .friction = FrictionLaw(0.0587)});
 
   const double beta = 60 * degree;
   const JointSolution s = hip.solve(

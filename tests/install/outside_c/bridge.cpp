@@ -10,7 +10,7 @@ int main() {
   numbers.radial_clearance = 100e-6;
   numbers.inner = {230e9, 0.3};
   numbers.outer = {1e9, 0.4};
-  numbers.coefficient = 0.062;
+  numbers.coefficient = 0.0587;
   contact_joint* made = nullptr;
   if (contact_joint_make(&numbers, &made) != CONTACT_OK) {
     std::puts(contact_last_message());

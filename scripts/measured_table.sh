@@ -1,0 +1,158 @@
+#!/usr/bin/env bash
+# What others measured or computed beside ours: the tables of
+# libcontact/docs/measured.md:
+#   scripts/measured_table.sh BUILD_DIR
+# prints them. Docs.MeasuredTable checks that they are those of the page.
+set -euo pipefail
+if [ $# -ne 1 ]; then
+  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  exit 2
+fi
+bin=$(cd "$1" && pwd)/bin
+cd "$(dirname "$0")/.."
+data=$PWD/data
+source scripts/walled_joint.sh
+work=$(mktemp -d)
+trap 'rm -r "$work"' EXIT
+cd "$work"
+
+# Interval of a column of numbers: FORMAT, "least to largest".
+interval() {
+  awk -v format="$1" 'NR == 1 {low = high = $1}
+    {if ($1 < low) low = $1; if ($1 > high) high = $1}
+    END {printf format " to " format, low, high}'
+}
+# Stated LOW to HIGH and ours, "low to high": what they have to do with another.
+verdict() {
+  awk -v low="$1" -v high="$2" -v ours="$3" 'BEGIN {
+    split(ours, x, " to ")
+    if (x[2] < low || x[1] > high) print "outside"
+    else if (x[1] <= low && x[2] >= high) print "inside"
+    else print "they overlap"
+  }'
+}
+# Programs say of such joints that they are out of the ordinary; the page does too.
+quietly() { "$bin/$@" 2>/dev/null; }
+# JOINT COLUMN ARGUMENTS...: the last number of hinge-joint
+joint() {
+  quietly hinge-joint --joint "$1" --columns "$2" "${@:3}" | tail -n 1
+}
+
+# A bush of thickness t/rho and Poisson's ratio on a housing that does not yield.
+bush() { # T NU CLEARANCE_um
+  walled_joint bush.toml pin 25 "$3" "inf 0" "0.5 $2" rigid \
+    "$(awk -v t="$1" 'BEGIN {print 25 * t}')"
+  printf '[friction]\ncoefficient = 0.1\n' >>bush.toml
+}
+# Torque with interference over that with clearance, at P/P_l for one bush.
+bush_ratio() { # T NU LOAD
+  bush "$1" "$2" -150
+  local load
+  load=$(joint bush.toml R_lift_off_N --reaction 0 |
+    awk -v n="$3" '{printf "%.12g", $1 * n}')
+  local pressed loose
+  pressed=$(joint bush.toml M_t_N_m --reaction "$load")
+  bush "$1" "$2" 350
+  loose=$(joint bush.toml M_t_N_m --reaction "$load")
+  awk -v a="$pressed" -v b="$loose" 'BEGIN {print a / b}'
+}
+# SOURCE KIND STATED ASSUMED OURS VERDICT WHY
+row() { (IFS='|'; printf '| %s |\n' "$*" | sed 's/\([^ ]\)|\([^ ]\)/\1 | \2/g'); }
+ref() { printf '[%s](references.md#%s)' "$1" "$2"; }
+
+row source kind stated assumed ours "the stated is" why
+row --- --- --- --- --- --- ---
+
+ours=$(for t in 0.1 0.3; do for nu in 0.4 0.49; do for load in 1.01 5; do
+  bush_ratio $t $nu $load; done; done; done | interval %.2f)
+row "$(ref "Colbert 2010" colbert-2010), PTFE bushes" measured \
+  "torque with 150 um interference over that with 350 um clearance 1.50" \
+  "t/rho 0.1 to 0.3, nu 0.40 to 0.49, rigid housing, load 1.01 to 5 times that of lift-off" \
+  "$ours" "$(verdict 1.50 1.50 "$ours")" \
+  "the load decides, and is not in the abstract"
+
+# KIND THETA0_deg COLUMN ARGUMENTS...: a number of a contact of that half-angle.
+at_half_angle() {
+  local load
+  load=$(quietly hinge-angle --joint "$1" --modulus-ratio 1 --law exact \
+    --inverse --theta0 "$2" --columns load_parameter_exact | tail -n 1)
+  quietly hinge-pressure --joint "$1" --modulus-ratio 1 --law exact \
+    --load-parameter "$load" --summary --columns "$3" "${@:4}" | tail -n 1
+}
+ours=$(for angle in 10 80; do at_half_angle pin $angle S --pressure worn; done |
+  interval %.3f)
+row "$(ref "Colbert 2010" colbert-2010), worn bushes" measured \
+  "torque grows with the wrap angle at one coefficient" \
+  "worn in, half-angles of 10 to 80 deg" "$ours times f0 R rho" agrees \
+  "4/pi = 1.273 for half a turn"
+
+# KEY STATE: a number of Klang's pin.
+klang() {
+  walled_joint klang.toml pin 29.995 5 "210 0.3" "210 0.3"
+  quietly hinge-pressure --joint klang.toml --set "plane_state=$2" \
+    --load 9.375e5 --law exact --pressure exact --summary --columns "$1" |
+    tail -n 1
+}
+klang_row() { # WHAT STATED KEY SCALE WHY
+  local ours
+  ours=$(for state in stress strain; do klang "$3" $state; done |
+    awk -v scale="$4" '{printf "%s%.1f", NR == 2 ? " (plane strain " : "",
+      $1 / scale} END {print ")"}')
+  row "$(ref "Klang 1979" klang-1979), pin 59.99 mm in a hole of 60 mm" computed \
+    "$1 $2" "no friction; 0.9375 MN/m" "$ours" outside "$5"
+}
+klang_row "half-angle, deg," 60 theta0_deg 1 "friction of 0.4 on first loading"
+klang_row "peak, MPa," 17.8 p_peak_Pa 1e6 \
+  "friction of 0.4 on first loading carries a part"
+
+# E_GPa LOAD FACTOR: f0 of a friction factor of the sample hip.
+hip_f0() {
+  quietly hinge-joint --joint "$data/joints/hip_cocr_uhmwpe.toml" \
+    --set "materials.outer.youngs_modulus_GPa=$1" --reaction "$2" --beta 90 \
+    --measured-moment "$(awk -v f="$3" -v r="$2" 'BEGIN {print f * 0.014 * r}')" \
+    --columns f0 | tail -n 1
+}
+ours=$(for e in 0.5 1; do for load in 500 3000; do hip_f0 $e $load 0.062; done
+  done | interval %.4f)
+row "$(ref "Di Puccio 2015" dipuccio-2015), CoCrMo on UHMWPE in serum" measured \
+  "friction factor f_M 0.062 +- 0.008" \
+  "head of 28 mm, 8 mm of 0.5 to 1 GPa, 0.5 to 3 kN" "f0 $ours" "no test" \
+  "a conversion: f_M is not f0"
+
+# HEAD_mm CLEARANCE_um LINER_mm: friction moment under 2 kN.
+head_moment() {
+  walled_joint head.toml ball "$(awk -v d="$1" 'BEGIN {print d / 2}')" "$2" \
+    "380 0.26" "1 0.4" rigid "$3"
+  printf '[friction]\ncoefficient = 0.05\n' >>head.toml
+  joint head.toml M_t_N_m --reaction 2000 --beta 90
+}
+for head in 36 40; do
+  ours=$(for clearance in 50 150; do for liner in 5 8; do
+    awk -v a="$(head_moment $head $clearance $liner)" \
+      -v b="$(head_moment 28 $clearance $liner)" 'BEGIN {print a / b}'
+  done; done | interval %.2f)
+  row "$(ref "Sonntag 2017" sonntag-2017), ceramic on polyethylene" measured \
+    "torque is larger with heads of $head mm than of 28 mm" \
+    "one f0, 2 kN, radial clearance 0.05 to 0.15 mm, liner 5 to 8 mm, 1 GPa" \
+    "$ours times" agrees "a little less than the diameters' ratio"
+done
+
+# CLEARANCE_um BONE_GPa: half-angle of a metal hip of 50 mm.
+metal_hip() {
+  walled_joint metal.toml ball 25 "$1" "230 0.3" "230 0.3" "$2 0.3" 4
+  printf '[friction]\ncoefficient = 0.1\n' >>metal.toml
+  joint metal.toml theta0_deg --reaction 3200 --beta 90
+}
+for clearance in 50 150; do
+  ours=$(for bone in 0.3 2; do metal_hip $clearance $bone; done | interval %.1f)
+  row "$(ref "Underwood 2012" underwood-2012), metal on metal" measured \
+    "low clearance brings the contact's edge nearer to the rim" \
+    "head 50 mm, cup of 4 mm in bone of 0.3 to 2 GPa, 3.2 kN, radial clearance $clearance um" \
+    "half-angle $ours deg" agrees "sizes of the hips are not in the abstract"
+done
+
+ours=$(for angle in 10 70; do at_half_angle ball $angle sigma_Y_0; done |
+  interval %.2f)
+row "$(ref "SKF 4407" skf-4407), radial spherical plain bearings" catalogue \
+  "friction moment over f P d/2: 1" "half-angles of 10 to 70 deg" "$ours" \
+  "at its lower end" "a convention: f of catalogues is f_M"
