@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "duty/worn_pin_clearance.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/duty/wear_map.hpp"
@@ -47,7 +48,8 @@ TEST(PinWear, OfTheHoleMatchesTheReference) {
     if (row.text("worn_body") != "fixed") continue;
     PinWear wear(pair_of(row), row.value("clearance"));
     const double load = row.value("load");
-    wear.slide(load, {.hole = row.value("sigma"), .pin = 0});
+    EXPECT_EQ(wear.slide(load, {.hole = row.value("sigma"), .pin = 0}),
+              Status::ok);
     const WornCircle::Contact now = wear.contact(load);
     EXPECT_EQ(now.status, Status::ok);
     const auto add = [&](double computed, const char* column) {
@@ -93,8 +95,8 @@ TEST(PinWear, OfThePinMatchesTheReference) {
     }
     const double load = row.value("load");
     const double sigma = row.value("sigma");
-    const detail::LoadedPath path = {load, sigma};
-    const double after = detail::clearance_of_worn_pin(*contact, {&path, 1}, 1);
+    const LoadedPath path = {load, sigma};
+    const double after = clearance_of_worn_pin(*contact, {&path, 1}, 1);
     growth.add(after - clearance, row.value("clearance_after") - clearance,
                row.label());
     const JointContact worn =
@@ -239,10 +241,9 @@ TEST(WearInPressed, OfThePinFollowsItsExactGrowth) {
   const double path = k * pair.radius() * 16;
   const auto states =
       wear_in(steady(force), contact, {.seat = 0, .inner = k}, 2e5).states;
-  const detail::LoadedPath loaded = {force / std::hypot(1, 0.1), path};
+  const LoadedPath loaded = {force / std::hypot(1, 0.1), path};
   EXPECT_NEAR(states.back().clearance,
-              detail::clearance_of_worn_pin(contact, {&loaded, 1}, 2e5),
-              1e-3 * 2e-5);
+              clearance_of_worn_pin(contact, {&loaded, 1}, 2e5), 1e-3 * 2e-5);
   EXPECT_EQ(states.back().volume, 0);
 }
 
