@@ -247,6 +247,40 @@ TEST(WearInPressed, OfThePinFollowsItsExactGrowth) {
   EXPECT_EQ(states.back().volume, 0);
 }
 
+// p all round while closed, and of the contact that is lifted off: the map of
+// the hole, in which the load stands still, against the pressure itself.
+TEST(WearMap, OfAPressedPin) {
+  const LayeredPair pair = pair_of(ReferenceTable("preload/wear.csv")[0]);
+  const JointContact contact = contact_of(pair, -2e-5);
+  const double distance = pair.radius() * 2 * 8;
+  for (const double share : {0.5, 3.0}) {
+    const JointCycle cycle(steady(share * contact.lift_off_force()),
+                           Joint(contact));
+    const JointCycle::Instant& at = cycle.gauss_points().front();
+    const WearMap map(cycle, JointBody::body);
+    const Eigen::Vector3d centre =
+        at.state.turn.conjugate() * cycle.sliding(at).centre();
+    const double force = at.solution.normal_force;
+    const double half_angle = at.solution.half_angle;
+    EXPECT_EQ(half_angle == pi, share < 1);
+    const double largest = contact.pressure(0, force, half_angle);
+    for (const double theta : {0.0, 0.7, 1.5, 2.5, pi}) {
+      const Eigen::AngleAxisd turn(theta, Eigen::Vector3d::UnitZ());
+      const double p = theta < half_angle
+                           ? contact.pressure(theta, force, half_angle)
+                       : share < 1 ? contact.pressure(pi, force, half_angle)
+                                   : 0;
+      // A profile of a wide contact is good to 1e-6 of the peak.
+      EXPECT_NEAR(map.at(turn * centre).pv, p * distance,
+                  2e-6 * largest * distance)
+          << theta << ' ' << share;
+    }
+    std::vector<WearMap::Wear> wear;
+    for (const auto& point : map.grid(2000)) wear.push_back(map.at(point));
+    EXPECT_LT(std::abs(map.volume_defect(wear)), 1e-3);
+  }
+}
+
 TEST(WearInPressed, IsOfPins) {
   const LayeredPair pair = pair_of(ReferenceTable("preload/wear.csv")[0]);
   const auto kind = JointKind::ball;
