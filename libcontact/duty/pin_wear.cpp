@@ -1,7 +1,6 @@
 #include "libcontact/duty/pin_wear.hpp"
 
 #include <algorithm>
-#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -37,7 +36,7 @@ double PinWear::path_to_lift_off(double load) const {
   return circle_.mean_compliance() * std::log(std::max(ratio, 1.0));
 }
 
-void PinWear::slide(double load, Path path) {
+Status PinWear::slide(double load, Path path) {
   if (!has_lifted_) {
     const double to_lift_off = path_to_lift_off(load);
     has_lifted_ = path.both() >= to_lift_off;
@@ -57,11 +56,13 @@ void PinWear::slide(double load, Path path) {
     path.hole -= hole;
     path.pin -= pin;
   }
+  Status status = Status::ok;
   while (path.both() > 0) {
     const double share = std::min(1.0, next_step() / path.both());
     const CircleSprings step{share * path.hole, share * path.pin};
     const Eigen::VectorXd before = gap_;
     last_ = circle_.wear(load, gap_, step, last());
+    if (last_.status != Status::ok) status = last_.status;
     if (step.local > 0) {
       Eigen::VectorXd worn = gap_ - before;
       // Of the mean both have their share.
@@ -73,6 +74,7 @@ void PinWear::slide(double load, Path path) {
     path.hole -= step.local;
     path.pin -= step.mean;
   }
+  return status;
 }
 
 WornCircle::Contact PinWear::contact(double load) const {
@@ -81,29 +83,6 @@ WornCircle::Contact PinWear::contact(double load) const {
 
 double PinWear::worn_area() const {
   return 2 * pi * circle_.radius() * circle_.mean(worn_);
-}
-
-double clearance_of_worn_pin(const JointContact& contact,
-                             std::span<const LoadedPath> cycle, double cycles) {
-  const JointGeometry& geometry = contact.geometry();
-  const double area = 2 * pi * geometry.radius() * geometry.length();
-  const auto rate = [&](double clearance, double& growth, double) {
-    const JointContact now = contact.with_clearance(clearance);
-    growth = 0;
-    for (const auto& [force, path] : cycle) {
-      const double half_angle = now.half_angle(force).half_angle;
-      growth += path * now.sum_of_pressures(force, half_angle) / area;
-    }
-  };
-  // Of the half-angle law's own errors a thousandth: S has a kink at lift-off.
-  constexpr double tolerance = 1e-10;
-  namespace odeint = boost::numeric::odeint;
-  using Stepper = odeint::runge_kutta_dopri5<double>;
-  double clearance = geometry.radial_clearance();
-  odeint::integrate_adaptive(odeint::make_controlled<Stepper>(
-                                 tolerance * std::abs(clearance), tolerance),
-                             rate, clearance, 0.0, cycles, cycles / 100);
-  return clearance;
 }
 
 }  // namespace contact::detail

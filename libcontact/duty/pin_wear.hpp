@@ -1,10 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <span>
 
 #include "libcontact/duty/worn_circle.hpp"
-#include "libcontact/joint/contact.hpp"
 #include "libcontact/pair/layers.hpp"
 
 namespace contact::detail {
@@ -31,7 +29,8 @@ class PinWear {
     double both() const { return hole + pin; }
   };
   /// @param load  P, N/m, >= 0
-  void slide(double load, Path path);
+  /// @return ok, or not_converged if some contact on the way was not found
+  Status slide(double load, Path path);
 
   /// The path that half the steps of slide() would take next: a load that
   /// changes may be cut into such pieces.
@@ -59,18 +58,5 @@ class PinWear {
   double since_ = 0;  // path since it lifted off
   WornCircle::Contact last_;
 };
-
-/// A load and the path of the pin's wear that slides under it in a cycle.
-struct LoadedPath {
-  double normal_force;  ///< R_n, N
-  double path;          ///< m/Pa
-};
-
-/// The clearance after cycles in which the pin alone wears, m: it stays round,
-/// d eps/d path = S P/(2 pi rho) at every clearance. As accurate as the laws:
-/// the growth to 1e-6 of the table of wear.csv, whose loads are rounded as much
-/// (duty/pin_wear_test.cpp).
-double clearance_of_worn_pin(const JointContact& contact,
-                             std::span<const LoadedPath> cycle, double cycles);
 
 }  // namespace contact::detail

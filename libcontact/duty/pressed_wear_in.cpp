@@ -13,6 +13,11 @@
 namespace contact::detail {
 namespace {
 
+void check(Status status) {
+  if (status == Status::ok) return;
+  throw Error("the contact of a worn pin did not converge");
+}
+
 constexpr double pi = std::numbers::pi;
 
 // What slides under a load in a cycle.
@@ -116,9 +121,7 @@ class WornLoads {
     const JointGeometry& g = contact_.geometry();
     const WornCircle::Contact c =
         wear_.contact(g.load_from_force(normal_force));
-    if (c.status != Status::ok) {
-      throw Error("the contact of a worn pin did not converge");
-    }
+    check(c.status);
     return {normal_force, c.half_angle, c.pressure.maxCoeff(),
             2 * pi * g.radius() * g.length() * wear_.circle().mean(c.pressure)};
   }
@@ -181,8 +184,8 @@ std::vector<WearIn::State> pressed_wear_in(const JointCycle& fresh,
                              : cycles - now.cycles;
     for (const Level& level : levels) {
       const double slid = block * level.distance;
-      wear.slide(geometry.load_from_force(level.normal_force),
-                 {.hole = k.seat * slid, .pin = k.inner * slid});
+      check(wear.slide(geometry.load_from_force(level.normal_force),
+                       {.hole = k.seat * slid, .pin = k.inner * slid}));
     }
     next = {};
     next.cycles = now.cycles + block;

@@ -35,19 +35,11 @@ double cross_shear(const Matrix3d& work) {
 
 struct WearMap::Instant {
   detail::PressureProfile profile;
-  Vector3d centre;       // of the contact
-  double chord;          // from there to the edge
-  Vector3d slip;         // times a point: slip, m
-  double pressure_unit;  // Pa
-  // Of an interference, which the profile in units of the load does not know.
-  std::shared_ptr<const JointContact> pressed;
-  double normal_force;
-  double half_angle;
-
-  double pressure(double theta) const {
-    return pressed ? pressed->pressure(theta, normal_force, half_angle)
-                   : pressure_unit * profile.pressure(theta);
-  }
+  Vector3d centre;          // of the contact
+  double chord;             // from there to the edge
+  Vector3d slip;            // times a point: slip, m
+  double pressure_unit;     // Pa
+  double uniform_pressure;  // Pa, all round: of an interference
 };
 
 void detail::check_wear(const JointCycle& cycle) {
@@ -68,12 +60,7 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
         return cycle.sliding(i).pv_total();
       })) {
   const JointContact& contact = cycle.contact();
-  std::shared_ptr<const JointContact> pressed;
-  if (contact.has_interference()) {
-    pressed = std::make_shared<const JointContact>(contact);
-  } else if (geometry_.radial_clearance() > 0) {
-    detail::check_wear(cycle);
-  }
+  if (geometry_.radial_clearance() > 0) detail::check_wear(cycle);
   std::vector<Instant> instants;
   for (const JointCycle::Instant& point : cycle.gauss_points()) {
     const JointSolution& s = point.solution;
@@ -81,15 +68,14 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
     const Eigen::Quaterniond to_body = body == JointBody::body
                                            ? point.state.turn.conjugate()
                                            : Eigen::Quaterniond::Identity();
-    instants.push_back({{contact.pressure_law(), s.half_angle},
-                        to_body * cycle.sliding(point).centre(),
-                        2 * std::sin(s.half_angle / 2),
-                        point.weight * geometry_.radius() *
-                            (to_body * point.state.angular_velocity),
-                        contact.pressure_unit(s.normal_force),
-                        pressed,
-                        s.normal_force,
-                        s.half_angle});
+    instants.push_back(
+        {{contact.pressure_law(), s.half_angle},
+         to_body * cycle.sliding(point).centre(),
+         2 * std::sin(s.half_angle / 2),
+         point.weight * geometry_.radius() *
+             (to_body * point.state.angular_velocity),
+         contact.pressure_unit(s.normal_force),
+         contact.uniform_pressure(s.normal_force, s.half_angle)});
   }
   instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
 }
@@ -99,8 +85,10 @@ WearMap::Wear WearMap::at(const Vector3d& point) const {
   Matrix3d work = Matrix3d::Zero();
   for (const Instant& i : *instants_) {
     const double chord = (point - i.centre).norm();
-    if (chord >= i.chord && i.half_angle < pi) continue;
-    const double p = i.pressure(2 * std::asin(std::min(chord / 2, 1.0)));
+    if (chord >= i.chord && i.uniform_pressure == 0) continue;
+    const double theta = 2 * std::asin(std::min(chord / 2, 1.0));
+    const double p =
+        i.pressure_unit * i.profile.pressure(theta) + i.uniform_pressure;
     const Vector3d slip = i.slip.cross(point);
     const double length = slip.norm();
     if (length == 0) continue;

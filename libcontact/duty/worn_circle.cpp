@@ -131,6 +131,7 @@ WornCircle::Contact WornCircle::wear(double load, VectorXd& gap,
   add(first, 1 - share);
   Contact second = press(load, gap, stage, &first);
   add(second, share);
+  if (first.status != Status::ok) second.status = first.status;
   return second;
 }
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "duty/worn_pin_clearance.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/duty/wear_map.hpp"
@@ -47,7 +48,8 @@ TEST(PinWear, OfTheHoleMatchesTheReference) {
     if (row.text("worn_body") != "fixed") continue;
     PinWear wear(pair_of(row), row.value("clearance"));
     const double load = row.value("load");
-    wear.slide(load, {.hole = row.value("sigma"), .pin = 0});
+    EXPECT_EQ(wear.slide(load, {.hole = row.value("sigma"), .pin = 0}),
+              Status::ok);
     const WornCircle::Contact now = wear.contact(load);
     EXPECT_EQ(now.status, Status::ok);
     const auto add = [&](double computed, const char* column) {
@@ -93,8 +95,8 @@ TEST(PinWear, OfThePinMatchesTheReference) {
     }
     const double load = row.value("load");
     const double sigma = row.value("sigma");
-    const detail::LoadedPath path = {load, sigma};
-    const double after = detail::clearance_of_worn_pin(*contact, {&path, 1}, 1);
+    const LoadedPath path = {load, sigma};
+    const double after = clearance_of_worn_pin(*contact, {&path, 1}, 1);
     growth.add(after - clearance, row.value("clearance_after") - clearance,
                row.label());
     const JointContact worn =
@@ -239,11 +241,44 @@ TEST(WearInPressed, OfThePinFollowsItsExactGrowth) {
   const double path = k * pair.radius() * 16;
   const auto states =
       wear_in(steady(force), contact, {.seat = 0, .inner = k}, 2e5).states;
-  const detail::LoadedPath loaded = {force / std::hypot(1, 0.1), path};
+  const LoadedPath loaded = {force / std::hypot(1, 0.1), path};
   EXPECT_NEAR(states.back().clearance,
-              detail::clearance_of_worn_pin(contact, {&loaded, 1}, 2e5),
-              1e-3 * 2e-5);
+              clearance_of_worn_pin(contact, {&loaded, 1}, 2e5), 1e-3 * 2e-5);
   EXPECT_EQ(states.back().volume, 0);
+}
+
+// p all round while closed, and of the contact that is lifted off: the map of
+// the hole, in which the load stands still, against the pressure itself.
+TEST(WearMap, OfAPressedPin) {
+  const LayeredPair pair = pair_of(ReferenceTable("preload/wear.csv")[0]);
+  const JointContact contact = contact_of(pair, -2e-5);
+  const double distance = pair.radius() * 2 * 8;
+  for (const double share : {0.5, 3.0}) {
+    const JointCycle cycle(steady(share * contact.lift_off_force()),
+                           Joint(contact));
+    const JointCycle::Instant& at = cycle.gauss_points().front();
+    const WearMap map(cycle, JointBody::body);
+    const Eigen::Vector3d centre =
+        at.state.turn.conjugate() * cycle.sliding(at).centre();
+    const double force = at.solution.normal_force;
+    const double half_angle = at.solution.half_angle;
+    EXPECT_EQ(half_angle == pi, share < 1);
+    const double largest = contact.pressure(0, force, half_angle);
+    for (const double theta : {0.0, 0.7, 1.5, 2.5, pi}) {
+      const Eigen::AngleAxisd turn(theta, Eigen::Vector3d::UnitZ());
+      const double p = theta < half_angle
+                           ? contact.pressure(theta, force, half_angle)
+                       : share < 1 ? contact.pressure(pi, force, half_angle)
+                                   : 0;
+      // A profile of a wide contact is good to 1e-6 of the peak.
+      EXPECT_NEAR(map.at(turn * centre).pv, p * distance,
+                  2e-6 * largest * distance)
+          << theta << ' ' << share;
+    }
+    std::vector<WearMap::Wear> wear;
+    for (const auto& point : map.grid(2000)) wear.push_back(map.at(point));
+    EXPECT_LT(std::abs(map.volume_defect(wear)), 1e-3);
+  }
 }
 
 TEST(WearInPressed, IsOfPins) {
