@@ -162,11 +162,45 @@ Vector3d axis_of(const StepStart& start) {
              : start.angular_velocity.stableNormalized();
 }
 
+// |w - w^T| <= 1e-6 |w|, false for NaN.
+template <class Matrix>
+bool is_symmetric(const Matrix& w) {
+  double size = 0;
+  double difference = 0;
+  for (Eigen::Index i = 0; i < w.rows(); ++i) {
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      if (!std::isfinite(w(i, k))) return false;
+      size = std::max(size, std::abs(w(i, k)));
+      difference = std::max(difference, std::abs(w(i, k) - w(k, i)));
+    }
+  }
+  return difference <= 1e-6 * size;
+}
+
+bool is_inertia_of_ball(const Matrix3d& w) {
+  return is_symmetric(w) && w.llt().info() == Eigen::Success;
+}
+
 }  // namespace
+
+bool is_inertia(const Joint& joint, const StepStart& start,
+                const Matrix3d& inertia) noexcept {
+  if (!joint.is_pin()) return is_inertia_of_ball(inertia);
+  const Vector3d u = axis_of(start);
+  const double about = u.dot(inertia * u);
+  // Without motion there is no axis, and nothing to refuse.
+  return (about > 0 && std::isfinite(about)) || u.isZero(0) || !u.allFinite();
+}
 
 JointStep step(const Joint& joint, const StepStart& start,
                const Matrix3d& inertia, const JointStep& last) noexcept {
   JointStep result = last;
+  if (!is_inertia(joint, start, inertia)) {
+    result.status = Status::out_of_range;
+    result.angular_velocity = result.moment = Vector3d::Constant(nan);
+    result.holds = false;
+    return result;
+  }
   begin(joint, start, result);
   if (joint.is_pin()) {
     const Vector3d u = axis_of(start);
@@ -183,8 +217,11 @@ namespace {
 Eigen::Index size_of(const Joint& joint) { return joint.is_pin() ? 1 : 3; }
 
 void check(std::span<const Joint* const> joints,
-           std::span<const StepStart> starts, Eigen::Index rows,
-           Eigen::Index columns, std::size_t steps) {
+           std::span<const StepStart> starts,
+           const Eigen::Ref<const Eigen::MatrixXd>& inertia,
+           std::size_t steps) {
+  const Eigen::Index rows = inertia.rows();
+  const Eigen::Index columns = inertia.cols();
   Eigen::Index size = 0;
   for (const Joint* joint : joints) size += size_of(*joint);
   if (starts.size() != joints.size() || steps != joints.size()) {
@@ -200,6 +237,20 @@ void check(std::span<const Joint* const> joints,
     if (joints[i]->is_pin() && starts[i].axis.isZero(0)) {
       throw Error(detail::message("step: pin {} requires axis", i));
     }
+  }
+  if (!is_symmetric(inertia)) {
+    throw Error(detail::must_be("step: inertia", "finite and symmetric"));
+  }
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i]->is_pin()
+            ? !(inertia(at, at) > 0)
+            : !is_inertia_of_ball(inertia.block<3, 3>(at, at))) {
+      throw Error(
+          detail::must_be(detail::message("step: inertia of joint {}", i),
+                          "positive definite"));
+    }
+    at += size_of(*joints[i]);
   }
 }
 
@@ -239,7 +290,7 @@ StepSweeps step(std::span<const Joint* const> joints,
                 std::span<const StepStart> starts,
                 const Eigen::Ref<const Eigen::MatrixXd>& inertia,
                 std::span<JointStep> steps, double tolerance) {
-  check(joints, starts, inertia.rows(), inertia.cols(), steps.size());
+  check(joints, starts, inertia, steps.size());
   double size = 0;
   Eigen::Index at = 0;
   for (std::size_t i = 0; i < joints.size(); ++i) {

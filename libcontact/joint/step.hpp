@@ -34,6 +34,12 @@ struct JointStep {
   RestSolution rest;
 };
 
+/// Whether W is one that step() takes: of a ball symmetric, to the 1e-6 of
+/// hosts that compute in single precision, and positive definite; of a pin
+/// positive about its axis.
+bool is_inertia(const Joint& joint, const StepStart& start,
+                const Eigen::Matrix3d& inertia) noexcept;
+
 /// One implicit step with friction, which comes to rest, holds and lets go.
 ///
 /// A torque of solve() alone never stops a body: it overshoots, and creeps.
@@ -49,8 +55,8 @@ struct JointStep {
 /// start, and no step of a ball if it falls with the speed
 /// (JointContact::rest_refusal()): out_of_range.
 ///
-/// @param inertia  W, N m s, symmetric and positive definite; of a pin its part
-///                 along the axis counts
+/// @param inertia  W, N m s, as is_inertia() has it, else out_of_range; of a
+///                 pin its part along the axis counts
 /// @param last     the step before, for speed
 /// @return the equation to 1e-12 of |W free| (joint/step_test.cpp). Neither
 ///         allocates nor throws.
@@ -81,8 +87,9 @@ struct StepSweeps {
 ///                 frames may differ.
 /// @param steps    in: those of the step before, or empty ones; out: the result
 /// @param tolerance  of StepSweeps::residual
-/// @throws Error if sizes differ or a pin has no axis; else nothing is thrown
-///         or allocated.
+/// @throws Error if sizes differ, a pin has no axis, or W is not symmetric or a
+///         joint's block of it not as is_inertia() has it; else nothing is
+///         thrown or allocated.
 StepSweeps step(std::span<const Joint* const> joints,
                 std::span<const StepStart> starts,
                 const Eigen::Ref<const Eigen::MatrixXd>& inertia,

@@ -192,6 +192,29 @@ TEST(JointStep, OfNaNIsOutOfRange) {
   }
 }
 
+TEST(JointStep, OfNoInertiaIsOutOfRange) {
+  const StepStart start = {.reaction = {0, 0, 2e4},
+                           .angular_velocity = {1, 0, 0},
+                           .free = {1, 0, 0},
+                           .axis = {1, 0, 0}};
+  Matrix3d unsymmetric = Matrix3d::Identity();
+  unsymmetric(0, 1) = 1e-5;
+  for (const Matrix3d& wrong :
+       {Matrix3d(Matrix3d::Zero()), Matrix3d(-Matrix3d::Identity()),
+        Matrix3d(Vector3d(1, 1, 0).asDiagonal()), unsymmetric,
+        Matrix3d(Matrix3d::Constant(std::nan("")))}) {
+    EXPECT_FALSE(is_inertia(dry, start, wrong));
+    const JointStep s = step(dry, start, wrong);
+    EXPECT_EQ(s.status, Status::out_of_range);
+    EXPECT_TRUE(s.moment.array().isNaN().all());
+    EXPECT_FALSE(s.holds);
+  }
+  // A pin has one about its axis, and no other part of W counts.
+  EXPECT_TRUE(is_inertia(pin, start, Vector3d(1, 0, 0).asDiagonal()));
+  EXPECT_FALSE(is_inertia(pin, start, Vector3d(-1, 1, 1).asDiagonal()));
+  EXPECT_FALSE(is_inertia(pin, start, Vector3d(0, 1, 1).asDiagonal()));
+}
+
 // A mechanism of balls and pins, some of which rest.
 struct Mechanism {
   std::vector<const Joint*> joints;
@@ -317,6 +340,14 @@ TEST(JointSteps, OfOtherSizesAreRefused) {
             "step: inertia of 6 by 6 must be 4 by 4, three rows of a ball and "
             "one of a pin");
   EXPECT_EQ(refusal(MatrixXd::Identity(4, 4)), "step: pin 1 requires axis");
+  starts[1].axis = {0, 0, 1};
+  MatrixXd unsymmetric = MatrixXd::Identity(4, 4);
+  unsymmetric(0, 3) = 1;
+  EXPECT_EQ(refusal(unsymmetric), "step: inertia must be finite and symmetric");
+  EXPECT_EQ(refusal(MatrixXd::Zero(4, 4)),
+            "step: inertia of joint 0 must be positive definite");
+  EXPECT_EQ(refusal(Eigen::Vector4d(1, 1, 1, -1).asDiagonal().toDenseMatrix()),
+            "step: inertia of joint 1 must be positive definite");
   steps.pop_back();
   EXPECT_EQ(refusal(MatrixXd::Identity(4, 4)),
             "step: starts and steps must be as many as the joints");
