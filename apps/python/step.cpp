@@ -1,6 +1,7 @@
 // Steps of a simulator, and how friction answers to its causes.
 #include <pybind11/stl.h>
 
+#include "libcontact/base/text.hpp"
 #include "libcontact/joint/derivatives.hpp"
 #include "libcontact/joint/step.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -32,7 +33,7 @@ py::object step(const JointSet& self, const Numbers& reaction,
   LargestContacts largest(self);
   py::object all = answered(rows, contact::step_quantities(), wanted, [&] {
     return [&](const double* const* at, std::size_t i) {
-      const JointStep* const last = starts(i);
+      const JointStep* const before = starts(i);
       const contact::StepStart start{vector_at(at[1]), vector_at(at[2]),
                                      vector_at(at[3]), vector_at(at[5])};
       const Eigen::Matrix3d w = matrix_at(at[4]);
@@ -43,7 +44,7 @@ py::object step(const JointSet& self, const Numbers& reaction,
             "axis"));
       }
       const JointStep s =
-          contact::step(self(at), start, w, last ? *last : JointStep());
+          contact::step(self(at), start, w, before ? *before : JointStep());
       largest.add(at, s.solution);
       return s;
     };
