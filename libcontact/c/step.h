@@ -48,7 +48,7 @@ contact_status contact_joint_step(const contact_joint* joint,
 typedef struct contact_sweeps {
   contact_status status;
   int sweeps;
-  double residual; /* change of W Dw in the last sweep, over W free */
+  double residual; /* change of a moment in the last sweep, over W free */
 } contact_sweeps;
 
 /* The same of joints of one mechanism: M_i = sum_j W_ij (Dw_j - free_j), by

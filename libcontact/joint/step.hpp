@@ -69,8 +69,8 @@ struct StepSweeps {
   /// not_converged: the joints do not fit yet, and have what was found.
   Status status = Status::out_of_range;
   int sweeps = 0;
-  /// Largest change of a joint's W_ii Dw in the last sweep over the largest
-  /// W_ii free.
+  /// Largest change of a joint's moment in the last sweep over the largest
+  /// W_ii free; infinite if other joints hold than before.
   double residual = 0;
 };
 
@@ -78,8 +78,8 @@ struct StepSweeps {
 ///
 ///     M_i = sum_j W_ij (Dw_j - free_j)
 ///
-/// by sweeps over the joints, each with step() (block Gauss-Seidel, which
-/// converges: the friction power is convex).
+/// by sweeps over the joints, each with step() and the moments of the others
+/// (block Gauss-Seidel; those that hold stay at 0 until they let go).
 ///
 /// @param inertia  W: mass matrix over the time step in the joints'
 ///                 angular velocities, three rows for a ball and one, about its
@@ -88,8 +88,7 @@ struct StepSweeps {
 /// @param steps    in: those of the step before, or empty ones; out: the result
 /// @param tolerance  of StepSweeps::residual
 /// @throws Error if sizes differ, a pin has no axis, or W is not symmetric or a
-///         joint's block of it not as is_inertia() has it; else nothing is
-///         thrown or allocated.
+///         joint's block of it not as is_inertia() has it.
 StepSweeps step(std::span<const Joint* const> joints,
                 std::span<const StepStart> starts,
                 const Eigen::Ref<const Eigen::MatrixXd>& inertia,

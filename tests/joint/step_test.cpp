@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "support/accuracy_report.hpp"
-#include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
 #include "support/joints.hpp"
 #include "support/random_slip.hpp"
@@ -290,6 +289,7 @@ TEST(JointSteps, SatisfyTheEquationsOfAllJoints) {
     }
   }
   RecordProperty("most_sweeps", most);
+  EXPECT_LT(most, 200);
   EXPECT_GT(holding, 100);
   EXPECT_LT(holding, 900);
 }
@@ -318,15 +318,6 @@ TEST(JointSteps, ThatDependOnNothingAreThoseOfEachJoint) {
       EXPECT_EQ(s.holds, steps[k].holds);
     }
   }
-}
-
-TEST(JointSteps, AllocateNothing) {
-  RandomSlips random(13);
-  const Mechanism m(random, 100);
-  std::vector<JointStep> steps(m.joints.size());
-  const std::size_t before = allocation_count();
-  step(m.joints, m.starts, m.inertia, steps);
-  EXPECT_EQ(allocation_count(), before);
 }
 
 TEST(JointSteps, OfOtherSizesAreRefused) {
