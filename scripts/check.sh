@@ -10,6 +10,7 @@
 #   sanitize  no test has errors of memory or undefined behaviour (an hour)
 #   fuzz      every fuzz program runs for a minute, or CONTACT_FUZZ_SECONDS
 #   packages  Debian packages of build/ install, work and go in a clean root
+#   hosts     adapters to simulators (apps/hosts) build, and their tests pass
 #   all       all of them
 # Format and symbols are tests of the gate too.
 set -euo pipefail
@@ -135,9 +136,17 @@ check_packages() {
     "$(. /etc/os-release && echo "$VERSION_CODENAME")" -
 }
 
+check_hosts() {
+  [ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
+    scripts/setup.sh scripts/packages-hosts.txt
+  cmake --preset release
+  cmake --build --preset release --target hosts
+  ctest --preset release --no-tests=error -L '^host$'
+}
+
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

@@ -4,7 +4,8 @@
 #   scripts/setup.sh [LIST...]
 # installs the packages of other lists than scripts/packages.txt, which has what
 # the build needs: packages-extra.txt (some tests; without them these are
-# skipped), packages-check.txt (scripts/check.sh).
+# skipped), packages-check.txt (scripts/check.sh), packages-hosts.txt (adapters
+# to simulators; without one it is left out).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -1,6 +1,7 @@
 // Steps of a simulator, and how friction answers to its causes.
 #include <pybind11/stl.h>
 
+#include "libcontact/base/text.hpp"
 #include "libcontact/joint/derivatives.hpp"
 #include "libcontact/joint/step.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -32,12 +33,18 @@ py::object step(const JointSet& self, const Numbers& reaction,
   LargestContacts largest(self);
   py::object all = answered(rows, contact::step_quantities(), wanted, [&] {
     return [&](const double* const* at, std::size_t i) {
-      const JointStep* const start = starts(i);
+      const JointStep* const before = starts(i);
+      const contact::StepStart start{vector_at(at[1]), vector_at(at[2]),
+                                     vector_at(at[3]), vector_at(at[5])};
+      const Eigen::Matrix3d w = matrix_at(at[4]);
+      if (!contact::is_inertia(self(at), start, w)) {
+        throw contact::Error(contact::detail::must_be(
+            contact::detail::message("inertia of row {}", i),
+            "symmetric and positive definite, of a pin positive about its "
+            "axis"));
+      }
       const JointStep s =
-          contact::step(self(at),
-                        {vector_at(at[1]), vector_at(at[2]), vector_at(at[3]),
-                         vector_at(at[5])},
-                        matrix_at(at[4]), start ? *start : JointStep());
+          contact::step(self(at), start, w, before ? *before : JointStep());
       largest.add(at, s.solution);
       return s;
     };
@@ -149,7 +156,8 @@ reaction: R on the body, N, of the step before, (..., 3).
 angular_velocity: Dw, rad/s, (..., 3); exactly 0: the joint rests.
 free: Dw at the end of the step if the joint had no friction, rad/s, (..., 3).
 inertia: W, inertia about the joint over the time step, N m s, symmetric and
-    positive definite, (..., 3, 3); of a pin its part along the axis counts.
+    positive definite, else an Error, (..., 3, 3); of a pin its part along the
+    axis counts.
 axis: of a pin, unit vector, (..., 3); the direction of Dw or of free if it is
     None.
 last: the Step before, from which this one is found faster.

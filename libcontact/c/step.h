@@ -36,9 +36,9 @@ typedef struct contact_step {
  * contact_joint_solve() alone never stops a body, it creeps; here it stops, and
  * stays as long as the joint holds it. n, R_n and theta0 are those at the
  * start. inertia: W, row by row: inertia about the joint over the time step, N
- * m s, symmetric and positive definite; of a pin its part along the axis
- * counts. last: NULL, or the step before, from which this one is found faster;
- * it may be `step` itself. */
+ * m s, symmetric (to 1e-6) and positive definite, else CONTACT_BAD_INPUT; of a
+ * pin its part along the axis counts. last: NULL, or the step before, from
+ * which this one is found faster; it may be `step` itself. */
 contact_status contact_joint_step(const contact_joint* joint,
                                   const contact_step_start* start,
                                   const double inertia[9],
@@ -48,13 +48,14 @@ contact_status contact_joint_step(const contact_joint* joint,
 typedef struct contact_sweeps {
   contact_status status;
   int sweeps;
-  double residual; /* change of W Dw in the last sweep, over W free */
+  double residual; /* change of a moment in the last sweep, over W free */
 } contact_sweeps;
 
 /* The same of joints of one mechanism: M_i = sum_j W_ij (Dw_j - free_j), by
  * sweeps over the joints until the residual is 1e-12.
  * inertia: W, mass matrix over the time step in the joints' angular velocities,
- *     three rows for a ball and one, about its axis, for a pin.
+ *     three rows for a ball and one, about its axis, for a pin. Whether it is
+ *     symmetric and the joints' blocks positive definite is looked at.
  * steps: in: of the step before, or all 0; out: the result.
  * sweeps: NULL, or what is told of them. */
 contact_status contact_joints_step(const contact_joint* const* joints,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
@@ -162,11 +163,45 @@ Vector3d axis_of(const StepStart& start) {
              : start.angular_velocity.stableNormalized();
 }
 
+// |w - w^T| <= 1e-6 |w|, false for NaN.
+template <class Matrix>
+bool is_symmetric(const Matrix& w) {
+  double size = 0;
+  double difference = 0;
+  for (Eigen::Index i = 0; i < w.rows(); ++i) {
+    for (Eigen::Index k = 0; k < w.cols(); ++k) {
+      if (!std::isfinite(w(i, k))) return false;
+      size = std::max(size, std::abs(w(i, k)));
+      difference = std::max(difference, std::abs(w(i, k) - w(k, i)));
+    }
+  }
+  return difference <= 1e-6 * size;
+}
+
+bool is_inertia_of_ball(const Matrix3d& w) {
+  return is_symmetric(w) && w.llt().info() == Eigen::Success;
+}
+
 }  // namespace
+
+bool is_inertia(const Joint& joint, const StepStart& start,
+                const Matrix3d& inertia) noexcept {
+  if (!joint.is_pin()) return is_inertia_of_ball(inertia);
+  const Vector3d u = axis_of(start);
+  const double about = u.dot(inertia * u);
+  // Without motion there is no axis, and nothing to refuse.
+  return (about > 0 && std::isfinite(about)) || u.isZero(0) || !u.allFinite();
+}
 
 JointStep step(const Joint& joint, const StepStart& start,
                const Matrix3d& inertia, const JointStep& last) noexcept {
   JointStep result = last;
+  if (!is_inertia(joint, start, inertia)) {
+    result.status = Status::out_of_range;
+    result.angular_velocity = result.moment = Vector3d::Constant(nan);
+    result.holds = false;
+    return result;
+  }
   begin(joint, start, result);
   if (joint.is_pin()) {
     const Vector3d u = axis_of(start);
@@ -183,8 +218,11 @@ namespace {
 Eigen::Index size_of(const Joint& joint) { return joint.is_pin() ? 1 : 3; }
 
 void check(std::span<const Joint* const> joints,
-           std::span<const StepStart> starts, Eigen::Index rows,
-           Eigen::Index columns, std::size_t steps) {
+           std::span<const StepStart> starts,
+           const Eigen::Ref<const Eigen::MatrixXd>& inertia,
+           std::size_t steps) {
+  const Eigen::Index rows = inertia.rows();
+  const Eigen::Index columns = inertia.cols();
   Eigen::Index size = 0;
   for (const Joint* joint : joints) size += size_of(*joint);
   if (starts.size() != joints.size() || steps != joints.size()) {
@@ -201,36 +239,147 @@ void check(std::span<const Joint* const> joints,
       throw Error(detail::message("step: pin {} requires axis", i));
     }
   }
+  if (!is_symmetric(inertia)) {
+    throw Error(detail::must_be("step: inertia", "finite and symmetric"));
+  }
+  Eigen::Index at = 0;
+  for (std::size_t i = 0; i < joints.size(); ++i) {
+    if (joints[i]->is_pin()
+            ? !(inertia(at, at) > 0)
+            : !is_inertia_of_ball(inertia.block<3, 3>(at, at))) {
+      throw Error(
+          detail::must_be(detail::message("step: inertia of joint {}", i),
+                          "positive definite"));
+    }
+    at += size_of(*joints[i]);
+  }
 }
 
-// What a joint would do if all others moved as they do now: its block of W and
-// W_ii (free - what the others take away), in place of W_ii free.
-struct Others {
-  const Eigen::Ref<const Eigen::MatrixXd>& inertia;
-  std::span<const Joint* const> joints;
-  std::span<const StepStart> starts;
-  std::span<const JointStep> steps;
+// One joint after the other, until their moments fit:
+//
+//     W (Dw - free) = M,   Dw = 0 of those that hold.
+//
+// Of those that move, B = W^-1 says how they answer to a moment; each takes its
+// step with the moments of the others, which hardly change. A change of who
+// holds needs another B.
+class Mechanism {
+ public:
+  Mechanism(std::span<const Joint* const> joints,
+            std::span<const StepStart> starts,
+            const Eigen::Ref<const Eigen::MatrixXd>& inertia,
+            std::span<JointStep> steps)
+      : joints_(joints),
+        starts_(starts),
+        inertia_(inertia),
+        steps_(steps),
+        moment_(Eigen::VectorXd::Zero(inertia.rows())) {
+    Eigen::VectorXd free(inertia.rows());
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+      at_.push_back(i == 0 ? 0 : at_.back() + size_of(*joints[i - 1]));
+      put(i, starts[i].free, free);
+      holds_.push_back(starts[i].angular_velocity.isZero(0));
+      if (!holds_[i]) put(i, steps[i].solution.friction_moment, moment_);
+      const auto rows = size_of(*joints[i]);
+      size_ = std::max(size_, (inertia.block(at_[i], at_[i], rows, rows) *
+                               free.segment(at_[i], rows))
+                                  .norm());
+    }
+    pull_ = inertia * free;
+  }
 
-  // sum over j != i of W_ij (Dw_j - free_j)
-  template <int rows>
-  Eigen::Matrix<double, rows, 1> moment(std::size_t i, Eigen::Index at) const {
-    Eigen::Matrix<double, rows, 1> sum = Eigen::Matrix<double, rows, 1>::Zero();
-    Eigen::Index column = 0;
-    for (std::size_t j = 0; j < joints.size(); ++j) {
-      const Vector3d change = steps[j].angular_velocity - starts[j].free;
-      if (joints[j]->is_pin()) {
-        if (j != i) {
-          sum +=
-              inertia.block<rows, 1>(at, column) * starts[j].axis.dot(change);
-        }
-        column += 1;
-      } else {
-        if (j != i) sum += inertia.block<rows, 3>(at, column) * change;
-        column += 3;
+  // Largest change of a moment over the largest W_ii free; infinite where
+  // other joints hold than before.
+  double sweep() {
+    if (is_other_) divide();
+    status_ = Status::ok;
+    double change = 0;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      change = std::max(change, joints_[i]->is_pin() ? turn<1>(i) : turn<3>(i));
+      status_ = std::max(status_, steps_[i].status);
+    }
+    if (is_other_) return std::numeric_limits<double>::infinity();
+    return size_ > 0 ? change / size_ : 0;
+  }
+
+  Status status() const { return status_; }
+
+ private:
+  void put(std::size_t i, const Vector3d& v, Eigen::VectorXd& to) const {
+    if (joints_[i]->is_pin()) {
+      to[at_[i]] = v.dot(starts_[i].axis);
+    } else {
+      to.segment<3>(at_[i]) = v;
+    }
+  }
+
+  // B and Dw.
+  void divide() {
+    std::vector<Eigen::Index> moving;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      for (Eigen::Index k = 0; k < size_of(*joints_[i]) && !holds_[i]; ++k) {
+        moving.push_back(at_[i] + k);
       }
     }
-    return sum;
+    answer_.setZero(inertia_.rows(), inertia_.rows());
+    if (!moving.empty()) {
+      const Eigen::MatrixXd w = inertia_(moving, moving);
+      const Eigen::MatrixXd inverse =
+          w.llt().solve(Eigen::MatrixXd::Identity(w.rows(), w.rows()));
+      answer_(moving, moving) = inverse;
+    }
+    rate_ = answer_ * (moment_ + pull_);
+    is_other_ = false;
   }
+
+  // The step of joint i; the change of its moment.
+  template <int rows>
+  double turn(std::size_t i) {
+    using Block = Eigen::Matrix<double, rows, rows>;
+    using Part = Eigen::Matrix<double, rows, 1>;
+    const Eigen::Index at = at_[i];
+    Block w;
+    Part free;
+    if (holds_[i]) {
+      const Part held =
+          inertia_.middleRows<rows>(at) * rate_ - pull_.segment<rows>(at);
+      w = inertia_.block<rows, rows>(at, at);
+      free = -w.llt().solve(held);
+    } else {
+      const Block b = answer_.block<rows, rows>(at, at);
+      w = b.llt().solve(Block::Identity());
+      free = rate_.segment<rows>(at) - b * moment_.segment<rows>(at);
+    }
+    step_of(i, w, free);
+    const Part before = moment_.segment<rows>(at);
+    put(i, steps_[i].moment, moment_);
+    const Part change = moment_.segment<rows>(at) - before;
+    if (!holds_[i]) rate_ += answer_.middleCols<rows>(at) * change;
+    is_other_ = is_other_ || holds_[i] != steps_[i].holds;
+    holds_[i] = steps_[i].holds;
+    return change.norm();
+  }
+
+  void step_of(std::size_t i, const Eigen::Matrix<double, 1, 1>& w,
+               const Eigen::Matrix<double, 1, 1>& free) {
+    go_on(*joints_[i], starts_[i], starts_[i].axis, w[0], free[0], steps_[i]);
+  }
+  void step_of(std::size_t i, const Matrix3d& w, const Vector3d& free) {
+    go_on(*joints_[i], starts_[i], w, free, steps_[i]);
+  }
+
+  std::span<const Joint* const> joints_;
+  std::span<const StepStart> starts_;
+  const Eigen::Ref<const Eigen::MatrixXd>& inertia_;
+  std::span<JointStep> steps_;
+  std::vector<Eigen::Index> at_;  // first rows
+  std::vector<char> holds_;
+  bool is_other_ = true;  // others hold than those of B
+  double size_ = 0;       // largest W_ii free
+  Status status_ = Status::ok;
+  Eigen::VectorXd pull_;    // W free
+  Eigen::VectorXd moment_;  // M
+  Eigen::VectorXd rate_;    // Dw
+  Eigen::MatrixXd answer_;  // B, 0 in rows and columns of those that hold
 };
 
 }  // namespace
@@ -239,50 +388,23 @@ StepSweeps step(std::span<const Joint* const> joints,
                 std::span<const StepStart> starts,
                 const Eigen::Ref<const Eigen::MatrixXd>& inertia,
                 std::span<JointStep> steps, double tolerance) {
-  check(joints, starts, inertia.rows(), inertia.cols(), steps.size());
-  double size = 0;
-  Eigen::Index at = 0;
+  check(joints, starts, inertia, steps.size());
+  if (joints.size() == 1 && !joints[0]->is_pin()) {
+    steps[0] = step(*joints[0], starts[0], Matrix3d(inertia), steps[0]);
+    return {steps[0].status, 1, 0};
+  }
   for (std::size_t i = 0; i < joints.size(); ++i) {
     begin(*joints[i], starts[i], steps[i]);
-    // As if nothing held: the first sweep begins there.
-    steps[i].angular_velocity = starts[i].free;
-    const auto rows = size_of(*joints[i]);
-    size = std::max(
-        size, starts[i].free.norm() * inertia.block(at, at, rows, rows).norm());
-    at += rows;
   }
-  const Others others{inertia, joints, starts, steps};
+  Mechanism mechanism(joints, starts, inertia, steps);
   constexpr int sweep_limit = 1000;
   StepSweeps result;
   for (result.sweeps = 1;; ++result.sweeps) {
-    double change = 0;
-    result.status = Status::ok;
-    at = 0;
-    for (std::size_t i = 0; i < joints.size(); ++i) {
-      JointStep& one = steps[i];
-      const Vector3d before = one.angular_velocity;
-      if (joints[i]->is_pin()) {
-        const Vector3d& u = starts[i].axis;
-        const double w = inertia(at, at);
-        go_on(*joints[i], starts[i], u, w,
-              u.dot(starts[i].free) - others.moment<1>(i, at)[0] / w, one);
-        change = std::max(change, w * (one.angular_velocity - before).norm());
-        at += 1;
-      } else {
-        const Matrix3d w = inertia.block<3, 3>(at, at);
-        go_on(*joints[i], starts[i], w,
-              starts[i].free - w.llt().solve(others.moment<3>(i, at)), one);
-        change = std::max(change, (w * (one.angular_velocity - before)).norm());
-        at += 3;
-      }
-      result.status = std::max(result.status, one.status);
-      if (one.status == Status::out_of_range) {
-        result.status = one.status;
-        return result;
-      }
+    result.residual = mechanism.sweep();
+    result.status = mechanism.status();
+    if (result.status == Status::out_of_range || result.residual <= tolerance) {
+      return result;
     }
-    result.residual = size > 0 ? change / size : 0;
-    if (result.residual <= tolerance || joints.size() == 1) return result;
     if (result.sweeps == sweep_limit) {
       result.status = Status::not_converged;
       return result;

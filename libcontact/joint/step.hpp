@@ -34,6 +34,12 @@ struct JointStep {
   RestSolution rest;
 };
 
+/// Whether W is one that step() takes: of a ball symmetric, to the 1e-6 of
+/// hosts that compute in single precision, and positive definite; of a pin
+/// positive about its axis.
+bool is_inertia(const Joint& joint, const StepStart& start,
+                const Eigen::Matrix3d& inertia) noexcept;
+
 /// One implicit step with friction, which comes to rest, holds and lets go.
 ///
 /// A torque of solve() alone never stops a body: it overshoots, and creeps.
@@ -49,8 +55,8 @@ struct JointStep {
 /// start, and no step of a ball if it falls with the speed
 /// (JointContact::rest_refusal()): out_of_range.
 ///
-/// @param inertia  W, N m s, symmetric and positive definite; of a pin its part
-///                 along the axis counts
+/// @param inertia  W, N m s, as is_inertia() has it, else out_of_range; of a
+///                 pin its part along the axis counts
 /// @param last     the step before, for speed
 /// @return the equation to 1e-12 of |W free| (joint/step_test.cpp). Neither
 ///         allocates nor throws.
@@ -63,8 +69,8 @@ struct StepSweeps {
   /// not_converged: the joints do not fit yet, and have what was found.
   Status status = Status::out_of_range;
   int sweeps = 0;
-  /// Largest change of a joint's W_ii Dw in the last sweep over the largest
-  /// W_ii free.
+  /// Largest change of a joint's moment in the last sweep over the largest
+  /// W_ii free; infinite if other joints hold than before.
   double residual = 0;
 };
 
@@ -72,8 +78,8 @@ struct StepSweeps {
 ///
 ///     M_i = sum_j W_ij (Dw_j - free_j)
 ///
-/// by sweeps over the joints, each with step() (block Gauss-Seidel, which
-/// converges: the friction power is convex).
+/// by sweeps over the joints, each with step() and the moments of the others
+/// (block Gauss-Seidel; those that hold stay at 0 until they let go).
 ///
 /// @param inertia  W: mass matrix over the time step in the joints'
 ///                 angular velocities, three rows for a ball and one, about its
@@ -81,8 +87,8 @@ struct StepSweeps {
 ///                 frames may differ.
 /// @param steps    in: those of the step before, or empty ones; out: the result
 /// @param tolerance  of StepSweeps::residual
-/// @throws Error if sizes differ or a pin has no axis; else nothing is thrown
-///         or allocated.
+/// @throws Error if sizes differ, a pin has no axis, or W is not symmetric or a
+///         joint's block of it not as is_inertia() has it.
 StepSweeps step(std::span<const Joint* const> joints,
                 std::span<const StepStart> starts,
                 const Eigen::Ref<const Eigen::MatrixXd>& inertia,

@@ -519,6 +519,20 @@ TEST(CJoint, StepsAreThoseOfCpp) {
   expect_failure(
       contact_joint_step(ball.get(), &starts[0], nullptr, nullptr, &step),
       CONTACT_BAD_INPUT, "contact_joint_step: inertia must be other than NULL");
+  const double none[9] = {};
+  expect_failure(
+      contact_joint_step(ball.get(), &starts[0], none, nullptr, &step),
+      CONTACT_BAD_INPUT,
+      "contact_joint_step: inertia must be symmetric and positive definite, of "
+      "a pin positive about its axis");
+  EXPECT_EQ(step.status, CONTACT_BAD_INPUT);
+  EXPECT_TRUE(std::isnan(step.moment[0]));
+  starts[1].axis[2] = 1;
+  mass(3, 3) = -50;
+  expect_failure(contact_joints_step(both, 2, starts.data(), mass.data(),
+                                     steps.data(), nullptr),
+                 CONTACT_BAD_INPUT,
+                 "step: inertia of joint 1 must be positive definite");
 }
 
 }  // namespace

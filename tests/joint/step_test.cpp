@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "support/accuracy_report.hpp"
-#include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
 #include "support/joints.hpp"
 #include "support/random_slip.hpp"
@@ -192,6 +191,29 @@ TEST(JointStep, OfNaNIsOutOfRange) {
   }
 }
 
+TEST(JointStep, OfNoInertiaIsOutOfRange) {
+  const StepStart start = {.reaction = {0, 0, 2e4},
+                           .angular_velocity = {1, 0, 0},
+                           .free = {1, 0, 0},
+                           .axis = {1, 0, 0}};
+  Matrix3d unsymmetric = Matrix3d::Identity();
+  unsymmetric(0, 1) = 1e-5;
+  for (const Matrix3d& wrong :
+       {Matrix3d(Matrix3d::Zero()), Matrix3d(-Matrix3d::Identity()),
+        Matrix3d(Vector3d(1, 1, 0).asDiagonal()), unsymmetric,
+        Matrix3d(Matrix3d::Constant(std::nan("")))}) {
+    EXPECT_FALSE(is_inertia(dry, start, wrong));
+    const JointStep s = step(dry, start, wrong);
+    EXPECT_EQ(s.status, Status::out_of_range);
+    EXPECT_TRUE(s.moment.array().isNaN().all());
+    EXPECT_FALSE(s.holds);
+  }
+  // A pin has one about its axis, and no other part of W counts.
+  EXPECT_TRUE(is_inertia(pin, start, Vector3d(1, 0, 0).asDiagonal()));
+  EXPECT_FALSE(is_inertia(pin, start, Vector3d(-1, 1, 1).asDiagonal()));
+  EXPECT_FALSE(is_inertia(pin, start, Vector3d(0, 1, 1).asDiagonal()));
+}
+
 // A mechanism of balls and pins, some of which rest.
 struct Mechanism {
   std::vector<const Joint*> joints;
@@ -267,6 +289,7 @@ TEST(JointSteps, SatisfyTheEquationsOfAllJoints) {
     }
   }
   RecordProperty("most_sweeps", most);
+  EXPECT_LT(most, 200);
   EXPECT_GT(holding, 100);
   EXPECT_LT(holding, 900);
 }
@@ -297,15 +320,6 @@ TEST(JointSteps, ThatDependOnNothingAreThoseOfEachJoint) {
   }
 }
 
-TEST(JointSteps, AllocateNothing) {
-  RandomSlips random(13);
-  const Mechanism m(random, 100);
-  std::vector<JointStep> steps(m.joints.size());
-  const std::size_t before = allocation_count();
-  step(m.joints, m.starts, m.inertia, steps);
-  EXPECT_EQ(allocation_count(), before);
-}
-
 TEST(JointSteps, OfOtherSizesAreRefused) {
   const std::vector<const Joint*> joints = {&dry, &pin};
   std::vector<StepStart> starts(2);
@@ -317,6 +331,14 @@ TEST(JointSteps, OfOtherSizesAreRefused) {
             "step: inertia of 6 by 6 must be 4 by 4, three rows of a ball and "
             "one of a pin");
   EXPECT_EQ(refusal(MatrixXd::Identity(4, 4)), "step: pin 1 requires axis");
+  starts[1].axis = {0, 0, 1};
+  MatrixXd unsymmetric = MatrixXd::Identity(4, 4);
+  unsymmetric(0, 3) = 1;
+  EXPECT_EQ(refusal(unsymmetric), "step: inertia must be finite and symmetric");
+  EXPECT_EQ(refusal(MatrixXd::Zero(4, 4)),
+            "step: inertia of joint 0 must be positive definite");
+  EXPECT_EQ(refusal(Eigen::Vector4d(1, 1, 1, -1).asDiagonal().toDenseMatrix()),
+            "step: inertia of joint 1 must be positive definite");
   steps.pop_back();
   EXPECT_EQ(refusal(MatrixXd::Identity(4, 4)),
             "step: starts and steps must be as many as the joints");

@@ -63,6 +63,18 @@ class Step(unittest.TestCase):
         self.assertAlmostEqual(s.moment[2], -10)
 
 
+    def test_refuses_what_is_no_inertia(self):
+        start = [2e4, 0, 0], [0, 0, 1], [0, 0, 0.1]
+        for wrong in np.zeros((3, 3)), -np.eye(3), np.eye(3) + [[0, 1, 0]], np.eye(3) * np.nan:
+            with self.assertRaisesRegex(
+                libcontact.Error, "inertia of row 1 must be symmetric and positive"
+            ):
+                hip.step(*start, [np.eye(3), wrong])
+        with self.assertRaisesRegex(libcontact.Error, "inertia of row 0 must be"):
+            pin.step(*start, np.diag([1, 1, 0]), axis=[0, 0, 1])
+        self.assertTrue(np.isfinite(pin.step(*start, np.diag([0, 0, 1])).moment).all())
+
+
 class Together(unittest.TestCase):
     def test_satisfy_their_equation(self):
         axis = [[0, 0, 0], [0, 0, 1]]
@@ -95,6 +107,8 @@ class Together(unittest.TestCase):
             ([hip, pin], (rows, rows, rows, np.eye(4)), "pin 1 requires axis"),
             ([hip, hip], (rows, rows, rows, np.eye(4)), "must be 6 by 6"),
             ([hip, hip], (rows, rows, rows, 1), "inertia must be a matrix"),
+            ([hip, hip], (rows, rows, rows, np.tri(6)), "inertia must be finite and symm"),
+            ([hip, hip], (rows, rows, rows, np.zeros((6, 6))), "inertia of joint 0 must be"),
         ):  # fmt: skip
             with self.assertRaisesRegex(libcontact.Error, said):
                 libcontact.step(joints, *arguments)

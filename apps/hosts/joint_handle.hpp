@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <stdexcept>
+#include <string>
+
+#include "libcontact/c/contact.h"
+
+/// What the adapters to simulators share. They stand on the C interface, and
+/// are C++17 as the headers of some simulators are.
+namespace contact_hosts {
+
+/// @throws std::runtime_error with the message of a call that failed
+inline void must(contact_status status) {
+  if (status == CONTACT_OK) return;
+  throw std::runtime_error(contact_last_message());
+}
+
+/// A joint of libcontact from its file (libcontact/docs/joint_file.md).
+using JointHandle = std::unique_ptr<contact_joint, void (*)(contact_joint*)>;
+
+/// @param where  the host's joint, for messages
+/// @param kind   of the host's joint
+/// @throws std::runtime_error if the file is not good, or of another kind
+inline JointHandle read_joint(const std::string& file, const std::string& where,
+                              contact_kind kind) {
+  contact_joint* read = nullptr;
+  must(contact_joint_read(file.c_str(), nullptr, 0, &read));
+  JointHandle joint(read, contact_joint_free);
+  contact_joint_size size;
+  must(contact_joint_get_size(read, &size));
+  if (size.kind != kind) {
+    throw std::runtime_error(where + ": " + file + " must be a " +
+                             (kind == CONTACT_BALL ? "ball" : "pin") +
+                             " joint");
+  }
+  return joint;
+}
+
+}  // namespace contact_hosts

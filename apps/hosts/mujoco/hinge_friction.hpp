@@ -1,0 +1,93 @@
+#pragma once
+
+#include <mujoco/mujoco.h>
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "hosts/joint_handle.hpp"
+
+namespace contact_hosts::mujoco {
+
+/// Friction of libcontact in balls and hinges of a MuJoCo model.
+///
+///     HingeFriction friction(model);
+///     friction.add("hip", "hip.toml");
+///     while (data->time < 60) friction.step(data);  // in place of mj_step()
+///
+/// Each step is MuJoCo's own Euler step, with the moments for which
+///
+///     M = W (Dw - free),   W = Schur complement of H in the hinges' rates / dt
+///
+/// holds of all hinges at once (contact_joints_step()), H = mass matrix + dt
+/// damping; reactions are those of the step before. A hinge that friction holds
+/// has a rate of exactly 0, and its angles do not change by a bit.
+///
+/// Where it ends: the integrator must be Euler; implicit ones and RK4 get the
+/// torque of add_torque(), which creeps. Contacts, limits and equalities are
+/// MuJoCo's soft constraints, solved in turn with friction until both fit to
+/// 1e-8 of the moments, in 50 turns at most (turns()). Their forces
+/// count in the reaction as far as mj_rnePostConstraint() has them: contacts,
+/// no equalities.
+class HingeFriction {
+ public:
+  /// @param model  stays while this is used
+  explicit HingeFriction(const mjModel* model);
+
+  /// Friction of a joint file in a ball or hinge of the model.
+  /// @throws std::runtime_error if there is no such joint, it is of another
+  ///         kind, has a frictionloss of its own or friction already
+  void add(const std::string& joint, const std::string& file);
+
+  /// In the place of mj_step().
+  /// @throws std::runtime_error for another integrator, and where friction has
+  ///         no value
+  void step(mjData* data);
+
+  /// For mjcb_passive, with any integrator: adds the moments of sliding under
+  /// the reactions of the last note_reactions(). Explicit: it never stops a
+  /// hinge, which creeps.
+  void add_torque(mjData* data);
+  /// After mj_step(): the reactions for the next one.
+  void note_reactions(mjData* data);
+
+  /// Of the hinge added as the i-th: its last step.
+  const contact_step& hinge(std::size_t i) const { return steps_.at(i); }
+  /// Of friction and constraints in the last step; 1 without constraints.
+  int turns() const { return turns_; }
+  const contact_sweeps& sweeps() const { return sweeps_; }
+
+ private:
+  struct Hinge {
+    int joint;
+    int body;
+    int dof;    // in qvel
+    int size;   // 3 or 1 of them
+    int angle;  // in qpos
+    JointHandle contact;
+  };
+  void start(const mjData* data);
+  void weigh(mjData* data);
+  void hold(mjData* data);
+  void begin(mjData* data, const Eigen::VectorXd& smooth);
+  double solve(const Eigen::VectorXd& free);
+  void accelerate(mjData* data, const Eigen::VectorXd& smooth);
+  Eigen::VectorXd free_rates(const mjData* data) const;
+
+  const mjModel* model_;
+  std::vector<Hinge> hinges_;
+  std::vector<int> own_, other_;  // dofs with and without friction
+  std::vector<const contact_joint*> contacts_;
+  std::vector<contact_step_start> starts_;
+  std::vector<contact_step> steps_;
+  bool has_damping_ = false;
+  bool has_reactions_ = false;
+  int turns_ = 0;
+  contact_sweeps sweeps_{};
+  Eigen::MatrixXd inertia_;  // H
+  Eigen::MatrixXd weight_;   // W
+  Eigen::VectorXd force_;    // generalized, of friction
+};
+
+}  // namespace contact_hosts::mujoco
