@@ -83,11 +83,6 @@ ClosingTable::Value ClosingTable::logarithm(double opening) const {
           slope * 2 / (range_ * (thickness_ + opening))};
 }
 
-double ClosingTable::largest_inverse() const {
-  return std::exp(logarithm(largest_).value) * square(std::sin(largest_ / 2)) -
-         mean_;
-}
-
 SignedContact ClosingTable::at(double opening) const {
   const Eigen::RowVectorXd s = series(opening);
   const double unit = square(std::sin(opening / 2));
