@@ -30,12 +30,6 @@ ClosingTable::ClosingTable(const Solver& solver, double largest,
   }
 }
 
-double ClosingTable::largest_inverse() const {
-  return std::exp(series_.first(largest_).value) *
-             square(std::sin(largest_ / 2)) -
-         mean_;
-}
-
 SignedContact ClosingTable::at(double opening) const {
   const Eigen::RowVectorXd s = series_.at(opening, series_.columns());
   const double unit = square(std::sin(opening / 2));

@@ -34,8 +34,6 @@ class ClosingTable {
   double mean_compliance() const { return mean_; }
   double first_compliance() const { return first_; }
   double largest() const { return largest_; }
-  /// x at the largest psi: 0, or more where a solution ends before its limit.
-  double largest_inverse() const;
 
   /// The contact at psi in [0, largest()].
   SignedContact at(double opening) const;
@@ -44,7 +42,7 @@ class ClosingTable {
     double opening;  ///< psi
     double slope;    ///< dpsi/dln(x + c_0)
   };
-  /// psi at x in (-c_0, largest_inverse()].
+  /// psi at x above -c_0; largest() where that of x is larger.
   Root opening(double inverse) const;
 
  private:

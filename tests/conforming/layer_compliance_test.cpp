@@ -7,6 +7,7 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
+#include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/pair/layers.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
@@ -197,6 +198,19 @@ TEST(LayeredPair, SaysWhatIsWrong) {
             "wall layer 2: poissons_ratio = 0.6 must be 0 to 0.5");
   EXPECT_EQ(message(0.01, {{}, Backing::rigid()}, {{}, Backing::rigid()}),
             "elastic pair: rigid inner body conflicts with rigid outer body");
+}
+
+// A ring bends as one, of however many layers it is.
+TEST(WallHarmonics, AFreeRingIsAllOfItsLayers) {
+  const Layer thin{0.1, {1, 0.3}};
+  const Layer thick{0.3, {2, 0.3}};
+  const LayeredBody rigid{{}, Backing::rigid()};
+  const auto ring = [&](const Backing& backing) {
+    return detail::free_ring_thickness(
+        {2, rigid, {{thick, thin, thin}, backing}});
+  };
+  EXPECT_DOUBLE_EQ(ring(Backing::held()), 0.25);
+  EXPECT_EQ(ring(Backing::rigid()), infinity);
 }
 
 }  // namespace

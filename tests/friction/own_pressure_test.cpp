@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "libcontact/base/instruction_set.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/friction/models.hpp"
 #include "libcontact/half_angle/factory.hpp"
@@ -228,9 +230,14 @@ TEST(OwnPressure, EndsAndNan) {
   double slope = 0;
   law.edge_slopes(nan, {&x, 1}, {&slope, 1});
   EXPECT_TRUE(all_nan({slope, law.pressure(nan, 1)}));
-  EXPECT_ERROR(Own(JointKind::ball, "far", cone, 3.1),
-               "pressure law far: largest_half_angle = 3.1 must be in (0, 175 "
-               "deg]");
+  EXPECT_EQ(
+      Own(JointKind::ball, "wide", cone, 175 * degree).largest_half_angle(),
+      175 * degree);
+  for (const double wide : {3.0544, 3.1}) {
+    EXPECT_ERROR(Own(JointKind::ball, "far", cone, wide),
+                 "pressure law far: largest_half_angle = " +
+                     detail::message("{}", wide) + " must be in (0, 175 deg]");
+  }
 }
 
 TEST(OwnPressure, NothingAllocatesAfterTheFirstCall) {

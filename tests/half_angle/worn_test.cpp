@@ -5,6 +5,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
@@ -73,6 +74,32 @@ TEST(Worn, LawInBothDirections) {
       EXPECT_EQ(worn.half_angle(-1).status, Status::out_of_range);
       EXPECT_EQ(worn.load_parameter(1.6).status, Status::out_of_range);
     }
+  }
+}
+
+// A law that does not come to its end.
+class Unsure final : public HalfAngleLaw {
+ public:
+  Unsure() : HalfAngleLaw(JointKind::ball) {}
+  std::string name() const override { return "unsure"; }
+  HalfAngleResult half_angle(double) const noexcept override {
+    return {0.5, Status::not_converged, 0.3};
+  }
+  LoadParameterResult load_parameter(double) const noexcept override {
+    return {1, Status::ok};
+  }
+  double limit_half_angle() const noexcept override { return 1; }
+  std::vector<std::string> validity_notes(const ElasticPair&) const override {
+    return {};
+  }
+};
+
+TEST(Worn, HasNoHalfAngleWhereTheLawHasNone) {
+  for (const double v : {0., 0.1}) {
+    const auto found =
+        WornHalfAngle(std::make_shared<Unsure>(), v).half_angle(0.1);
+    EXPECT_EQ(found.status, Status::out_of_range);
+    EXPECT_TRUE(std::isnan(found.half_angle));
   }
 }
 

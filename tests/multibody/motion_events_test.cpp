@@ -109,6 +109,28 @@ TEST(MotionEvents, CrossingsThatThePolynomialMissesAreFound) {
               0.5 + (std::asin(0.85) - 2 * std::numbers::pi) / 13, 1e-12);
 }
 
+// An angle a u^2 + q (1/4 - u^2)^2 + c, u = t - 1/2, that rk4 follows exactly:
+// by its ends and rates alone it is q (1/4 - u^2)^2 higher and stays above 0.
+TEST(MotionEvents, CrossingsThatTheStatesInBetweenMissAreFound) {
+  const double a = 1, q = -2e-3, c = -q / 32, about = 0.4;
+  const auto torque = [=](double t) {
+    const double u = t - 0.5;
+    return about * (2 * a + q * (12 * u * u - 1));
+  };
+  MotionStart start = turning(-a);
+  start.bodies[0].angle = a / 4 + c;
+  MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
+  Motion motion(System(heavy_carrier(), {wheel(20, about)}), {},
+                std::make_shared<Torque>(torque), start, options);
+  motion.add_event({[](const auto& sample) { return sample.angle(0); },
+                    MotionEvent::Crossing::falling});
+  ASSERT_EQ(motion.advance_to(1), Stop::event);
+  // The root of q s^2 + (a - q/2) s + q/16 + c in s = u^2.
+  const double b = a - q / 2, d = q / 16 + c;
+  const double s = -2 * d / (b + std::sqrt(b * b - 4 * q * d));
+  EXPECT_NEAR(motion.time(), 0.5 - std::sqrt(s), 1e-10);
+}
+
 // Exactly 0 where a step ends.
 TEST(MotionEvents, EventsAtTheEndOfAStepComeOnce) {
   for (const double sign : {1., -1.}) {

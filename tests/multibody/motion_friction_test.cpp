@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -495,6 +496,48 @@ TEST(MotionFriction, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   EXPECT_NE(motion.failure()->message().find("more than 3 changes"),
             std::string::npos)
       << motion.failure()->message();
+  // What it was saved with is no reason to go on.
+  motion.save();
+  ASSERT_TRUE(motion.failure());
+  EXPECT_EQ(motion.advance_to(101), Stop::failed);
+  // As many changes over a longer time are none too many.
+  options.stall_span = 1;
+  Motion slow(System(heavy_carrier(), {wheel(20, 0.4)}), {JointFriction{joint}},
+              torque, start_of(1), options);
+  ASSERT_EQ(slow.advance_to(20), Stop::time);
+  EXPECT_GT(slow.changes().size(), 20u);
+}
+
+/// A moment that turns with the velocity that it makes: w about an axis that
+/// goes round in the plane of x and y.
+class TurningMoment : public ForceModel {
+ public:
+  TurningMoment(double moment, double rate) : moment_(moment), rate_(rate) {}
+  void add_forces(double time, std::span<const BodyMotion>,
+                  std::span<BodyForce> forces) const override {
+    forces[1].moment +=
+        moment_ * Vector3d(-std::sin(rate_ * time), std::cos(rate_ * time), 0);
+  }
+
+ private:
+  double moment_, rate_;
+};
+
+// A velocity that has turned by more than 90 deg at the end of a step has not
+// passed 0.
+TEST(MotionFriction, ASlipThatTurnsAboutGoesOn) {
+  const double about = 3, w = 2, rate = 4;
+  MotionStart start = start_of(1);
+  start.bodies[0].relative_angular_velocity = Vector3d(w, 0, 0);
+  const Body body{HingeKind::ball, 20, about * Matrix3d::Identity()};
+  Motion motion(System(heavy_carrier(), {body}),
+                {JointFriction{ball_joint(FrictionLaw(1e-4))}},
+                std::make_shared<TurningMoment>(about * w * rate, rate), start,
+                on_fixed_carrier(Integrator::rk4, 0.45));
+  ASSERT_EQ(motion.advance_to(2.7), Stop::time);
+  EXPECT_TRUE(motion.changes().empty());
+  EXPECT_NEAR(motion.sample().hinge(0).relative_angular_velocity.norm(), w,
+              0.05 * w);
 }
 
 // In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of

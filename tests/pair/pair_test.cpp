@@ -11,8 +11,10 @@
 #include "libcontact/pair/fit.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/material.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
@@ -469,6 +471,17 @@ TEST(Fit, DeviationOfTheShaftThatIsLeftOut) {
        {6, 10, 18, 30, 50, 80, 120, 180, 250, 315, 400}) {
     EXPECT_LT(percent("d9", above(size_mm)), 1.0) << size_mm;
   }
+}
+
+// Each alone would do.
+TEST(LayeredPair, AllCoatingsTogetherAreThinnerThanTheRadius) {
+  const Layer layer{0.6, {1, 0.3}};
+  const LayeredBody rigid{{}, Backing::rigid()};
+  EXPECT_ERROR(LayeredPair(1, {{layer, layer}, Backing::rigid()}, rigid),
+               "coatings: thickness = 1.2 must be below the radius of 1 m");
+  EXPECT_EQ(
+      LayeredPair(1, {{layer}, Backing::rigid()}, rigid).relative_thickness(),
+      0.6);
 }
 
 TEST(Fit, Sizes) {

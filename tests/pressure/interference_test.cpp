@@ -123,6 +123,26 @@ TEST(InterferencePressure, ProfileCarriesTheLoad) {
   }
 }
 
+// Slopes against differences of the pressure, up to the contact that is closed all
+// round; what is tabulated is good to 1e-6 of the peak.
+TEST(InterferencePressure, SlopesAreThoseOfThePressure) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    const auto made = law_of(kind, test::Wall{0.3, 0.4, false}.pair());
+    const ExactPressure& law = *made;
+    for (const double theta0_deg : {170.0, 179.9, 180.0}) {
+      const double theta0 = theta0_deg * degree;
+      for (const double t : {-2.0, -0.3, 0.3, 1.0, 2.0}) {
+        constexpr double h = 1e-3;
+        const double fall =
+            (law.pressure(t - h, theta0) - law.pressure(t + h, theta0)) /
+            (2 * h);
+        EXPECT_NEAR(law.slope(t, theta0), fall, 1e-5 * law.peak(theta0))
+            << theta0_deg << ' ' << t;
+      }
+    }
+  }
+}
+
 // The step from one table to the other is at most the error of the first one at
 // its end: 5e-6 of the peak near the edge of a ball whose wall is 0.1 radii
 // thick.
