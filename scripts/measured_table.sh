@@ -99,7 +99,7 @@ klang_row() { # WHAT STATED KEY SCALE WHY
     awk -v scale="$4" '{printf "%s%.1f", NR == 2 ? " (plane strain " : "",
       $1 / scale} END {print ")"}')
   row "$(ref "Klang 1979" klang-1979), pin 59.99 mm in a hole of 60 mm" computed \
-    "$1 $2" "no friction; 0.9375 MN/m" "$ours" outside "$5"
+    "$1 $2" "no friction, 0.9375 MN/m" "$ours" outside "$5"
 }
 klang_row "half-angle, deg," 60 theta0_deg 1 "friction of 0.4 on first loading"
 klang_row "peak, MPa," 17.8 p_peak_Pa 1e6 \

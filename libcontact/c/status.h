@@ -9,7 +9,7 @@ extern "C" {
 
 /* Of these headers, and of the library that is there. Until 1.0 they have to be
  * the same up to the last number. */
-#define CONTACT_VERSION "0.1.0"
+#define CONTACT_VERSION "0.2.0"
 const char* contact_version(void);
 
 typedef enum contact_status {

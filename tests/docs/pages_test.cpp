@@ -140,6 +140,18 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   EXPECT_EQ(cited, rows);
 }
 
+TEST(Pages, HaveOneVersion) {
+  const auto version = [](const char* file, const char* pattern) {
+    const auto found = matches(contents(root / file), pattern);
+    return found.empty() ? std::string(file) : found.front();
+  };
+  const std::string ours =
+      version("CMakeLists.txt", R"(libcontact VERSION ([\d.]+))");
+  EXPECT_EQ(version("CITATION.cff", R"(\nversion: ([\d.]+))"), ours);
+  EXPECT_EQ(version("CHANGELOG.md", R"(\n## (\d[\d.]*) - )"), ours);
+  EXPECT_EQ(version("libcontact/c/status.h", R"(VERSION "([\d.]+))"), ours);
+}
+
 TEST(Pages, TimesOfTheReadmeAreMeasured) {
   const std::string measured = contents(root / "libcontact/docs/speed.md");
   int times = 0;

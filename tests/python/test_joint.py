@@ -22,7 +22,7 @@ walled = dict(
     inner={"youngs_modulus_GPa": 230, "poissons_ratio": 0.3},
     outer={"youngs_modulus_GPa": 1, "poissons_ratio": 0.4},
     wall={"backing": "rigid", "layer": [{"thickness_mm": 8}]},
-    coefficient=0.062,
+    coefficient=0.0587,
 )  # fmt: skip
 
 
