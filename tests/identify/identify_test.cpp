@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
@@ -205,6 +206,28 @@ TEST(Identify, HuberKeepsOutliersOff) {
   EXPECT_GT(huber.estimates[0].interval.high, 0.12);
   EXPECT_LT(huber.weight.minCoeff(), 0.1);
   EXPECT_EQ(huber.weight.maxCoeff(), 1);
+}
+
+// Moments by f0 = 0.05 and A = 20 MPa, the first one wrong: both are found, but
+// the effective f0 goes round in circles, as the median of its residuals does.
+TEST(Identify, AnEffectiveFitThatDoesNotConvergeIsSaid) {
+  const JointContact joint = steel_in_bronze(JointKind::pin);
+  std::vector<MeasuredMoment> data;
+  for (const auto& [force, torque, sigma] : std::vector<std::array<double, 3>>{
+           {9819.8382161920836, 166.89945728439079, 172.71863470325209},
+           {13677.608629171396, 214.37930922845661, 1297.0967856280938},
+           {28297.322883165147, 350.3443832734244, 473.39072245198383},
+           {14218.76206141564, 220.98379259102884, 253.70463235310112},
+           {300503.92221385561, 1247.0265108030885, 3374.6895410626576},
+           {62157.465017272778, 557.46733433022769, 3012.2825131748327},
+           {3124.3356410386409, 60.920417828576433, 85.212660090161179}}) {
+    data.push_back({reaction(force, 90), Vector3d::UnitZ(), torque, sigma});
+  }
+  const FrictionFit fit = identify_friction(joint, data, {.huber = true});
+  EXPECT_EQ(fit.status, Status::not_converged);
+  EXPECT_NEAR(fit.estimates[0].value, 0.05, 1e-3);
+  EXPECT_NEAR(fit.estimates[1].value, 2e7, 2e5);
+  EXPECT_EQ(identify_friction(joint, data).status, Status::ok);
 }
 
 // The model is nearly linear in f0 and A: ends differ by 1 % of the width.

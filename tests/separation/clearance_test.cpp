@@ -508,6 +508,31 @@ shape = [{ kind = "box", size_m = [1, 1, 1] }]
 
 // From a distance that is known, wherever the bodies have moved since; and of
 // none between two distances.
+// A rod that turns in its place brings its end nearer.
+TEST(PairWay, TurnsAreWaysToo) {
+  const Shape rod{.kind = ShapeKind::capsule,
+                  .from = {-0.3, 0.1, 0},
+                  .to = {0.8, 0, 0.2},
+                  .radius = 0.1};
+  Clearance clearance({{rod}, {rod}}, {{0, 1}});
+  separation::PairWay way({0, 1}, separation::reach(rod));
+  const BodyMotion still{Vector3d::Zero(), Vector3d::Zero(),
+                         Matrix3d::Identity(), Vector3d::Zero()};
+  std::vector<BodyMotion> bodies = {still, still};
+  bodies[1].position = Vector3d(2.5, 0, 0);
+  way.move_on(0, bodies);
+  const double first = clearance.distance(0, bodies);
+  way.know(first);
+  for (const double angle : {0.1, 0.5, 1.5, 2.0, 3.0}) {
+    bodies[1].rotation =
+        Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();
+    way.move_on(angle, bodies);
+    // As in the next test.
+    EXPECT_LE(way.least_now(), clearance.distance(0, bodies) + 2e-8) << angle;
+  }
+  EXPECT_LT(clearance.distance(0, bodies), first - 0.3);
+}
+
 TEST(PairWay, IsNeverAboveTheDistance) {
   std::mt19937 random(5);
   std::uniform_real_distribution<double> uniform(-1, 1);

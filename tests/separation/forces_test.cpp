@@ -14,6 +14,7 @@
 #include "libcontact/base/file_text.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/force_kind.hpp"
+#include "separation/case/force_law.hpp"
 #include "separation/simulation/case_forces.hpp"
 #include "separation/simulation/force_watch.hpp"
 #include "separation/simulation/simulation.hpp"
@@ -190,6 +191,33 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
+  // Beyond them that of the nearest one.
+  for (const auto& [pressure, normal] : {std::pair(2, 1.0), {20, 2.0}}) {
+    const Forces beyond = forces_of(
+        air + "table_pressure_Pa = [4, 12]\nnormal = [[0, 2], [0, 4]]\n" +
+            fmt::format("flow = [-3, -4, 0]\ndynamic_pressure_Pa = {}\n",
+                        pressure),
+        0);
+    expect_force(beyond.body, {-2 * pressure * normal, 0, 0}, {0, 0, 0});
+  }
+}
+
+// An event that comes for each of two bodies at its own time: for a third one,
+// and for the carrier, when it comes first.
+TEST(History, ClocksStrikeForEachBody) {
+  separation::Case c;
+  c.bodies.resize(3);
+  c.events.resize(1);
+  c.events[0].bodies = {0, 1};
+  separation::History history(c);
+  const separation::Clock clock{0, 0, 0.5};
+  EXPECT_EQ(history.time_of(clock, 1, c), separation::History::not_yet);
+  history.events[0] = {3, 2, separation::History::not_yet};
+  EXPECT_EQ(history.time_of(clock, 1, c), 3.5);
+  EXPECT_EQ(history.time_of(clock, 2, c), 2.5);
+  EXPECT_EQ(history.time_of(clock, 3, c), 2.5);
+  EXPECT_EQ(history.time_of(clock, 0, c), 2.5);
+  EXPECT_EQ(history.time_of({7, -1, 0}, 1, c), 7);
 }
 
 // From (10, 4, 0) on the carrier to the body's point at (10, 1, 0): it comes
@@ -215,6 +243,86 @@ std::string ball_text(const char* name, double mass, double x, double speed) {
 const std::string ground =
     "name = \"d\"\nrun = { end_time_s = 2 }\n"
     "[carrier]\nname = \"ground\"\nfixed = true\n";
+
+// 0.3 m are used when it begins, at a time or with an event: of a shorter
+// stroke nothing is left, and of a longer one 0.2 m push.
+TEST(Pusher, DoesNotBeginBehindItsStroke) {
+  for (const char* const begin :
+       {"starts_at_s = 0.7\n", "starts_at_event = \"go\"\n"}) {
+    for (const double stroke : {0.2, 0.5}) {
+      const separation::Case c =
+          separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
+[[body]]
+name = "b"
+mass_kg = 1
+principal_inertia_kg_m2 = [1, 1, 1]
+hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [0, 9, 0] }
+[[event]]
+name = "go"
+time_s = 0.5
+breaks = "hinge"
+bodies = ["b"]
+[[force]]
+name = "pusher"
+kind = "pusher"
+body = "a"
+point_m = [0, 0, 0]
+carrier_point_m = [0.7, 0, 0]
+direction = [1, 0, 0]
+first_force_N = 40
+)" + begin + fmt::format("stroke_m = {}\n", stroke),
+                                 "p.toml");
+      separation::Simulation motion(c, separation::FrictionChoice::full);
+      while (motion.advance_to(2) == separation::Simulation::Stop::event) {
+        ASSERT_TRUE(motion.apply());
+      }
+      ASSERT_EQ(motion.time(), 2);
+      const double speed = motion.sample().body(0).velocity.x();
+      if (stroke < 0.3) {
+        EXPECT_EQ(speed, 0) << begin;
+      } else {
+        EXPECT_NEAR(speed, std::sqrt(2 * 40 * 0.2 / 2), 1e-7) << begin;
+      }
+    }
+  }
+}
+
+// A thousandth of the stroke is what figures of some digits leave.
+TEST(Pusher, IsBehindByMoreThanAThousandthOfItsStroke) {
+  for (const auto& [behind, fault] : {std::pair(0.9e-3, 0), {1.1e-3, 1}}) {
+    const separation::Case c =
+        separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
+[[force]]
+name = "pusher"
+kind = "pusher"
+body = "a"
+point_m = [0, 0, 0]
+direction = [1, 0, 0]
+first_force_N = 40
+stroke_m = 0.5
+)" + fmt::format("carrier_point_m = [{}, 0, 0]\n", 1 + behind * 0.5),
+                               "p.toml");
+    const separation::Simulation motion(c, separation::FrictionChoice::full);
+    const separation::ForceInstant at{c, 1, motion.sample().motions(), 0, 0, 0};
+    EXPECT_EQ(c.forces[0].law->find_fault(at, true, true), fault) << behind;
+  }
+}
+
+// A moment is an act too.
+TEST(IdleForces, AreThoseWithoutForceAndMoment) {
+  for (const int moment : {0, 3}) {
+    const separation::Case c = separation::parse_case(
+        ground + ball_text("a", 2, 1, 0) +
+            fmt::format("[[force]]\nname = \"f\"\nkind = \"applied\"\n"
+                        "body = \"a\"\nmoment_N_m = [0, {}, 0]\n",
+                        moment),
+        "i.toml");
+    const separation::Simulation motion(c, separation::FrictionChoice::full);
+    std::vector<separation::ForceRecord> records(1);
+    separation::look_at_forces(motion, records);
+    EXPECT_EQ(records[0].acted, moment != 0);
+  }
+}
 
 // Two bodies that drift apart with u: mu u' = -c u, mu the reduced mass. The
 // damper takes the energy of the relative motion, and momentum is kept.

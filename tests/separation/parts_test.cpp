@@ -189,6 +189,17 @@ TEST(Peaks, BetweenLooks) {
 }
 
 // JSON has no number for infinity, and null means no value.
+// The top of the parabola through 0, 1 and 0.9 is at 1.0920, 0.0920 above the
+// looks: what is asked for is a quarter of that more.
+TEST(Peaks, MayBeAQuarterHigherThanTheParabola) {
+  const auto may_be = [](double known) {
+    return separation::may_peak({0, {0}}, {1, {1}}, {2, {0.9}}, 0, {known});
+  };
+  EXPECT_TRUE(may_be(1.0920));
+  EXPECT_TRUE(may_be(1.114));
+  EXPECT_FALSE(may_be(1.116));
+}
+
 TEST(Summary, InfinityIsAText) {
   separation::Case c =
       separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
@@ -349,8 +360,8 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("\xa1\x66"
                        "formathinge-separation checkpoint 4"),
             file_ +
-                ": a checkpoint of another version of hinge-separation must be "
-                "\"hinge-separation checkpoint 10\"");
+                ": format 4 of the checkpoint must be 10, that of this version "
+                "of hinge-separation");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),

@@ -23,6 +23,7 @@ using nlohmann::json;
 
 constexpr std::string_view program_format = "hinge-separation checkpoint ";
 constexpr std::string_view format_name = "hinge-separation checkpoint 10";
+static_assert(format_name.starts_with(program_format));
 constexpr std::size_t sum_size = 8;  // in hexadecimal digits
 constexpr const char* source = "the saved state";
 
@@ -48,6 +49,22 @@ bool has_whole_numbers(const json& j) {
   });
 }
 
+// The number of a format, at the beginning of what follows the words.
+std::string_view number_in(std::string_view text) {
+  return text.substr(0, text.find_first_not_of("0123456789"));
+}
+
+// Of another version of the program.
+[[noreturn]] void refuse_format(std::string_view bytes,
+                                const std::string& name) {
+  const auto after = bytes.find(program_format) + program_format.size();
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("{}: format {} of the checkpoint", name,
+                  number_in(bytes.substr(after))),
+      fmt::format("{}, that of this version of hinge-separation",
+                  number_in(format_name.substr(program_format.size())))));
+}
+
 std::string check_sum(std::string_view bytes) {
   boost::crc_32_type sum;
   sum.process_bytes(bytes.data(), bytes.size());
@@ -66,9 +83,7 @@ std::string packed(json j) {
 json unpacked(std::string_view bytes, const std::string& name) {
   if (!contains(bytes, program_format)) refuse_stranger(name);
   if (!contains(bytes, format_name)) {
-    throw contact::Error(contact::detail::must_be(
-        name + ": a checkpoint of another version of hinge-separation",
-        fmt::format("\"{}\"", format_name)));
+    refuse_format(bytes, name);
   }
   const std::string_view content = bytes.substr(0, bytes.size() - sum_size);
   const std::string sum = check_sum(content);
