@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -33,6 +34,20 @@ inline JointHandle read_joint(const std::string& file, const std::string& where,
     throw std::runtime_error(where + ": " + file + " must be a " +
                              (kind == CONTACT_BALL ? "ball" : "pin") +
                              " joint");
+  }
+  return joint;
+}
+
+/// The same, of dry friction: of hosts whose solver holds by a largest moment.
+/// @throws std::runtime_error for a joint that holds nothing, too
+inline JointHandle read_dry_joint(const std::string& file,
+                                  const std::string& where, contact_kind kind) {
+  JointHandle joint = read_joint(file, where, kind);
+  const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
+  contact_rest rest;
+  must(contact_joint_at_rest(joint.get(), &hold, nullptr, &rest));
+  if (std::isinf(rest.utilisation)) {
+    throw std::runtime_error(where + ": " + file + " must have dry friction");
   }
   return joint;
 }

@@ -1,0 +1,69 @@
+#include "hosts/dart/hinge_friction.hpp"
+
+namespace contact_hosts::dart {
+
+using ::dart::dynamics::BallJoint;
+using ::dart::dynamics::Joint;
+using ::dart::dynamics::RevoluteJoint;
+using Eigen::Vector3d;
+
+void HingeFriction::add(Joint* joint, const std::string& file) {
+  const bool is_ball = joint->getType() == BallJoint::getStaticType();
+  if (!is_ball && joint->getType() != RevoluteJoint::getStaticType()) {
+    throw std::runtime_error(
+        "HingeFriction::add: joint must be a ball or revolute joint");
+  }
+  hinges_.push_back({joint,
+                     read_dry_joint(file, "HingeFriction::add",
+                                    is_ball ? CONTACT_BALL : CONTACT_PIN),
+                     {},
+                     0});
+}
+
+// In the axes of the joint on the child.
+void HingeFriction::update() {
+  for (Hinge& h : hinges_) {
+    const Eigen::Matrix3d to_joint =
+        h.joint->getTransformFromChildBodyNode().linear().transpose();
+    const Vector3d reaction =
+        to_joint * h.joint->getChildBodyNode()->getBodyForce().tail<3>();
+    contact_slip slip{};
+    Vector3d::Map(slip.reaction) = reaction;
+    const bool is_ball = h.joint->getNumDofs() == 3;
+    Vector3d rate = Vector3d::UnitX();  // any, where there is none
+    if (!is_ball) {
+      rate = static_cast<const RevoluteJoint*>(h.joint)->getAxis();
+      Vector3d::Map(slip.axis) = rate;
+    } else if (h.joint->getVelocities().norm() > 0) {
+      rate = h.joint->getVelocities();
+    }
+    Vector3d::Map(slip.angular_velocity) = rate;
+    must(contact_joint_solve(h.contact.get(), &slip, &h.solution, &h.solution));
+    const Vector3d moment(h.solution.friction_moment);
+    h.limit = moment.norm();
+    if (!is_ball) {
+      h.joint->setCoulombFriction(0, h.limit);
+    } else {
+      rub(h, moment);
+    }
+  }
+}
+
+// Of a ball: M_t while it slides, a limit for each axis where a step would stop
+// it.
+void HingeFriction::rub(Hinge& h, const Vector3d& moment) {
+  const auto* const body = h.joint->getChildBodyNode();
+  const double arm =
+      (h.joint->getTransformFromChildBodyNode().inverse() * body->getLocalCOM())
+          .norm();
+  const double inertia =
+      body->getInertia().getMoment().trace() + body->getMass() * arm * arm;
+  const bool stops = h.joint->getVelocities().norm() * inertia <=
+                     2 * h.limit * h.joint->getSkeleton()->getTimeStep();
+  for (int i = 0; i < 3; ++i) {
+    h.joint->setCoulombFriction(i, stops ? h.limit : 0);
+    if (!stops) h.joint->setForce(i, h.joint->getForce(i) + moment[i]);
+  }
+}
+
+}  // namespace contact_hosts::dart

@@ -1,0 +1,360 @@
+#include "hosts/simbody/hinge_friction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace contact_hosts::simbody {
+namespace {
+
+using SimTK::MobilizedBody;
+using SimTK::Rotation;
+using SimTK::Stage;
+using SimTK::State;
+using SimTK::Vec3;
+
+void put(double (&to)[3], const Vec3& from) {
+  for (int i = 0; i < 3; ++i) to[i] = from[i];
+}
+Vec3 vec(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
+
+// A hinge, and what is known of it. Vectors in Ground, but the direction.
+struct Hinge {
+  MobilizedBody body;
+  bool is_ball;
+  JointHandle joint;
+  bool can_rest;
+  Vec3 way{0};  // in which it slides, or would: unit, axes of the parent
+  Vec3 reaction{0};
+  Vec3 moment{0};
+  contact_solution solution{};
+  contact_rest rest{};
+
+  Rotation axes(const State& s) const {
+    return body.getParentMobilizedBody().getBodyRotation(s) *
+           body.getInboardFrame(s).R();
+  }
+  Vec3 rate(const State& s) const {
+    return body.getBodyAngularVelocity(s) -
+           body.getParentMobilizedBody().getBodyAngularVelocity(s);
+  }
+  Vec3 direction(const State& s) const {
+    return body.getParentMobilizedBody().getBodyRotation(s) * way;
+  }
+  void go_along(const State& s, const Vec3& v) {
+    way = 0;
+    if (v.norm() > 0) {
+      way = ~body.getParentMobilizedBody().getBodyRotation(s) * (v / v.norm());
+    }
+  }
+  Vec3 acceleration(const State& s) const {
+    return body.getBodyAngularAcceleration(s) -
+           body.getParentMobilizedBody().getBodyAngularAcceleration(s);
+  }
+  Vec3 axis(const State& s) const {
+    return is_ball ? Vec3(0) : Vec3(axes(s) * Vec3(0, 0, 1));
+  }
+  // As coordinates of the mobilizer.
+  SimTK::Vector rates(const State& s, const Vec3& rate) const {
+    const Vec3 u = ~axes(s) * rate;
+    return is_ball ? SimTK::Vector(u) : SimTK::Vector(1, u[2]);
+  }
+};
+
+// Whether there is a moment at all that the joint holds: none of viscous ones.
+bool can_rest(const contact_joint* joint) {
+  const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
+  contact_rest rest;
+  must(contact_joint_at_rest(joint, &hold, nullptr, &rest));
+  return !std::isinf(rest.utilisation);
+}
+
+}  // namespace
+
+class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
+ public:
+  Friction(const SimTK::MultibodySystem& system,
+           const SimTK::GeneralForceSubsystem& forces, const Options& options)
+      : system_(system), forces_(forces), options_(options) {}
+
+  // Moments are a part of the state that belongs to its velocities: when forces
+  // are asked for, the subsystem of forces cannot be asked for others.
+  void realizeTopology(State& state) const override {
+    cache_ = forces_.allocateCacheEntry(state, Stage::Velocity,
+                                        new SimTK::Value<Moments>());
+  }
+  void realizeVelocity(const State& state) const override {
+    if (!is_given_) {
+      options_.fit == Fit::converged ? converge(state) : slide(state);
+    }
+    Moments& moments = SimTK::Value<Moments>::updDowncast(
+        forces_.updCacheEntry(state, cache_));
+    moments.clear();
+    for (const Hinge& h : hinges) moments.push_back(h.moment);
+  }
+  const SimTK::Array_<Vec3>& moments(const State& state) const {
+    return SimTK::Value<Moments>::downcast(
+        forces_.getCacheEntry(state, cache_));
+  }
+
+  void calcForce(const State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
+                 SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {
+    // Those of the last pass, where passes are made on a scratch state.
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      const MobilizedBody& body = hinges[i].body;
+      const Vec3 m = is_given_ ? hinges[i].moment : moments(state)[int(i)];
+      bodies[body.getMobilizedBodyIndex()][0] += m;
+      bodies[body.getParentMobilizedBody().getMobilizedBodyIndex()][0] -= m;
+    }
+  }
+  double calcPotentialEnergy(const State&) const override { return 0; }
+
+  void note_reactions(const State& state) const {
+    for (Hinge& h : hinges) {
+      h.reaction = h.body.findMobilizerReactionOnBodyAtMInGround(state)[1];
+    }
+  }
+  // For the next evaluation.
+  void realizeAcceleration(const State& state) const override {
+    if (options_.fit == Fit::lagged) note_reactions(state);
+  }
+
+  // How far a locked hinge is from its limit: above 0 it lets go.
+  double excess(const State& state, Hinge& h) const {
+    SimTK::Vector held;
+    system_.getMatterSubsystem().findMotionForces(state, held);
+    const auto own = [&](int i) {
+      return h.body.getOneFromUPartition(state, i, held);
+    };
+    const Vec3 moment =
+        -(h.axes(state) *
+          (h.is_ball ? Vec3(own(0), own(1), own(2)) : Vec3(0, 0, own(0))));
+    contact_hold hold{};
+    put(hold.reaction, h.body.findMobilizerReactionOnBodyAtMInGround(state)[1]);
+    put(hold.moment, moment);
+    if (!moment.isFinite()) {
+      throw std::runtime_error(
+          "resting hinges of a loop must be no more than its freedoms: give "
+          "friction to fewer of them");
+    }
+    put(hold.axis, h.axis(state));
+    must(contact_joint_at_rest(h.joint.get(), &hold, &h.rest, &h.rest));
+    return h.rest.utilisation - 1 - (h.is_ball ? 1e-8 : 1e-10);
+  }
+
+  // Of a sliding hinge; 0 where it may have come to rest.
+  double ahead(const State& state, const Hinge& h) const {
+    return dot(h.rate(state), h.direction(state)) -
+           (h.is_ball ? options_.stop_speed : 0);
+  }
+
+  void settle(State& state) const;
+  bool is_on_scratch() const { return is_given_; }
+
+  mutable std::vector<Hinge> hinges;
+  mutable long evaluations = 0;
+
+ private:
+  void slide(const State& state) const;
+  void converge(const State& state) const;
+  void stop(State& state) const;
+  void let_go(State& state, Hinge& h) const;
+
+  using Moments = SimTK::Array_<Vec3>;
+  const SimTK::MultibodySystem& system_;
+  const SimTK::GeneralForceSubsystem& forces_;
+  Options options_;
+  mutable SimTK::CacheEntryIndex cache_;
+  mutable State scratch_;
+  mutable bool is_given_ = false;  // moments are those of the hinges
+};
+
+// Moments of the sliding hinges under their reactions.
+void HingeFriction::Friction::slide(const State& state) const {
+  for (Hinge& h : hinges) {
+    h.moment = 0;
+    if (h.body.isLocked(state)) continue;
+    Vec3 rate = h.rate(state);
+    // Smooth through the stop, which an event finds.
+    const double least = h.is_ball ? options_.stop_speed : 1e-12;
+    if (h.can_rest &&
+        (h.is_ball ? rate.norm() : dot(rate, h.direction(state))) < least) {
+      rate = least * h.direction(state);
+    }
+    contact_slip slip{};
+    put(slip.reaction, h.reaction);
+    put(slip.angular_velocity, rate);
+    put(slip.axis, h.axis(state));
+    must(contact_joint_solve(h.joint.get(), &slip, &h.solution, &h.solution));
+    h.moment = vec(h.solution.friction_moment);
+  }
+}
+
+// The same under the reactions that they cause.
+void HingeFriction::Friction::converge(const State& state) const {
+  scratch_ = state;
+  is_given_ = true;
+  constexpr int limit = 100;
+  for (int i = 0;; ++i) {
+    system_.realize(scratch_, Stage::Acceleration);
+    ++evaluations;
+    note_reactions(scratch_);
+    std::vector<Vec3> before;
+    for (const Hinge& h : hinges) before.push_back(h.moment);
+    slide(state);
+    double change = 0;
+    double size = 0;
+    for (std::size_t k = 0; k < hinges.size(); ++k) {
+      change = std::max(change, (hinges[k].moment - before[k]).norm());
+      size = std::max(size, hinges[k].moment.norm());
+    }
+    if (change <= options_.tolerance * size) break;
+    if (i == limit) {
+      throw std::runtime_error("friction and reactions do not come to fit");
+    }
+    scratch_.invalidateAllCacheAtOrAbove(Stage::Dynamics);
+  }
+  is_given_ = false;
+}
+
+// Locks what has no rate left, and follows balls that have turned.
+void HingeFriction::Friction::stop(State& state) const {
+  system_.realize(state, Stage::Velocity);
+  std::vector<const Hinge*> stopped;
+  for (Hinge& h : hinges) {
+    if (!h.can_rest || h.body.isLocked(state)) continue;
+    const Vec3 rate = h.rate(state);
+    const bool is_slow =
+        h.is_ball ? rate.norm() <= 1.5 * options_.stop_speed
+                  : dot(rate, h.direction(state)) <= 0 && h.way.norm() > 0;
+    if (is_slow || rate.norm() == 0) {
+      stopped.push_back(&h);
+    } else if (ahead(state, h) <= 0) {
+      h.go_along(state, rate);
+    }
+  }
+  for (const Hinge* h : stopped) h->body.lock(state);
+}
+
+void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
+  const Vec3 direction = vec(h.rest.direction);
+  h.go_along(state, direction);
+  const SimTK::Vector u =
+      h.rates(state, h.is_ball ? 2 * options_.stop_speed * direction : Vec3(0));
+  h.body.unlock(state);
+  h.body.setUFromVector(state, u);
+  // Where the solution starts from.
+  h.solution = h.rest.slip;
+}
+
+void HingeFriction::Friction::settle(State& state) const {
+  stop(state);
+  // The worst gives way first; what friction would drive is held again.
+  std::vector<Hinge*> released;
+  for (std::size_t i = 0; i <= 3 * hinges.size(); ++i) {
+    system_.realize(state, Stage::Acceleration);
+    for (Hinge* h : released) {
+      if (h == released.back() ||
+          dot(h->acceleration(state), h->direction(state)) >= 0) {
+        continue;
+      }
+      h->body.lock(state);
+      released.erase(std::find(released.begin(), released.end(), h));
+      system_.realize(state, Stage::Acceleration);
+      break;
+    }
+    Hinge* worst = nullptr;
+    double most = 0;
+    for (Hinge& h : hinges) {
+      if (!h.body.isLocked(state)) continue;
+      const double over = excess(state, h);
+      if (over > most) {
+        most = over;
+        worst = &h;
+      }
+    }
+    if (!worst) break;
+    let_go(state, *worst);
+    released.push_back(worst);
+  }
+}
+
+// The end of sliding, or of rest, of a hinge.
+class HingeFriction::Event : public SimTK::TriggeredEventHandler {
+ public:
+  Event(const Friction& friction, std::size_t hinge, bool is_stop)
+      : TriggeredEventHandler(is_stop ? Stage::Velocity : Stage::Acceleration),
+        friction_(friction),
+        hinge_(hinge),
+        is_stop_(is_stop) {
+    getTriggerInfo().setTriggerOnRisingSignTransition(!is_stop);
+    getTriggerInfo().setTriggerOnFallingSignTransition(is_stop);
+  }
+  double getValue(const State& state) const override {
+    if (friction_.is_on_scratch()) return is_stop_ ? 1 : -1;
+    Hinge& h = friction_.hinges[hinge_];
+    const bool rests = h.body.isLocked(state);
+    if (is_stop_) {
+      return rests || !h.can_rest ? 1 : friction_.ahead(state, h);
+    }
+    return h.body.isLocked(state) ? friction_.excess(state, h) : -1;
+  }
+  void handleEvent(State& state, double, bool&) const override {
+    friction_.settle(state);
+  }
+
+ private:
+  const Friction& friction_;
+  std::size_t hinge_;
+  bool is_stop_;
+};
+
+HingeFriction::HingeFriction(SimTK::MultibodySystem& system,
+                             SimTK::GeneralForceSubsystem& forces,
+                             Options options)
+    : system_(system), friction_(new Friction(system, forces, options)) {
+  const SimTK::Force::Custom handle(forces, friction_);  // owns friction_
+}
+
+void HingeFriction::add(const MobilizedBody& body, const std::string& file) {
+  const bool is_ball = MobilizedBody::Ball::isInstanceOf(body);
+  if (!is_ball && !MobilizedBody::Pin::isInstanceOf(body)) {
+    throw std::runtime_error(
+        "HingeFriction::add: body must have a Ball or Pin "
+        "mobilizer");
+  }
+  JointHandle joint = read_joint(file, "HingeFriction::add",
+                                 is_ball ? CONTACT_BALL : CONTACT_PIN);
+  const bool rests = can_rest(joint.get());
+  friction_->hinges.push_back({body, is_ball, std::move(joint), rests});
+  const std::size_t i = friction_->hinges.size() - 1;
+  if (!rests) return;
+  for (const bool is_stop : {true, false}) {
+    system_.addEventHandler(new Event(*friction_, i, is_stop));
+  }
+}
+
+void HingeFriction::settle(State& state) const {
+  system_.realize(state, Stage::Velocity);
+  for (Hinge& h : friction_->hinges) {
+    h.go_along(state, h.rate(state));
+  }
+  friction_->settle(state);
+}
+
+const contact_solution& HingeFriction::hinge(int i) const {
+  return friction_->hinges.at(i).solution;
+}
+
+long HingeFriction::evaluations() const { return friction_->evaluations; }
+
+double HingeFriction::power(const State& state) const {
+  double sum = 0;
+  const auto& moments = friction_->moments(state);
+  for (std::size_t i = 0; i < friction_->hinges.size(); ++i) {
+    sum += dot(moments[int(i)], friction_->hinges[i].rate(state));
+  }
+  return sum;
+}
+
+}  // namespace contact_hosts::simbody

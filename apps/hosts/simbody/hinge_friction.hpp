@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Simbody.h>
+
+#include <string>
+
+#include "hosts/joint_handle.hpp"
+
+namespace contact_hosts::simbody {
+
+/// How friction and the reactions that it causes come to fit.
+enum class Fit {
+  /// By accelerations repeated until moments change by `tolerance`.
+  converged,
+  /// Moments under the reactions of the evaluation before: a fifth of the cost,
+  /// an error of the order of the joint's radius over the distance of the
+  /// masses, and integrators take shorter steps.
+  lagged,
+};
+
+struct Options {
+  Fit fit = Fit::converged;
+  /// Largest change of a moment over the largest moment.
+  double tolerance = 1e-12;
+  /// A ball below it has come to rest, rad/s. Not below what the integrator
+  /// resolves.
+  double stop_speed = 1e-7;
+};
+
+/// Friction of libcontact in Ball and Pin mobilizers of a Simbody system.
+///
+///     HingeFriction friction(system, forces);
+///     friction.add(hip, "hip.toml");
+///     State state = system.realizeTopology();
+///     ... angles and rates ...
+///     friction.settle(state);  // hinges without a rate that hold
+///
+/// A sliding hinge has the moments of contact_joint_solve(). A hinge that comes
+/// to rest, whose time events find, is locked: its rate is exactly 0, its
+/// angles do not change by a bit, until the moment that it holds passes the
+/// limit (contact_joint_at_rest()) by 1e-10, of balls 1e-8, which events find
+/// too. Reactions are those of Simbody.
+///
+/// Where it ends: one State at a time; mobilizers are locked and unlocked, so
+/// locks of others on them are lost; in a
+/// loop no more hinges may have friction than it has freedoms: a loop that is
+/// locked twice has no reactions, and is refused; nothing is known of contacts
+/// that open.
+class HingeFriction {
+ public:
+  /// Before system.realizeTopology().
+  HingeFriction(SimTK::MultibodySystem& system,
+                SimTK::GeneralForceSubsystem& forces, Options options = {});
+
+  /// Friction of a joint file between a body and its parent.
+  /// @param body  of a Ball or Pin mobilizer
+  /// @throws std::runtime_error for another mobilizer, and if the file is not
+  ///         good or of another kind
+  void add(const SimTK::MobilizedBody& body, const std::string& file);
+
+  /// At the start: locks hinges without a rate, as far as they hold.
+  void settle(SimTK::State& state) const;
+
+  /// Of the hinge added as the i-th: its last solution while it slides.
+  const contact_solution& hinge(int i) const;
+  /// Accelerations that friction asked for.
+  long evaluations() const;
+  /// M_t . Dw of all hinges, W; of a state realized to Dynamics.
+  double power(const SimTK::State& state) const;
+
+ private:
+  class Friction;
+  class Event;
+  SimTK::MultibodySystem& system_;
+  Friction* friction_;
+};
+
+}  // namespace contact_hosts::simbody

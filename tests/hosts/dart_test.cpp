@@ -1,0 +1,103 @@
+// DART's solver holds joints, libcontact says how much.
+#include "hosts/dart/hinge_friction.hpp"
+
+#include <gtest/gtest.h>
+#include <dart/dynamics/PrismaticJoint.hpp>
+#include <dart/dynamics/Skeleton.hpp>
+#include <dart/simulation/World.hpp>
+
+#include <cmath>
+#include <string>
+
+namespace contact::test {
+namespace {
+
+using contact_hosts::dart::HingeFriction;
+using Eigen::Vector3d;
+
+const std::string folder = CONTACT_HOST_TESTS;
+const std::string ball_file = folder + "ball.toml";
+const std::string pin_file = folder + "pin.toml";
+
+/// A body that hangs from the origin.
+template <class Joint>
+struct World {
+  ::dart::simulation::WorldPtr world = ::dart::simulation::World::create();
+  ::dart::dynamics::SkeletonPtr skeleton =
+      ::dart::dynamics::Skeleton::create("pendulum");
+  Joint* joint = nullptr;
+
+  World(double mass, const Vector3d& inertia, const Vector3d& centre,
+        double dt) {
+    const auto pair = skeleton->createJointAndBodyNodePair<Joint>();
+    joint = pair.first;
+    ::dart::dynamics::Inertia i;
+    i.setMass(mass);
+    i.setLocalCOM(centre);
+    i.setMoment(inertia.x(), inertia.y(), inertia.z(), 0, 0, 0);
+    pair.second->setInertia(i);
+    world->setGravity({0, 0, -9.81});
+    world->setTimeStep(dt);
+    world->addSkeleton(skeleton);
+  }
+};
+using Hanging = World<::dart::dynamics::RevoluteJoint>;
+using Pendulum = World<::dart::dynamics::BallJoint>;
+
+// The hinge holds the weight of its link up to its limit.
+TEST(HostDart, HingeHoldsUpToItsLimit) {
+  const auto joint = contact_hosts::read_joint(pin_file, "", CONTACT_PIN);
+  const contact_hold hold = {{0, 0, 9.81}, {0, 1, 0}, {0, 1, 0}};
+  contact_rest rest;
+  ASSERT_EQ(contact_joint_at_rest(joint.get(), &hold, nullptr, &rest),
+            CONTACT_OK);
+  for (const double share : {0.98, 1.02}) {
+    Hanging w(1, {0.02, 0.02, 0.002},
+              {share / rest.utilisation / 9.81, 0, -0.25}, 1e-3);
+    w.joint->setAxis(Vector3d::UnitY());
+    HingeFriction friction;
+    friction.add(w.joint, pin_file);
+    // The first reaction: a step in which nothing can move.
+    w.joint->setCoulombFriction(0, 1e3);
+    w.world->step();
+    for (int i = 0; i < (share < 1 ? 60'000 : 100); ++i) {
+      friction.update();
+      w.world->step();
+    }
+    if (share < 1) {
+      EXPECT_NEAR(w.joint->getPosition(0), 0, 1e-10);
+    } else {
+      EXPECT_GT(std::abs(w.joint->getVelocity(0)), 1e-5);
+    }
+  }
+}
+
+// docs/simulator.md: 44.37 s; a step of 1 ms, of first order, gives 43.523 s.
+TEST(HostDart, PendulumRests) {
+  Pendulum w(5, {0.1, 0.1, 0.02}, {0, 0, -0.4}, 1e-3);
+  w.joint->setPositions(Vector3d(1, 0, 0));
+  const Vector3d rate =
+      Eigen::AngleAxisd(-1, Vector3d::UnitX()) * Vector3d(0, 1, 0.5);
+  w.joint->setVelocities(rate);
+  HingeFriction friction;
+  friction.add(w.joint, ball_file);
+  double last = 0;  // when it moved
+  for (int i = 0; i < 60'000; ++i) {
+    friction.update();
+    w.world->step();
+    if (w.joint->getVelocities().norm() > 1e-6) last = 1e-3 * i;
+  }
+  EXPECT_NEAR(last, 43.52, 0.05);
+  EXPECT_LT(w.joint->getVelocities().norm(), 1e-9);
+}
+
+TEST(HostDart, SaysWhatIsWrong) {
+  HingeFriction friction;
+  Hanging w(1, {1, 1, 1}, {0, 0, 0}, 1e-3);
+  EXPECT_THROW(friction.add(w.joint, ball_file), std::runtime_error);
+  World<::dart::dynamics::PrismaticJoint> rail(1, {1, 1, 1}, {0, 0, 0}, 1e-3);
+  EXPECT_THROW(friction.add(rail.joint, pin_file), std::runtime_error);
+}
+
+}  // namespace
+}  // namespace contact::test
