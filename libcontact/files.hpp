@@ -4,4 +4,5 @@
 // clang-format off
 #include "libcontact/files/setting.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/worn_seat_file.hpp"
 // clang-format on

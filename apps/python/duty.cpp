@@ -239,8 +239,9 @@ the contact (libcontact's docs/duty.md): a WearIn of blocks, (n,). The first is
 without wear, the last after all cycles; between them the worn volume grows by
 at most 10 % of what the bodies overlap.
 
-Known where the load stands still in the seat: a RuntimeWarning where
-contact_spread is above 0.3 of the half-angle, refused where it is above it.
+Where contact_spread is above 0.1 of the half-angle, or a pin has no clearance,
+the depth is one more gap at points of the seat, and the contact is solved by
+elasticity alone: a RuntimeWarning if the joint has other laws.
 
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
 cycles: how many.

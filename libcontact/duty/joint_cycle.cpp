@@ -76,8 +76,13 @@ LargestContact JointCycle::largest_contact() const {
           largest_of(&JointSolution::peak_pressure)};
 }
 
+Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {
+  return contact().geometry().inner_body() == JointBody::carrier
+             ? instant.state.turn.conjugate()
+             : Eigen::Quaterniond::Identity();
+}
+
 double JointCycle::contact_spread() const {
-  const bool in_body = contact().geometry().inner_body() == JointBody::carrier;
   struct Place {
     Eigen::Vector3d centre;
     double weight;
@@ -88,7 +93,7 @@ double JointCycle::contact_spread() const {
     const SlidingContact slip = sliding(i);
     Place place{slip.centre(), i.weight * slip.pv_total()};
     if (!(place.weight > 0)) continue;
-    if (in_body) place.centre = i.state.turn.conjugate() * place.centre;
+    place.centre = to_seat(i) * place.centre;
     sum.centre += place.weight * place.centre;
     sum.weight += place.weight;
     places.push_back(place);

@@ -51,6 +51,8 @@ class JointCycle {
   Instant largest(const Quantity& quantity) const;
   /// For ContactLimits; both as largest().
   LargestContact largest_contact() const;
+  /// From carrier axes to those of the body that has the seat or hole.
+  Eigen::Quaterniond to_seat(const Instant& instant) const;
   /// How far the contact wanders over the seat or hole in a cycle: root mean
   /// square of the angle between its centre and the middle of its places, in
   /// the seat's axes and with the weight of p v, rad; 0 without p v.

@@ -11,11 +11,13 @@ constexpr double pi = std::numbers::pi;
 
 }  // namespace
 
-PinWear::PinWear(const LayeredPair& pair, double clearance)
+PinWear::PinWear(const LayeredPair& pair, double clearance,
+                 const Eigen::VectorXd& worn)
     : circle_(pair),
-      gap_(Eigen::VectorXd::Constant(circle_.size(), clearance)),
-      worn_(Eigen::VectorXd::Zero(circle_.size())),
-      has_lifted_(!(clearance < 0)) {}
+      worn_(worn.size() > 0 ? worn : Eigen::VectorXd::Zero(circle_.size())),
+      has_lifted_(!(clearance < 0) || worn.size() > 0) {
+  gap_ = worn_.array() + clearance;
+}
 
 double PinWear::next_step() const {
   // Of steps half as long S differs by 2e-5 (duty/pin_wear_test.cpp).
@@ -36,53 +38,77 @@ double PinWear::path_to_lift_off(double load) const {
   return circle_.mean_compliance() * std::log(std::max(ratio, 1.0));
 }
 
-Status PinWear::slide(double load, Path path) {
-  if (!has_lifted_) {
-    const double to_lift_off = path_to_lift_off(load);
-    has_lifted_ = path.both() >= to_lift_off;
-    const double share = has_lifted_ ? to_lift_off / path.both() : 1;
-    const double hole = share * path.hole;
-    const double pin = share * path.pin;
-    // Harmonic 0 falls by both, harmonic 1 shifts the centres.
-    const double i = -clearance();
-    const double fall =
-        -i * std::expm1(-(hole + pin) / circle_.mean_compliance());
-    Eigen::VectorXd worn =
-        hole * load / (pi * circle_.radius()) * circle_.angle().array().cos();
-    gap_ += worn;
-    gap_.array() += fall;
+// While it is closed all round, and takes that from the path.
+void PinWear::close(const Eigen::Vector2d& load, Path& path) {
+  if (has_lifted_) return;
+  const double to_lift_off = path_to_lift_off(load.norm());
+  has_lifted_ = path.both() >= to_lift_off;
+  const double share = has_lifted_ ? to_lift_off / path.both() : 1;
+  const double hole = share * path.hole;
+  const double pin = share * path.pin;
+  // Harmonic 0 falls by both, harmonic 1 shifts the centres.
+  const double i = -clearance();
+  const double fall =
+      -i * std::expm1(-(hole + pin) / circle_.mean_compliance());
+  const Eigen::VectorXd worn =
+      hole / (pi * circle_.radius()) * circle_.lever() * load;
+  gap_ += worn;
+  gap_.array() += fall;
+  worn_ += worn;
+  if (hole > 0) worn_.array() += fall * hole / (hole + pin);
+  path.hole -= hole;
+  path.pin -= pin;
+}
+
+template <class Step>
+Status PinWear::step(const CircleSprings& growth, const Step& contact) {
+  const Eigen::VectorXd before = gap_;
+  last_ = contact();
+  if (growth.local > 0) {
+    Eigen::VectorXd worn = gap_ - before;
+    // Of the mean both have their share.
+    worn.array() -= worn.mean() * growth.mean / (growth.local + growth.mean);
     worn_ += worn;
-    if (hole > 0) worn_.array() += fall * hole / (hole + pin);
-    path.hole -= hole;
-    path.pin -= pin;
   }
+  since_ += growth.local + growth.mean;
+  return last_.status;
+}
+
+Status PinWear::slide(const Eigen::Vector2d& load, Path path) {
+  close(load, path);
   Status status = Status::ok;
   while (path.both() > 0) {
     const double share = std::min(1.0, next_step() / path.both());
-    const CircleSprings step{share * path.hole, share * path.pin};
-    const Eigen::VectorXd before = gap_;
-    last_ = circle_.wear(load, gap_, step, last());
-    if (last_.status != Status::ok) status = last_.status;
-    if (step.local > 0) {
-      Eigen::VectorXd worn = gap_ - before;
-      // Of the mean both have their share.
-      worn.array() -= circle_.mean(worn) * step.mean / (step.local + step.mean);
-      worn_ += worn;
-    }
-    since_ += step.local + step.mean;
+    const CircleSprings part{share * path.hole, share * path.pin};
+    const Status now =
+        step(part, [&] { return circle_.wear(load, gap_, part, last()); });
+    if (now != Status::ok) status = now;
     if (share == 1) break;
-    path.hole -= step.local;
-    path.pin -= step.mean;
+    path.hole -= part.local;
+    path.pin -= part.mean;
   }
   return status;
 }
 
-WornCircle::Contact PinWear::contact(double load) const {
-  return circle_.press(load, gap_, {}, last());
+Status PinWear::pass(const Eigen::Vector2d& load, Path path) {
+  close(load, path);
+  if (!(path.both() > 0)) return Status::ok;
+  const CircleSprings part{path.hole, path.pin};
+  return step(part, [&] {
+    WornCircle::Contact contact = circle_.press(load, gap_, part, last());
+    gap_ += part.local * contact.pressure;
+    gap_.array() += part.mean * contact.pressure.mean();
+    return contact;
+  });
+}
+
+WornCircle::Contact PinWear::contact(const Eigen::Vector2d& load,
+                                     const WornCircle::Contact* last) const {
+  return circle_.press(load, gap_, {}, last != nullptr ? last : this->last());
 }
 
 double PinWear::worn_area() const {
-  return 2 * pi * circle_.radius() * circle_.mean(worn_);
+  return 2 * pi * circle_.radius() * worn_.mean();
 }
 
 }  // namespace contact::detail

@@ -8,4 +8,8 @@ namespace contact::detail {
 /// WearMap.
 void check_wear(const JointCycle& cycle);
 
+/// @param depth  of the wear, m
+/// @throws Error if it is above the radius, or no number.
+void check_depth(double depth, double cycles, const JointGeometry& geometry);
+
 }  // namespace contact::detail

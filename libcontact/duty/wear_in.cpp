@@ -11,7 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/duty/pressed_wear_in.hpp"
+#include "libcontact/duty/stepped_wear_in.hpp"
 #include "libcontact/duty/wear_check.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/half_angle/worn.hpp"
@@ -19,13 +19,6 @@
 
 namespace contact {
 namespace {
-
-double unit_volume(const JointGeometry& geometry) {
-  const double size = geometry.radius() * geometry.radial_clearance();
-  return geometry.kind() == JointKind::ball
-             ? std::numbers::pi * geometry.radius() * size
-             : 2 * geometry.length() * size;
-}
 
 // Round a pin whose hole has lost this volume.
 double mean_clearance(const JointGeometry& geometry, double volume) {
@@ -82,36 +75,6 @@ double depth_of_overlap(const JointGeometry& geometry, double overlap) {
   return geometry.radial_clearance() * (1 / std::cos(theta0) - 1);
 }
 
-// The note on a load that moves, or "".
-std::string check_spread(const JointCycle& cycle) {
-  constexpr double noted = 0.3;
-  const double spread = cycle.contact_spread();
-  const double half_angle = wearing_of(cycle).half_angle;
-  const std::string what = detail::message(
-      "the spread of the contact over the seat, {:.4g} deg,", spread / degree);
-  if (spread > half_angle) {
-    throw Error(detail::must_be(
-        what, detail::message("at most {:.4g} deg, the half-angle: cycles of "
-                              "wear take the load to stand still in the seat",
-                              half_angle / degree)));
-  }
-  if (spread <= noted * half_angle) return {};
-  return detail::message(
-      "{} is {:.2g} of its half-angle: taken as standing still, the worn "
-      "contact is too wide and its peak pressure too low",
-      what, spread / half_angle);
-}
-
-void check_depth(const WearIn::State& state, const JointGeometry& geometry) {
-  const double largest = geometry.radius();
-  // False of NaN too, for wear beyond all numbers.
-  if (depth_of_overlap(geometry, state.wear_number) <= largest) return;
-  throw Error(detail::must_be(
-      detail::message("the depth of the wear after {:.4g} cycles",
-                      state.cycles),
-      detail::message("at most {:.4g} mm, the radius", 1e3 * largest)));
-}
-
 // The state after the next block, without what a cycle does then.
 WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
                          double wear_per_pv, double cycles, double unit) {
@@ -128,11 +91,55 @@ WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
   return next;
 }
 
+// Whether the load moves so far in the seat that the volume of the wear does
+// not tell the contact. Of swinging loads the error is like the square of this
+// share, and 0.5 deg here.
+bool moves(const JointCycle& cycle) {
+  constexpr double share = 0.1;
+  return cycle.contact_spread() > share * wearing_of(cycle).half_angle;
+}
+
+// What steps do not use, or "".
+std::string laws_note(const JointContact& contact) {
+  const std::string half_angle = contact.half_angle_law().name();
+  const std::string pressure = contact.pressure_law().name();
+  if (half_angle == "exact" && pressure == "exact") return {};
+  return detail::message(
+      "the contact is worn step by step and solved by elasticity alone: the "
+      "laws {} and {} are used for the unworn joint only",
+      half_angle, pressure);
+}
+
+// By the volume alone, of loads that stand still.
+WearIn overlap_wear_in(const JointCycle& fresh, double coefficient,
+                       double cycles) {
+  detail::check_wear(fresh);
+  const JointContact& contact = fresh.contact();
+  const JointGeometry& geometry = contact.geometry();
+  WearIn result;
+  WearIn::State next;
+  for (;;) {
+    detail::check_depth(depth_of_overlap(geometry, next.wear_number),
+                        next.cycles, geometry);
+    WearIn::State& now = result.states.emplace_back(next);
+    const JointCycle worn(fresh.cycle(), Joint(contact.worn(now.wear_number)));
+    const Wearing wearing = wearing_of(worn);
+    add_cycle(worn, now);
+    now.worn_share = RunningInPressure::worn_share(
+        now.wear_number, wearing.overlap - now.wear_number);
+    now.penetration = depth_of_overlap(geometry, wearing.overlap);
+    now.clearance = mean_clearance(geometry, now.volume);
+    if (now.cycles >= cycles) return result;
+    next = next_state(now, wearing, coefficient, cycles,
+                      WornHalfAngle::unit_volume(geometry));
+  }
+}
+
 }  // namespace
 
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
-               const WearCoefficients& k, double cycles) {
-  const double coefficient = k.seat;
+               const WearCoefficients& k, double cycles,
+               const WornSeat* before) {
   for (const double each : {k.seat, k.inner}) {
     detail::require(each >= 0 && std::isfinite(each), "wear", "coefficient",
                     each, "0 m^2/N or above and finite");
@@ -140,46 +147,29 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
   detail::require(cycles >= 0 && std::isfinite(cycles), "wear", "cycles",
                   cycles, "0 or above and finite");
   const JointGeometry& geometry = contact.geometry();
-  const Joint unworn(contact);
-  const JointCycle fresh(cycle, unworn);
+  const JointCycle fresh(cycle, Joint(contact));
   const bool is_pressed = geometry.radial_clearance() <= 0;
-  if (!is_pressed) detail::check_wear(fresh);
-  WearIn result;
+  const bool has_steps = is_pressed || before != nullptr || moves(fresh);
+  std::vector<std::string> notes;
   const auto note = [&](std::string text) {
-    if (!text.empty()) result.notes.push_back(std::move(text));
+    if (!text.empty()) notes.push_back(std::move(text));
   };
-  note(WearMap::coefficient_note(coefficient));
+  note(WearMap::coefficient_note(k.seat));
   note(WearMap::coefficient_note(k.inner));
-  note(check_spread(fresh));
-  if (is_pressed) {
-    result.states = detail::pressed_wear_in(fresh, k, cycles);
-    note(WearMap::depth_note(result.states.back().penetration, geometry));
-    if (result.states.front().half_angle == std::numbers::pi) {
-      result.notes.emplace_back(
-          "the contact is closed all round at first: debris cannot leave");
-    }
-    return result;
+  if (k.inner > 0 && !is_pressed) {
+    note("wear of the ball or pin does not change the contact");
   }
-  if (k.inner > 0) {
-    result.notes.emplace_back(
-        "wear of the ball or pin does not change the contact");
-  }
-  WearIn::State next;
-  for (;;) {
-    check_depth(next, geometry);
-    WearIn::State& now = result.states.emplace_back(next);
-    const Joint joint(contact.worn(now.wear_number));
-    const JointCycle worn(cycle, joint);
-    const Wearing wearing = wearing_of(worn);
-    add_cycle(worn, now);
-    now.worn_share = RunningInPressure::worn_share(
-        now.wear_number, wearing.overlap - now.wear_number);
-    now.penetration = depth_of_overlap(geometry, wearing.overlap);
-    now.clearance = mean_clearance(geometry, now.volume);
-    if (now.cycles >= cycles) break;
-    next = next_state(now, wearing, coefficient, cycles, unit_volume(geometry));
-  }
+  if (has_steps) note(laws_note(contact));
+  WearIn result = has_steps
+                      ? detail::stepped_wear_in(
+                            fresh, {k.seat, is_pressed ? k.inner : 0}, cycles,
+                            before != nullptr ? *before : WornSeat())
+                      : overlap_wear_in(fresh, k.seat, cycles);
   note(WearMap::depth_note(result.states.back().penetration, geometry));
+  if (is_pressed && result.states.front().half_angle == std::numbers::pi) {
+    note("the contact is closed all round at first: debris cannot leave");
+  }
+  result.notes = std::move(notes);
   return result;
 }
 

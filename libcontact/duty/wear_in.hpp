@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,21 @@ struct WearCoefficients {
   double seat;       ///< of the seat or hole
   double inner = 0;  ///< of the ball or pin
 };
+
+/// What is gone of a seat or hole, as it goes from run to run.
+struct WornSeat {
+  /// m: of a hole at even points of the circle from X towards Y, in the axes of
+  /// the body that has it; none: nothing is gone.
+  /// Of a seat at the cells of a grid about a pole in these axes, latitude
+  /// after latitude of one longitude after the other.
+  std::vector<double> depths = {};
+  Eigen::Vector3d pole = {0, 0, 1};
+  double reach = 0;   ///< of the grid from its pole, rad
+  double cycles = 0;  ///< in which it went
+};
+
+/// How many depths a WornSeat has: 360, of a ball as many as cells of 4 deg.
+std::size_t worn_points(JointKind kind, const WornSeat& seat);
 
 /// A joint that wears.
 struct WearIn {
@@ -42,37 +58,47 @@ struct WearIn {
 
   /// At the beginning of each block of cycles and, last, after all of them.
   std::vector<State> states;
+  /// The seat or hole after all cycles; without depths where the load stands
+  /// still, as no points are worn then.
+  WornSeat worn;
   /// What the user should know: sentences without a full stop.
   std::vector<std::string> notes;
 };
 
-/// What wear does to a joint, with the geometry that it changes: blocks of
-/// cycles in which v grows by at most 10 % of g(theta0), see WornHalfAngle and
-/// RunningInPressure. Of g over the cycle the mean with the weight of p v.
+/// What wear does to a joint, with the geometry that it changes.
 ///
-/// Where load and seat stand still against each other, and a ball does not
-/// mostly spin, the half-angle is within 1.1 deg of joints that wear step by
-/// step and the peak within 6 %; of a ball whose v is above 4 g(theta0 without
-/// wear) the peak is up to 17 % too high, for WornPressure takes all places to
-/// slide alike (duty/wear_in_test.cpp). A load that moves makes the contact too
-/// wide and the peak too low: noted where JointCycle::contact_spread() is above
-/// 0.3 of the half-angle before wear, the mean with the weight of p v.
+/// **Where the load stands still in the seat** (JointCycle::contact_spread()
+/// at most 0.1 of the half-angle before wear, the mean with the weight of p v):
+/// blocks of cycles in which v grows by at most 10 % of g(theta0), see
+/// WornHalfAngle and RunningInPressure. Of g over the cycle the mean with the
+/// weight of p v. Where a ball does not mostly spin, the half-angle is within
+/// 1.1 deg of joints that wear step by step and the peak within 6 %; of a ball
+/// whose v is above 4 g(theta0 without wear) the peak is up to 17 % too high,
+/// for WornPressure takes all places to slide alike (duty/wear_in_test.cpp).
+/// The wear of the ball or pin changes nothing.
 ///
-/// A pin without clearance or with interference wears as PinWear has it, from
-/// closed to lifted to clearance: its hole by its own pressure, the pin, which
-/// turns, by the mean one. penetration is then the depth of the wear at the
-/// middle, R_n that before wear. A load that changes is taken in 8 levels. The
-/// wear of a ball or pin with a clearance changes nothing.
+/// **Where it moves** the depth of the wear is one more gap at each point, and
+/// the contact is solved there by elasticity alone, at 24 places of the cycle
+/// for each block, in which the path of the wear grows by a tenth (PinWear).
+/// Accuracy: duty/moving_wear_test.cpp. penetration is the deepest wear, v that
+/// of the volume, largest values are of 48 instants, R_n and its direction
+/// those before wear. The wear of the pin changes nothing.
+///
+/// A pin without clearance or with interference is stepped too, from closed to
+/// lifted to clearance: its hole by its own pressure, the pin, which turns, by
+/// the mean one.
 ///
 /// @param contact  before wear
 /// @param k        of both bodies
 /// @param cycles   N, >= 0
-/// @throws Error if an argument is out of range, JointCycle::contact_spread()
-/// is above that
-///         half-angle, the half-angle comes above 90 deg (as WearMap), the
-///         wear is deeper than the radius, or the laws have no value at some
-///         time of the cycle.
+/// @param before   what is gone already; with it, an empty one too, the joint
+///                 is stepped, whatever its load does
+/// @throws Error if an argument is out of range, the half-angle of a load that
+///         stands still comes above 90 deg (as WearMap), the wear is deeper
+///         than the radius, or the laws have no value at some time of the
+///         cycle.
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
-               const WearCoefficients& k, double cycles);
+               const WearCoefficients& k, double cycles,
+               const WornSeat* before = nullptr);
 
 }  // namespace contact

@@ -1,8 +1,21 @@
 #include "libcontact/duty/wear_map.hpp"
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/duty/wear_check.hpp"
 
 namespace contact {
+
+void detail::check_depth(double depth, double cycles,
+                         const JointGeometry& geometry) {
+  const double largest = geometry.radius();
+  // False of NaN too, for wear beyond all numbers.
+  if (depth <= largest) return;
+  throw Error(
+      must_be(message("the depth of the wear after {:.4g} cycles", cycles),
+              message("at most {:.4g} mm, the radius", 1e3 * largest)));
+}
 
 std::string WearMap::coefficient_note(double coefficient) {
   constexpr double unit = 1e-9;  // 1 mm^3/(N m), m^2/N

@@ -59,6 +59,13 @@ WornHalfAngle::WornHalfAngle(std::shared_ptr<const HalfAngleLaw> law,
                   "0 or above and finite");
 }
 
+double WornHalfAngle::unit_volume(const JointGeometry& geometry) {
+  const double size = geometry.radius() * geometry.radial_clearance();
+  return geometry.kind() == JointKind::ball
+             ? std::numbers::pi * geometry.radius() * size
+             : 2 * geometry.length() * size;
+}
+
 double WornHalfAngle::overlap(JointKind kind, double half_angle) {
   if (!(half_angle >= 0 && half_angle < right_angle)) return nan;
   if (kind == JointKind::pin) return tangent_less_angle(half_angle);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libcontact/half_angle/law.hpp"
+#include "libcontact/pair/joint_geometry.hpp"
 
 namespace contact {
 
@@ -29,6 +30,9 @@ class WornHalfAngle final : public HalfAngleLaw {
   /// @param half_angle  rad, [0, pi/2)
   static double overlap(JointKind kind, double half_angle);
   static double half_angle_of_overlap(JointKind kind, double overlap);
+
+  /// The volume of wear number 1, m^3: pi rho^2 eps or 2 rho eps l.
+  static double unit_volume(const JointGeometry& geometry);
 
   const HalfAngleLaw& law() const { return *law_; }
   double wear_number() const { return wear_number_; }

@@ -36,7 +36,7 @@ LayeredPair pair_of(const ReferenceTable::Row& row) {
 
 double sum_factor(const WornCircle& circle, double load,
                   const WornCircle::Contact& contact) {
-  return 2 * pi * circle.radius() * circle.mean(contact.pressure) / load;
+  return 2 * pi * circle.radius() * contact.pressure.mean() / load;
 }
 
 // The hole wears, in which the load stands still.
@@ -48,9 +48,9 @@ TEST(PinWear, OfTheHoleMatchesTheReference) {
     if (row.text("worn_body") != "fixed") continue;
     PinWear wear(pair_of(row), row.value("clearance"));
     const double load = row.value("load");
-    EXPECT_EQ(wear.slide(load, {.hole = row.value("sigma"), .pin = 0}),
+    EXPECT_EQ(wear.slide({load, 0}, {.hole = row.value("sigma"), .pin = 0}),
               Status::ok);
-    const WornCircle::Contact now = wear.contact(load);
+    const WornCircle::Contact now = wear.contact({load, 0});
     EXPECT_EQ(now.status, Status::ok);
     const auto add = [&](double computed, const char* column) {
       worst.add_error(
@@ -60,8 +60,8 @@ TEST(PinWear, OfTheHoleMatchesTheReference) {
     add(sum_factor(wear.circle(), load, now), "S");
     add(now.pressure[0], "p_centre");
     add(wear.depth(), "max_depth");
-    // To half a degree, which is half a step of our circle.
-    EXPECT_NEAR(now.half_angle / degree, row.value("theta0_deg"), 0.51)
+    // Half a degree of the table, a quarter of ours.
+    EXPECT_NEAR(now.half_angle / degree, row.value("theta0_deg"), 0.8)
         << row.label();
     EXPECT_EQ(wear.is_closed(), row.value("theta0_deg") == 180);
   }
@@ -106,8 +106,8 @@ TEST(PinWear, OfThePinMatchesTheReference) {
     exact.add(worn.sum_of_pressures(load, theta0) / load, row.value("S"),
               row.label());
     PinWear wear(pair, clearance);
-    wear.slide(load, {.hole = 0, .pin = sigma});
-    sums.add(sum_factor(wear.circle(), load, wear.contact(load)),
+    wear.slide({load, 0}, {.hole = 0, .pin = sigma});
+    sums.add(sum_factor(wear.circle(), load, wear.contact({load, 0})),
              row.value("S"), row.label());
     EXPECT_NEAR(wear.clearance(), after, 1e-3 * std::abs(clearance));
     EXPECT_EQ(wear.depth(), 0);
@@ -125,7 +125,7 @@ TEST(PinWear, IsExactWhileClosed) {
   const double lift_off = pi * pair.radius() * i / c0;
   double shifted = 0;
   for (const double share : {0.1, 0.4, 0.2}) {
-    wear.slide(share * lift_off, {.hole = 0.1 * c0, .pin = 0.2 * c0});
+    wear.slide({share * lift_off, 0}, {.hole = 0.1 * c0, .pin = 0.2 * c0});
     shifted += 0.1 * c0 * share * i / c0;
   }
   EXPECT_TRUE(wear.is_closed());
@@ -134,8 +134,8 @@ TEST(PinWear, IsExactWhileClosed) {
   EXPECT_NEAR(wear.depth(), (i - left) / 3 + shifted, 1e-12 * i);
   EXPECT_NEAR(wear.worn_area(), 2 * pi * pair.radius() * (i - left) / 3,
               1e-12 * i);
-  EXPECT_NEAR(wear.contact(0.3 * lift_off).pressure[0] * c0, left + 0.3 * i,
-              1e-9 * i);
+  EXPECT_NEAR(wear.contact({0.3 * lift_off, 0}).pressure[0] * c0,
+              left + 0.3 * i, 1e-9 * i);
 }
 
 // Wherever it begins, the worn pressure is that of a hole which the pin has
@@ -147,9 +147,10 @@ TEST(PinWear, RunsToTheWornPressure) {
     PinWear wear(pair, clearance);
     const double c0 = wear.circle().mean_compliance();
     const double load = pi * pair.radius() * 2e-5 / c0;
-    wear.slide(load, {.hole = 300 * c0, .pin = 0});
-    EXPECT_NEAR(sum_factor(wear.circle(), load, wear.contact(load)) / (4 / pi),
-                1, 2e-3)
+    wear.slide({load, 0}, {.hole = 300 * c0, .pin = 0});
+    EXPECT_NEAR(
+        sum_factor(wear.circle(), load, wear.contact({load, 0})) / (4 / pi), 1,
+        2e-3)
         << clearance;
   }
 }
@@ -162,14 +163,14 @@ TEST(PinWear, StepsAreShortEnough) {
   PinWear fine = wear;
   const double c0 = wear.circle().mean_compliance();
   const double load = 1.2 * pi * pair.radius() * 2e-5 / c0;
-  wear.slide(load, {.hole = c0, .pin = 0});
+  wear.slide({load, 0}, {.hole = c0, .pin = 0});
   for (double done = 0; done < c0;) {
     const double step = std::min(fine.next_step() / 2, c0 - done);
-    fine.slide(load, {.hole = step, .pin = 0});
+    fine.slide({load, 0}, {.hole = step, .pin = 0});
     done += step;
   }
-  EXPECT_NEAR(sum_factor(wear.circle(), load, wear.contact(load)),
-              sum_factor(fine.circle(), load, fine.contact(load)), 1e-4);
+  EXPECT_NEAR(sum_factor(wear.circle(), load, wear.contact({load, 0})),
+              sum_factor(fine.circle(), load, fine.contact({load, 0})), 1e-4);
 }
 
 // A load that turns with the hole, so that it stands still in it, of constant

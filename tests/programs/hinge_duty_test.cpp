@@ -85,6 +85,25 @@ TEST_F(HingeDuty, PathAndSpread) {
               std::atan(0.1) * 180 / std::numbers::pi, 1e-6);
 }
 
+// Half the cycles, and the other half from the seat that they left.
+TEST_F(HingeDuty, WornSeats) {
+  const std::string pin =
+      "hinge-duty --joint data/joints/pin_joint.toml --cycle "
+      "data/duty/pin_cycle.csv --grid 10 --wear-seat 2e-7 ";
+  const std::string whole = out(pin + "--cycles 2e4 --worn-out whole.toml");
+  out(pin + "--cycles 1e4 --worn-out half.toml");
+  const std::string rest =
+      out(pin + "--cycles 1e4 --worn half.toml --worn-out rest.toml");
+  EXPECT_TRUE(has_text(folder_.read("half.toml"), "cycles = 10000"));
+  EXPECT_TRUE(has_text(folder_.read("rest.toml"), "cycles = 20000"));
+  // Other steps.
+  for (const char* quantity :
+       {"worn_volume_seat_mm3", "worn_penetration_mm", "worn_mean_M_t_N_m"}) {
+    EXPECT_NEAR(value(rest, quantity) / value(whole, quantity), 1, 3e-3)
+        << quantity;
+  }
+}
+
 // The shipped cycle turns its load over the bush, which --cycles says.
 TEST_F(HingeDuty, WearNotes) {
   const std::string pin_joint =
@@ -95,7 +114,7 @@ TEST_F(HingeDuty, WearNotes) {
   };
   EXPECT_EQ(said("--wear-seat 2e-7"), "");
   EXPECT_TRUE(has_text(said("--wear-seat 2e-7 --cycles 1e4"),
-                       "--cycles: the spread of the contact over the seat, "));
+                       "--cycles: the contact is worn step by step"));
   const std::string much = said("--wear-seat 100 --wear-inner 5e-11");
   EXPECT_TRUE(
       has_text(much, "--wear-seat: the wear coefficient 100 mm^3/(N m)"));

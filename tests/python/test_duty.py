@@ -171,7 +171,7 @@ class Cycles(unittest.TestCase):
             source / "data/joints/pin_joint.toml")
         cycle = joint.cycle(
             c["time_s"], force(c), angles=np.radians(c["angle_deg"]))
-        with self.assertWarnsRegex(RuntimeWarning, "the spread") as at:
+        with self.assertWarnsRegex(RuntimeWarning, "worn step by step") as at:
             cycle.wear_in(2e-16, 1000)
         self.assertEqual(at.filename, __file__)
         with self.assertRaisesRegex(libcontact.Error, "at most 20 mm"):

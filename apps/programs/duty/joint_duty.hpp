@@ -15,6 +15,7 @@ struct JointDuty {
   contact::JointCycle cycle;
   std::vector<BodyWear> wear = {};                ///< of both bodies, or none
   std::vector<contact::WearIn::State> worn = {};  ///< of --cycles
+  contact::WornSeat seat = {};                    ///< after them
 };
 
 }  // namespace hinge_duty

@@ -62,7 +62,11 @@ void add_wear(cli::Program& program, Options& o) {
         "number of cycles in which wear changes the contact",
         "--wear-seat or --wear-inner"},
        {"--blocks", &o.blocks, "FILE", "CSV file of the joint as it wears",
-        "--cycles"}});
+        "--cycles"},
+       {"--worn", &o.worn, "FILE", "worn seat or hole to begin with",
+        "--cycles"},
+       {"--worn-out", &o.worn_out, "FILE",
+        "the worn seat or hole after N cycles, for --worn", "--cycles"}});
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ struct Options {
   int grid = 2000;
   std::optional<double> cycles;
   std::string blocks;
+  std::string worn;      ///< to begin with
+  std::string worn_out;  ///< after all cycles
   std::string states;
   cli::OutputOptions output;
 };

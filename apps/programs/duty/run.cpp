@@ -16,6 +16,7 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/files/worn_seat_file.hpp"
 #include "programs/duty/cycle_file.hpp"
 #include "programs/duty/cycle_picture.hpp"
 #include "programs/duty/map_picture.hpp"
@@ -50,9 +51,14 @@ void check_files(const Options& options) {
   for (const auto& [option, file] : {std::pair("--map", &options.map),
                                      {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
-                                     {"--blocks", &options.blocks}}) {
+                                     {"--blocks", &options.blocks},
+                                     {"--worn-out", &options.worn_out}}) {
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     names.add(option, *file);
+  }
+  if (!options.worn_out.empty() && options.worn == options.worn_out) {
+    cli::refuse("--worn-out", options.worn_out,
+                "another file than that of --worn");
   }
   if (!options.map_plot.empty()) {
     cli::check_picture_name("--map-plot", options.map_plot);
@@ -68,21 +74,26 @@ void warn_of(const cli::Joint& joint, const std::string& note) {
   cli::warn("hinge-duty", said_of(joint, note));
 }
 
-// The joint in the course of --cycles; empty without it.
-std::vector<contact::WearIn::State> worn_states(const Options& options,
-                                                const JointDuty& duty) {
-  if (!options.cycles) return {};
+// The joint in the course of --cycles; nothing without it.
+void wear_in(const Options& options, JointDuty& duty) {
+  if (!options.cycles) return;
   const JointCycle& cycle = duty.cycle;
-  const contact::WearIn worn = made_of(duty.joint, [&] {
+  contact::WornSeat before;
+  if (!options.worn.empty()) {
+    before = contact::read_worn_seat(options.worn, cycle.contact().geometry());
+  }
+  const bool has_map = !options.worn.empty() || !options.worn_out.empty();
+  contact::WearIn worn = made_of(duty.joint, [&] {
     return contact::wear_in(cycle.cycle(), cycle.contact(),
                             {options.wear_seat.value_or(0) * si_coefficient,
                              options.wear_inner.value_or(0) * si_coefficient},
-                            *options.cycles);
+                            *options.cycles, has_map ? &before : nullptr);
   });
   for (const std::string& note : worn.notes) {
     warn_of(duty.joint, "--cycles: " + note);
   }
-  return worn.states;
+  duty.worn = std::move(worn.states);
+  duty.seat = std::move(worn.worn);
 }
 
 // Of coefficients, but of those that wear_in() has had.
@@ -178,10 +189,12 @@ void warn_of_contact(const JointDuty& duty) {
                   contact.lift_off_force()));
 }
 
-void check_pictures(const Options& options, std::size_t joints) {
+void check_one_joint(const Options& options, std::size_t joints) {
   if (joints == 1) return;
   for (const auto& [option, file] : {std::pair("--plot", &options.output.plot),
-                                     {"--map-plot", &options.map_plot}}) {
+                                     {"--map-plot", &options.map_plot},
+                                     {"--worn", &options.worn},
+                                     {"--worn-out", &options.worn_out}}) {
     if (!file->empty()) cli::refuse_without(option, "one joint");
   }
 }
@@ -238,6 +251,11 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
     if (file->empty()) continue;
     write(duties, beside.emplace_back(*file), options.output);
   }
+  if (!options.worn_out.empty()) {
+    beside.emplace_back(options.worn_out)
+        .write(contact::worn_seat_text(duties[0].seat,
+                                       duties[0].cycle.contact().geometry()));
+  }
   for (cli::Output& table : beside) table.commit();
   output.commit();
 }
@@ -248,9 +266,9 @@ cli::ExitStatus run(const Options& options) {
   check_files(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   check_one_kind(joints);
-  check_pictures(options, joints.size());
+  check_one_joint(options, joints.size());
   std::vector<JointDuty> duties = run_joints(options, joints);
-  for (JointDuty& duty : duties) duty.worn = worn_states(options, duty);
+  for (JointDuty& duty : duties) wear_in(options, duty);
   warn(options, joints, duties);
   write_tables(options, joints, duties);
   const JointDuty& duty = duties[0];

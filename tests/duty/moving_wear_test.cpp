@@ -1,0 +1,212 @@
+// Wear under loads that move in the hole: against wear step by step
+// (data/reference/duty/moving_wear.py), and what is exact of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <numbers>
+#include <vector>
+
+#include "duty/worn_pin_clearance.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_in.hpp"
+#include "libcontact/duty/worn_circle.hpp"
+#include "libcontact/duty/worn_sphere.hpp"
+#include "libcontact/half_angle/exact.hpp"
+#include "libcontact/joint/spec.hpp"
+#include "libcontact/pressure/exact.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/reference_table.hpp"
+
+namespace contact::test {
+namespace {
+
+using detail::WornCircle;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double pi = std::numbers::pi;
+constexpr double length = 0.05;
+constexpr double weak = 1e-6;  // friction
+
+JointContact contact_of(double radius, double clearance,
+                        const Material& material) {
+  const ElasticPair pair(material, material);
+  return {JointGeometry::pin(radius, clearance, length), pair,
+          FrictionLaw(weak), std::make_shared<ExactLaw>(JointKind::pin, pair),
+          std::make_shared<ExactPressure>(JointKind::pin, pair)};
+}
+
+// The body, which has the hole, swings or turns under a load that the carrier
+// holds.
+DutyCycle swing(double force, double amplitude, bool with_load = false) {
+  constexpr int rows = 40;
+  std::vector<double> times;
+  std::vector<Vector3d> angles;
+  for (int i = 0; i < rows; ++i) {
+    times.push_back(double(i) / rows);
+    angles.emplace_back(amplitude * std::sin(2 * pi * i / rows), 0, 0);
+  }
+  return {{times, std::vector<Vector3d>(rows, {0, -force, 0}), angles, 1},
+          {JointBody::body, with_load ? JointBody::body : JointBody::carrier},
+          DutyCycle::TurnSequence("z")};
+}
+DutyCycle turning(double force) {
+  const std::vector<double> times = {0, 0.25, 0.5, 0.75};
+  return {{times, std::vector<Vector3d>(4, {0, -force, 0}),
+           std::vector<Vector3d>(4, {0, 0, 2 * pi}), 1},
+          {}};
+}
+
+WornCircle::Contact pressed(const WornCircle& circle, double load,
+                            double direction, double clearance,
+                            const std::vector<double>& depths) {
+  const Eigen::VectorXd gap =
+      Eigen::Map<const Eigen::VectorXd>(depths.data(), circle.size()).array() +
+      clearance;
+  return circle.press(load * Vector2d(std::cos(direction), std::sin(direction)),
+                      gap);
+}
+
+TEST(MovingWear, OfASwingMatchesWearStepByStep) {
+  const ReferenceTable table("duty/moving_wear.csv");
+  // Places that take turns leave ripples in the worn shape, which pressures
+  // feel; the volume and the depth do not.
+  AccuracyReport half_angle("half-angle, of 1 deg", 1.5);
+  AccuracyReport peak("peak", 0.04);
+  AccuracyReport ratio("S", 0.01);
+  AccuracyReport depth("depth", 2e-3);
+  AccuracyReport area("worn area", 2e-3);
+  for (const ReferenceTable::Row row : table) {
+    const double radius = row.value("rho");
+    const double clearance = row.value("clearance");
+    const Material material{row.value("E"), row.value("nu")};
+    const double load = row.value("load");
+    const double worn_out = row.value("sigma") * load / (radius * clearance);
+    // A second a row: two of each load and swing.
+    const bool is_taken =
+        std::abs(worn_out - 0.3) < 0.01 || std::abs(worn_out - 3) < 0.1;
+    if (row.value("amplitude_deg") == 0 || !is_taken) continue;
+    const double amplitude = row.value("amplitude_deg") * degree;
+    const JointContact contact = contact_of(radius, clearance, material);
+    constexpr double cycles = 1e6;
+    const double k = row.value("sigma") / (cycles * radius * 4 * amplitude);
+    const DutyCycle cycle = swing(load * length, amplitude);
+    const WearIn worn = wear_in(cycle, contact, {.seat = k}, cycles);
+    const WornCircle circle({radius, material, material});
+    ASSERT_EQ(worn.worn.depths.size(), std::size_t(circle.size()));
+    for (const bool off : {false, true}) {
+      // -Y of the body at rest.
+      const double at = -pi / 2 + (off ? amplitude / 2 : 0);
+      const auto now = pressed(circle, load, at, clearance, worn.worn.depths);
+      const std::string end = off ? "_off" : "";
+      const std::string label = row.label() + end;
+      half_angle.add_error(std::abs(now.half_angle / degree -
+                                    row.value("theta0" + end + "_deg")),
+                           label);
+      peak.add(now.pressure.maxCoeff(), row.value("p_max" + end), label);
+      ratio.add(2 * pi * radius * now.pressure.mean() / load,
+                row.value("S" + end), label);
+    }
+    depth.add(worn.states.back().penetration, row.value("depth"), row.label());
+    area.add(worn.states.back().volume / length, row.value("area"),
+             row.label());
+  }
+}
+
+// The hole turns round under the load and wears alike everywhere: it stays
+// round, and its clearance grows as exactly as that of a pin that wears alone.
+TEST(MovingWear, OfAHoleThatTurnsRoundIsExact) {
+  const double radius = 0.02;
+  const double force = 4e4;
+  const JointContact contact = contact_of(radius, 4e-5, {1e11, 0.3});
+  for (const double sigma : {1e-13, 1e-12, 1e-11}) {
+    const double k = sigma / (1e6 * 2 * pi * radius);
+    const WearIn worn = wear_in(turning(force), contact, {.seat = k}, 1e6);
+    const LoadedPath path{force, sigma};
+    const double clearance = clearance_of_worn_pin(contact, {&path, 1}, 1);
+    const WearIn::State& last = worn.states.back();
+    const double half_angle =
+        contact.with_clearance(clearance).half_angle(force).half_angle;
+    EXPECT_NEAR(last.clearance, clearance, 3e-3 * clearance);
+    EXPECT_NEAR(last.half_angle / degree, half_angle / degree, 0.5);
+  }
+}
+
+LayeredPair pair_of(const ReferenceTable::Row& row) {
+  return {row.value("rho"),
+          {{}, Backing::rigid()},
+          {{{row.value("t"), {row.value("E"), row.value("nu")}}},
+           Backing::rigid()}};
+}
+
+// A thin liner on something rigid, which is nearly a bed of springs.
+JointContact lined_ball(const ReferenceTable::Row& row) {
+  const JointSpec spec{
+      .geometry = JointGeometry::ball(row.value("rho"), row.value("clearance")),
+      .inner = {{}, Backing::rigid()},
+      .outer = {{{row.value("t"), {row.value("E"), row.value("nu")}}},
+                Backing::rigid()},
+      .friction = FrictionLaw(weak)};
+  return spec.contact();
+}
+
+TEST(MovingWear, OfABallMatchesWearStepByStep) {
+  const ReferenceTable table("duty/moving_ball_wear.csv");
+  // Of cells of 4 deg; 0.5 deg and 2 % were seen.
+  AccuracyReport half_angle("half-angle, of 1 deg", 0.6);
+  AccuracyReport peak("peak", 0.03);
+  AccuracyReport ratio("S", 5e-3);
+  AccuracyReport depth("depth", 0.01);
+  AccuracyReport volume("worn volume", 2e-3);
+  for (const ReferenceTable::Row row : table) {
+    const double path = row.value("path");
+    if (path != 3e-13 && path != 3e-12) continue;  // two seconds a row
+    const JointContact contact = lined_ball(row);
+    const double radius = row.value("rho");
+    const double load = row.value("load");
+    const double amplitude = row.value("amplitude_deg") * degree;
+    const bool moves = amplitude > 0;
+    constexpr double cycles = 1e6;
+    const double swung = moves ? amplitude : 10 * degree;
+    const double k = path / (cycles * radius * 4 * swung);
+    const WornSeat nothing;
+    const WearIn worn =
+        wear_in(swing(load, swung, !moves), contact, {.seat = k}, cycles,
+                moves ? nullptr : &nothing);
+    const detail::WornSphere sphere(pair_of(row), worn.worn.pole,
+                                    worn.worn.reach);
+    ASSERT_EQ(worn.worn.depths.size(),
+              std::size_t(sphere.latitudes() * sphere.longitudes()));
+    const Eigen::MatrixXd gap =
+        Eigen::Map<const Eigen::MatrixXd>(
+            worn.worn.depths.data(), sphere.latitudes(), sphere.longitudes())
+            .array() +
+        row.value("clearance");
+    for (const bool off : {false, true}) {
+      const double at = off ? amplitude / 2 : 0;
+      const auto now =
+          sphere.press(load * Vector3d(std::sin(at), -std::cos(at), 0), gap);
+      EXPECT_EQ(now.status, Status::ok);
+      const std::string end = off ? "_off" : "";
+      const std::string label = row.label() + end;
+      double sum = 0;
+      for (int i = 0; i < sphere.latitudes(); ++i) {
+        for (int j = 0; j < sphere.longitudes(); ++j) {
+          sum += now.pressure(i, j) * sphere.area(i) *
+                 sphere.point(i, j).head<2>().norm();
+        }
+      }
+      half_angle.add_error(std::abs(now.half_angle / degree -
+                                    row.value("theta0" + end + "_deg")),
+                           label);
+      peak.add(now.pressure.maxCoeff(), row.value("p_max" + end), label);
+      ratio.add(sum / load, row.value("S" + end), label);
+    }
+    depth.add(worn.states.back().penetration, row.value("depth"), row.label());
+    volume.add(worn.states.back().volume, row.value("volume"), row.label());
+  }
+}
+
+}  // namespace
+}  // namespace contact::test
