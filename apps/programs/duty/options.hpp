@@ -32,6 +32,7 @@ struct Options {
   std::optional<double> cycles;
   std::string blocks;
   std::string states;
+  std::string in_seat;  ///< file of the contact that is confined to its seat
   cli::OutputOptions output;
 };
 

@@ -12,6 +12,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/joint/joint_reports.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
@@ -50,7 +51,8 @@ void check_files(const Options& options) {
   for (const auto& [option, file] : {std::pair("--map", &options.map),
                                      {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
-                                     {"--blocks", &options.blocks}}) {
+                                     {"--blocks", &options.blocks},
+                                     {"--in-seat", &options.in_seat}}) {
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     names.add(option, *file);
   }
@@ -210,6 +212,31 @@ std::vector<JointDuty> run_joints(const Options& options,
   return duties;
 }
 
+// The contacts in seats that end.
+void confine(const Options& options, std::vector<JointDuty>& duties) {
+  if (options.in_seat.empty()) return;
+  for (JointDuty& duty : duties) {
+    if (!duty.joint.spec.geometry.seat()) {
+      cli::refuse_without("--in-seat", "a joint with a [seat]");
+    }
+    contact::JointSpec spec = duty.joint.spec;
+    spec.friction = duty.cycle.contact().friction();
+    cli::Progress progress("table of contacts", 100);
+    double done = 0;
+    duty.seat.emplace(made_of(duty.joint, [&] {
+      return contact::SeatCycle(duty.cycle.cycle(), spec, [&](double share) {
+        const double percent = std::floor(100 * share);
+        if (percent > done) progress.add(std::size_t(percent - done));
+        done = std::max(done, percent);
+      });
+    }));
+    progress.clear();
+    for (const std::string& note : duty.seat->notes()) {
+      warn_of(duty.joint, "--in-seat: " + note);
+    }
+  }
+}
+
 // What is to be known before the numbers are used.
 void warn(const Options& options, const std::vector<cli::Joint>& joints,
           const std::vector<JointDuty>& duties) {
@@ -234,6 +261,7 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
   std::deque<cli::Output> beside;  // all whole before the first appears
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
+                                    {&options.in_seat, &write_in_seat},
                                     {&options.map, &write_map}}) {
     if (file->empty()) continue;
     write(duties, beside.emplace_back(*file), options.output);
@@ -251,6 +279,7 @@ cli::ExitStatus run(const Options& options) {
   check_pictures(options, joints.size());
   std::vector<JointDuty> duties = run_joints(options, joints);
   for (JointDuty& duty : duties) duty.worn = worn_states(options, duty);
+  confine(options, duties);
   warn(options, joints, duties);
   write_tables(options, joints, duties);
   const JointDuty& duty = duties[0];
