@@ -7,4 +7,5 @@
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/duty/wear_in.hpp"
+#include "libcontact/duty/seat_cycle.hpp"
 // clang-format on

@@ -4,4 +4,6 @@
 // clang-format off
 #include "libcontact/pair/seat_zone.hpp"
 #include "libcontact/seat/contact.hpp"
+#include "libcontact/seat/table.hpp"
+#include "libcontact/seat/joint.hpp"
 // clang-format on

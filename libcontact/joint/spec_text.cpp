@@ -1,4 +1,5 @@
 // A joint as the text of a joint file: keys as docs/joint_file.md names them.
+#include <array>
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
@@ -115,6 +116,9 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
     toml.table("[seat]");
     toml.number("lower_rim_rad", seat->from());
     toml.number("upper_rim_rad", seat->to());
+    if (seat->axis() != std::array<double, 3>{0, 0, 1}) {
+      toml.numbers("axis", seat->axis());
+    }
   }
 }
 

@@ -33,6 +33,19 @@ SeatZone SeatZone::ring(double width, double radius) {
 
 SeatZone SeatZone::cup(double half_angle) { return {0, half_angle}; }
 
+SeatZone SeatZone::about(const std::array<double, 3>& axis) const {
+  const double length = std::hypot(axis[0], axis[1], axis[2]);
+  detail::require(length > 0 && std::isfinite(length), "seat",
+                  "length of the axis", length, "above 0 and finite");
+  SeatZone other = *this;
+  // A unit vector stays what it is, to the last bit.
+  const bool is_unit = std::abs(length - 1) < 1e-15;
+  for (int i = 0; i < 3; ++i) {
+    other.axis_[i] = is_unit ? axis[i] : axis[i] / length;
+  }
+  return other;
+}
+
 bool SeatZone::has_upper_rim() const { return to_ < pi; }
 
 double SeatZone::reach() const {
@@ -56,6 +69,11 @@ double SeatZone::margin(double direction, double half_angle) const {
 
 double SeatZone::nearest(double direction) const {
   return std::clamp(direction, from_, to_);
+}
+
+double SeatZone::side_angle(int rim) const {
+  const double opening = rim == 0 ? from_ : pi - to_;
+  return opening < pi / 4 ? pi / 2 + opening : opening;
 }
 
 }  // namespace contact

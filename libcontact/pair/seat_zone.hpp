@@ -1,10 +1,15 @@
 #pragma once
 
+#include <array>
+
 namespace contact {
 
 /// Zone of a ball's seat, from <= v <= to in polar angles v from the seat's
 /// axis, a surface of revolution that ends at its rims. A ring, a cup, a socket
 /// with an opening; a value, validated once.
+///
+/// The axis is fixed in the body that has the seat, and given in its axes; z
+/// unless told otherwise.
 class SeatZone {
  public:
   /// Narrower zones are refused: 1 deg.
@@ -24,6 +29,13 @@ class SeatZone {
   /// @param half_angle  of its opening, rad, (0, pi]
   static SeatZone cup(double half_angle);
 
+  /// The same zone about another axis.
+  /// @param axis  of any length above 0, in the axes of the body that has the
+  ///              seat; from the pole that polar angles are counted from
+  SeatZone about(const std::array<double, 3>& axis) const;
+
+  /// Unit vector.
+  const std::array<double, 3>& axis() const { return axis_; }
   double from() const { return from_; }
   double to() const { return to_; }
   double width() const { return to_ - from_; }
@@ -50,11 +62,18 @@ class SeatZone {
   /// The polar angle of the zone that is nearest to a direction, rad.
   double nearest(double direction) const;
 
+  /// The angle in the seat's body between its surface and the side face at a
+  /// rim, rad: of a face normal to the axis, and beside an opening of less than
+  /// 45 deg about it of a bore.
+  /// @param rim  0 the lower, 1 the upper one
+  double side_angle(int rim) const;
+
   friend bool operator==(const SeatZone&, const SeatZone&) = default;
 
  private:
   double from_;
   double to_;
+  std::array<double, 3> axis_ = {0, 0, 1};
 };
 
 }  // namespace contact

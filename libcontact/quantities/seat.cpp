@@ -30,6 +30,11 @@ constexpr Quantity<S> of_seat[] = {
      [](const S& s) { return s.rims[0].distance; }},
     {"upper_rim_distance", "upper_rim", Dimension::angle, "to the upper rim",
      [](const S& s) { return s.rims[1].distance; }},
+    {"lower_rim_gap", "lower_gap", Dimension::length,
+     "from the contact to the lower rim along the seat",
+     [](const S& s) { return s.rims[0].gap; }},
+    {"upper_rim_gap", "upper_gap", Dimension::length, "to the upper rim",
+     [](const S& s) { return s.rims[1].gap; }},
     {"lower_intensity", "K_low", Dimension::number,
      "p sqrt(2 pi s) at the lower rim, s from it, Pa m^0.5",
      [](const S& s) { return s.rims[0].intensity; }},
@@ -45,7 +50,43 @@ constexpr Quantity<S> of_seat[] = {
      [](const S& s) -> const Eigen::Vector3d& { return s.shift; }},
 };
 
+using J = SeatJointSolution;
+
+constexpr Quantity<J> of_joint[] = {
+    {"reaction", "R", Dimension::force, "reaction on the body",
+     [](const J& s) -> const Eigen::Vector3d& { return s.reaction; },
+     "reaction"},
+    {"seat_force", "F", Dimension::force,
+     "force on the seat, sum of its pressures",
+     [](const J& s) -> const Eigen::Vector3d& { return s.contact.force; },
+     "force on the seat"},
+    {"friction_force", "R_t", Dimension::force, "friction force on the body",
+     [](const J& s) -> const Eigen::Vector3d& { return s.friction_force; },
+     "friction force"},
+    {"friction_moment", "M_t", Dimension::moment,
+     "friction moment on the body about the joint's centre",
+     [](const J& s) -> const Eigen::Vector3d& { return s.friction_moment; },
+     "friction moment"},
+    {"power", "", Dimension::power, "power of friction, never positive",
+     [](const J& s) { return s.power; }},
+    {"moment_coefficient", "f_M", Dimension::number,
+     "M_t/(rho R), the coefficient of friction of catalogues",
+     [](const J& s) { return s.moment_coefficient; }},
+    {"nominal_area", "", Dimension::area,
+     "the area of catalogues: diameter times width, of cups and thrust "
+     "bearings the projection along the axis",
+     [](const J& s) { return s.nominal_area; }},
+    {"nominal_pressure", "p_nominal", Dimension::stress, "R over nominal_area",
+     [](const J& s) { return s.reaction.norm() / s.nominal_area; }},
+    {"evaluations", "", Dimension::number, "contacts that the solver found",
+     [](const J& s) { return s.evaluations; }},
+};
+
 }  // namespace
+
+std::span<const Quantity<SeatJointSolution>> seat_joint_quantities() {
+  return of_joint;
+}
 
 std::span<const Quantity<SeatState>> seat_quantities() { return of_seat; }
 

@@ -30,8 +30,7 @@ struct SeatWindow {
 /// and the mean of w_i over the cell's surface 1.
 struct SeatCells {
   /// @param count      of even cells over the window; those near a rim shrink
-  /// by
-  ///                   1.25 from one to the next, so that there are more
+  ///                   by 1.25 from one to the next, so that there are more
   /// @param thickness  of the thinner surface layer over the radius; infinite
   ///                   without layers
   SeatCells(const SeatWindow& window, int count, double thickness);

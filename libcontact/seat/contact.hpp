@@ -5,6 +5,8 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/spec.hpp"
@@ -23,6 +25,21 @@ enum class SeatStatus {
   out_of_seat,    ///< no pressure on the seat can carry the load
   no_load,        ///< the force is 0 or not finite
 };
+
+/// "ok", "not_converged", "out_of_seat", "no_load".
+constexpr std::string_view to_string(SeatStatus status) {
+  switch (status) {
+    case SeatStatus::ok:
+      return "ok";
+    case SeatStatus::not_converged:
+      return "not_converged";
+    case SeatStatus::out_of_seat:
+      return "out_of_seat";
+    case SeatStatus::no_load:
+      break;
+  }
+  return "no_load";
+}
 
 /// A place on a seat. The longitude is counted about the seat's axis from the
 /// plane of the load, on whose side it is 0; NaN where every one is alike.
@@ -43,6 +60,7 @@ struct SeatRim {
   /// From the contact's end to the rim in the plane of the load, rad; 0 if
   /// reached, infinite without a rim.
   double distance = std::numeric_limits<double>::infinity();
+  double gap = std::numeric_limits<double>::infinity();  ///< the same, m
 };
 
 /// The contact of a ball in a seat that ends, under one load.
@@ -133,12 +151,27 @@ class SeatContact {
 
   /// Why there is no answer, a sentence; "" if there is one.
   std::string note(const SeatState& state) const;
+  /// The same, and of a contact that ends less than 10 deg from a rim what the
+  /// model leaves out there, with the angle of the side face that it depends
+  /// on: SeatZone::side_angle() unless told otherwise.
+  std::vector<std::string> notes(const SeatState& state) const;
+
+  /// The area that catalogues put beneath a load, m^2: of a zone on both sides
+  /// of its equator the ball's diameter times the width along the axis, else
+  /// (cups, thrust bearings) its projection along the axis.
+  double nominal_area() const;
 
   const SeatZone& zone() const { return zone_; }
   /// The contact of the seat without end.
   const JointContact& unbounded() const { return contact_; }
 
  private:
+  friend class SeatTable;
+  friend class SeatJoint;
+
+  // On the grid, whether a rim is reached or not.
+  SeatState confined(const Eigen::Vector3d& force, const SeatState& near) const;
+  double unit_force() const;
   void set_free(double half_angle, double direction, SeatState& state) const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;

@@ -1,44 +1,121 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cmath>
+#include <map>
+#include <memory>
+#include <mutex>
 
 #include "libcontact/seat/windows.hpp"
 
 namespace contact::detail {
 
-/// What the pressures of a contact say of its friction, for one slip axis w:
-/// sums over the contact with the direction of slip e = w x r/|w x r|.
+/// Sums over a contact for one slip axis w, e = w x r/|w x r| the direction of
+/// slip at the unit vector r.
 struct SeatSlip {
-  Eigen::Vector3d force;   ///< f = ∫ e p dS, N
-  Eigen::Vector3d moment;  ///< m = ∫ r x e p dS, r a unit vector, N
+  Eigen::Vector3d force;   ///< f = ∫ e dm
+  Eigen::Vector3d moment;  ///< m = ∫ r x e dm
 };
 
-/// Friction of a patch for any slip axis, by two functions of it,
-///
-///     Phi(w) = ∫ |w x r| p dS,   Xi(w) = ∫ asin(w.r) p dS,
-///     m = w Phi + grad Phi,      f = w x grad Xi,
-///
-/// whose harmonics are those of the pressure times numbers (Funk and Hecke):
-/// one set of harmonics serves every axis. Friction forces are -f0 f, moments
-/// -rho f0 m.
-///
-/// Accuracy (seat/friction_test.cpp), over the load: 3e-5 in the median; for
-/// axes that pierce the contact beside a rim 3e-3 with 64 degrees, 1e-3 with
-/// 130.
-class SeatHarmonics {
+/// The harmonics N_nm(cos v) cos(m phi), n < degrees, of what is alike on both
+/// sides of the plane of the load. Their numbers lie in blocks of `lanes`
+/// orders, which are reckoned at once; those of n < m are 0.
+class SeatBasis {
  public:
-  /// @param degrees  n below this, 2 to 400
-  SeatHarmonics(const SeatSolution& solution, double unit_force,
-                int degrees = 64);
+  static constexpr int lanes = 8;
+  using Lanes = Eigen::Array<double, lanes, 1>;
 
-  /// @param axis  w, unit vector in the plane of the load's axes: x on its
-  ///              side, z the seat's axis
-  SeatSlip operator()(const Eigen::Vector3d& axis) const;
+  /// @param degrees  even, 2 to 400
+  explicit SeatBasis(int degrees);
+
+  int degrees() const { return degrees_; }
+  Eigen::Index size() const { return up_.size(); }
+  /// Where the number of N_nm is, n >= m.
+  Eigen::Index index(int n, int m) const;
+  /// N_nm at a polar angle.
+  Eigen::ArrayXd functions(double v) const;
+
+  /// What the harmonics of dm (p dS, or dS) are multiplied by so that they
+  /// are those of
+  ///
+  ///     Phi = ∫ |w x r| dm (n even),   Xi = ∫ asin(w.r) dm (n odd)
+  ///
+  /// as functions of w (Funk and Hecke).
+  const Eigen::ArrayXd& factors() const { return factors_; }
+
+  /// Turns harmonics into those of the mirror image across the equator.
+  void mirror(Eigen::ArrayXd& c) const;
+
+  /// m = w Phi + grad Phi, f = w x grad Xi.
+  /// @param c     harmonics of Phi and Xi
+  /// @param axis  w, unit vector in the plane's axes: x on the side of the
+  ///              load, z the seat's axis
+  SeatSlip dry(const Eigen::ArrayXd& c, const Eigen::Vector3d& axis) const;
+  /// m = ∫ (w - r (r.w)) dm, f = w x ∫ r dm.
+  SeatSlip viscous(const Eigen::ArrayXd& c, const Eigen::Vector3d& axis) const;
 
  private:
   int degrees_;
-  Eigen::MatrixXd harmonics_;  // (n, m): of Phi for even n, of Xi for odd ones
-  Eigen::MatrixXd ratio_;      // of the recursion in n
+  // N_nm over sin v (m = 0: itself) = Q: Q_(n+1) = up z Q_n - down Q_(n-1),
+  // dN/dv = n z Q_n - slope Q_(n-1).
+  Eigen::ArrayXd up_, down_, slope_, factors_;
 };
+
+/// What the cells of a grid give to each harmonic, from pressures and from
+/// covered area: a number of the basis in each column.
+struct SeatMoments {
+  SeatMoments(const SeatCells& cells, const SeatBasis& basis);
+
+  /// @param of  p_i at the longitudes, (i, j)
+  Eigen::ArrayXd of_pressure(const Eigen::MatrixXd& of) const {
+    return harmonics(pressure, of);
+  }
+  /// @param of  the covered share of cell i at each longitude
+  Eigen::ArrayXd of_area(const Eigen::MatrixXd& of) const {
+    return harmonics(area, of);
+  }
+
+  const SeatBasis& basis;
+  Eigen::MatrixXd pressure, area;
+
+ private:
+  Eigen::ArrayXd harmonics(const Eigen::MatrixXd& cells,
+                           const Eigen::MatrixXd& of) const;
+};
+
+/// The harmonics of contacts, times factors(): those of p dS in N, those of
+/// dS over the squared radius.
+struct SeatHarmonics {
+  Eigen::ArrayXd pressure, area;
+};
+
+/// Makes them, with the moments of each grid, which it keeps. Any number of
+/// threads may ask.
+class SeatSums {
+ public:
+  explicit SeatSums(int degrees) : basis_(degrees) {}
+
+  const SeatBasis& basis() const { return basis_; }
+  /// @param unit_force  SeatWindows::unit_force()
+  SeatHarmonics of(const SeatSolution& solution, double unit_force) const;
+
+ private:
+  SeatBasis basis_;
+  mutable std::mutex making_;
+  mutable std::map<std::shared_ptr<const SeatPatchSolver>,
+                   std::unique_ptr<const SeatMoments>>
+      moments_;
+};
+
+/// Axes of the plane of a force: x is that of its component across the seat's
+/// axis z.
+inline Eigen::Matrix3d plane_axes(const Eigen::Vector3d& force) {
+  const double across = std::hypot(force.x(), force.y());
+  const double c = across > 0 ? force.x() / across : 1;
+  const double s = across > 0 ? force.y() / across : 0;
+  Eigen::Matrix3d axes;
+  axes << c, -s, 0, s, c, 0, 0, 0, 1;
+  return axes;
+}
 
 }  // namespace contact::detail

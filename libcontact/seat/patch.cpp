@@ -79,10 +79,10 @@ SeatPatchSolver::Map SeatPatchSolver::apply(const std::vector<Map>& by_order,
   return harmonics;
 }
 
-int SeatPatchSolver::conjugate_gradients(const Map& right,
-                                         const Eigen::ArrayXXd& contact,
-                                         double tolerance,
-                                         Map& solution) const {
+void SeatPatchSolver::conjugate_gradients(const Map& right,
+                                          const Eigen::ArrayXXd& contact,
+                                          double tolerance,
+                                          Map& solution) const {
   const int columns = columns_of(contact);
   const auto masked = [&](const Map& x) -> Map {
     return (x.array() * contact).matrix();
@@ -103,7 +103,6 @@ int SeatPatchSolver::conjugate_gradients(const Map& right,
     residual -= step * image;
     ++count;
   }
-  return count;
 }
 
 void SeatPatchSolver::solve(Eigen::Vector2d shift, SeatPatch& patch) const {
@@ -122,10 +121,8 @@ void SeatPatchSolver::solve(Eigen::Vector2d shift, SeatPatch& patch) const {
   for (int round = 0; round < 60 && !patch.converged; ++round) {
     const double tolerance = round < 4 ? tolerances[round] : finest;
     y = (y.array() * patch.contact).matrix();
-    patch.applications +=
-        conjugate_gradients(right, patch.contact, tolerance, y);
+    conjugate_gradients(right, patch.contact, tolerance, y);
     const Map gap = apply(compliance_.matrix, y, order_ + 1) - right;
-    patch.applications += 1;
     const auto outside = patch.contact == 0;
     const Eigen::ArrayXXd drop = (!outside && y.array() < 0).cast<double>();
     const Eigen::ArrayXXd add =
@@ -183,13 +180,13 @@ void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
   patch.converged = false;
 }
 
-Eigen::Matrix2d SeatPatchSolver::tangent(SeatPatch& patch) const {
+Eigen::Matrix2d SeatPatchSolver::tangent(const SeatPatch& patch) const {
   Eigen::Matrix2d k;
   const double weight = 2 * pi / order_;
   int column = 0;
   for (const Map* lever : {&lever_x_, &lever_z_}) {
     Map y = Map::Zero(lever->rows(), lever->cols());
-    patch.applications += conjugate_gradients(*lever, patch.contact, 1e-4, y);
+    conjugate_gradients(*lever, patch.contact, 1e-4, y);
     k.col(column++) =
         weight * Eigen::Vector2d(dot(y, lever_x_), dot(y, lever_z_));
   }

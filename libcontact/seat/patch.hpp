@@ -22,7 +22,6 @@ struct SeatPatch {
   Eigen::Vector2d force = {0, 0};  ///< F_x, F_z in units of E rho/4 times m
   double sum = 0;                  ///< Q in the same units
   bool converged = false;
-  int applications = 0;  ///< of the compliance, since it began
 };
 
 /// The contact of a ball in a seat that ends, for a given shift D of its centre
@@ -49,7 +48,7 @@ class SeatPatchSolver {
 
   /// dF/dD of the set in contact: within 1e-3 to 5e-3, as its edge moves by
   /// whole cells.
-  Eigen::Matrix2d tangent(SeatPatch& patch) const;
+  Eigen::Matrix2d tangent(const SeatPatch& patch) const;
 
   /// The largest D.r - eps over the cells, m; below 0 there is no contact.
   double overlap(Eigen::Vector2d shift) const;
@@ -59,14 +58,13 @@ class SeatPatchSolver {
   double longitude(int j) const;
   /// Of a node in sums over the whole turn, rad.
   double longitude_weight(int j) const;
-  int degree() const { return compliance_.degree; }
 
  private:
   using Map = Eigen::MatrixXd;
   Map apply(const std::vector<Map>& by_order, const Map& of, int columns) const;
   Map gap_side(Eigen::Vector2d shift) const;
-  int conjugate_gradients(const Map& right, const Eigen::ArrayXXd& contact,
-                          double tolerance, Map& solution) const;
+  void conjugate_gradients(const Map& right, const Eigen::ArrayXXd& contact,
+                           double tolerance, Map& solution) const;
 
   SeatCells cells_;
   SeatCompliance compliance_;

@@ -68,23 +68,27 @@ double SeatReadout::pressure(double v, int j) const {
 }
 
 SeatReadout::Peak SeatReadout::peak(double rim_distance) const {
-  constexpr int parts = 16;  // of a cell: a maximum is flat
   const SeatWindow& window = cells_.window;
   const double low = window.from + (window.rim[0] ? rim_distance : 0);
   const double high = window.to - (window.rim[1] ? rim_distance : 0);
+  const Peak near = peak(low, high, 0);
+  const Peak far = peak(low, high, solver_.order());
+  return far.pressure > near.pressure ? far : near;
+}
+
+SeatReadout::Peak SeatReadout::peak(double low, double high, int j) const {
+  constexpr int parts = 16;  // of a cell: a maximum is flat
   Peak peak{0, nan, nan};
-  for (const int j : {0, solver_.order()}) {
-    for (int i = 0; i < cells_.size(); ++i) {
-      const double from = std::max(low, cells_.bound(i));
-      const double to = std::min(high, cells_.bound(i + 1));
-      if (patch_.contact(i, j) == 0 || !(to >= from)) continue;
-      const Eigen::Vector3d f = parabola(i, j);
-      for (int k = 0; k <= parts; ++k) {
-        const double v = from + (to - from) * k / parts;
-        const double x = v - cells_.mean_angle(i);
-        const double p = cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
-        if (p > peak.pressure) peak = {p, v, solver_.longitude(j)};
-      }
+  for (int i = 0; i < cells_.size(); ++i) {
+    const double from = std::max(low, cells_.bound(i));
+    const double to = std::min(high, cells_.bound(i + 1));
+    if (patch_.contact(i, j) == 0 || !(to >= from)) continue;
+    const Eigen::Vector3d f = parabola(i, j);
+    for (int k = 0; k <= parts; ++k) {
+      const double v = from + (to - from) * k / parts;
+      const double x = v - cells_.mean_angle(i);
+      const double p = cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
+      if (p > peak.pressure) peak = {p, v, solver_.longitude(j)};
     }
   }
   return peak;
@@ -161,15 +165,21 @@ SeatReadout::Ends SeatReadout::ends(int j) const {
   return {end(all.front(), j, 0), end(all.back(), j, 1)};
 }
 
-double SeatReadout::area() const {
-  double sum = 0;
+Eigen::MatrixXd SeatReadout::covered() const {
+  Eigen::MatrixXd share =
+      Eigen::MatrixXd::Zero(cells_.size(), solver_.order() + 1);
   for (int j = 0; j <= solver_.order(); ++j) {
     for (const Run& run : runs(j)) {
-      sum += solver_.longitude_weight(j) *
-             (std::cos(end(run, j, 0)) - std::cos(end(run, j, 1)));
+      const double from = end(run, j, 0), to = end(run, j, 1);
+      for (int i = 0; i < cells_.size(); ++i) {
+        const double low = std::max(from, cells_.bound(i));
+        const double high = std::min(to, cells_.bound(i + 1));
+        if (high <= low) continue;
+        share(i, j) += (std::cos(low) - std::cos(high)) / cells_.unit(i);
+      }
     }
   }
-  return sum;
+  return share;
 }
 
 }  // namespace contact::detail

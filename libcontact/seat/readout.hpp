@@ -27,6 +27,9 @@ class SeatReadout {
   /// The largest pressure at some distance or more from every rim, which lies
   /// in the plane of the load.
   Peak peak(double rim_distance) const;
+  /// The same between two polar angles at the longitude 0 or pi, j = 0 or
+  /// order(); 0 without contact there.
+  Peak peak(double from, double to, int j) const;
 
   struct Rim {
     /// lim p sqrt(s), s in rad, where it is largest; 0 if not reached
@@ -43,8 +46,8 @@ class SeatReadout {
   };
   Ends ends(int j) const;
 
-  /// Over rho^2.
-  double area() const;
+  /// The share of each cell that is in contact at each longitude, (i, j).
+  Eigen::MatrixXd covered() const;
 
  private:
   // Neighbouring cells in contact.

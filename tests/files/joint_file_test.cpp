@@ -239,10 +239,14 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(seat("ring_width_mm = 28"), SeatZone::ring(0.028, 0.05));
   EXPECT_EQ(seat("cup_rad = 1"), SeatZone::cup(1));
   EXPECT_EQ(seat("lower_rim_rad = 0.5\nupper_rim_rad = 2"), SeatZone(0.5, 2));
+  EXPECT_EQ(seat("cup_rad = 1\naxis = [0, 3, -4]"),
+            SeatZone::cup(1).about({0, 0.6, -0.8}));
   EXPECT_EQ(
       error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
       "23)");
+  EXPECT_EQ(error_message([&] { seat("cup_deg = 80\naxis = [0, 0, 0]"); }),
+            "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
 }
 
 TEST(JointFile, Walls) {
@@ -425,7 +429,7 @@ TEST(DataFiles, MaterialsAndJoints) {
         << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 12u);
+  EXPECT_EQ(joints, 15u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {

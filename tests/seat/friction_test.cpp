@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/seat/contact.hpp"
@@ -29,18 +31,24 @@ Eigen::Vector3d vector(const ReferenceTable::Row& row,
           row.value(name + "_z")};
 }
 
-// Force and moment of the four slip axes of row i, over the load.
+// Force and moment of the four slip axes of row i, over the load, and the same
+// of dS.
 void compare(const ReferenceTable& friction, std::size_t i,
-             const ReferenceTable::Row& row,
-             const detail::SeatHarmonics& harmonics, AccuracyReport& to) {
+             const ReferenceTable::Row& row, const detail::SeatBasis& basis,
+             const detail::SeatHarmonics& harmonics, AccuracyReport& to,
+             AccuracyReport& area) {
   for (std::size_t k = 4 * i; k < 4 * i + 4; ++k) {
     const ReferenceTable::Row slip = friction[k];
     ASSERT_EQ(slip.text("id") + slip.text("load") + slip.text("dir_deg"),
               row.text("id") + row.text("load") + row.text("dir_deg"));
-    const auto [f, m] = harmonics(vector(slip, "w"));
+    const Eigen::Vector3d w = vector(slip, "w");
     const double load = row.value("load");
+    const auto [f, m] = basis.dry(harmonics.pressure, w);
     to.add_error((f / load - vector(slip, "f")).norm(), slip.label());
     to.add_error((m / load - vector(slip, "m")).norm(), slip.label());
+    const auto [fa, ma] = basis.dry(harmonics.area, w);
+    area.add_error((fa - vector(slip, "fa")).norm(), slip.label());
+    area.add_error((ma - vector(slip, "ma")).norm(), slip.label());
   }
 }
 
@@ -52,6 +60,9 @@ TEST(SeatFriction, MatchesTheReference) {
   // 7e-4 and 2.3e-3 there; else it is the usual grid's error.
   AccuracyReport many("f and m over the load, 130 degrees", 1e-3);
   AccuracyReport few("f and m over the load, 64 degrees", 3e-3);
+  // The ends of the contact are known to a part of a cell, its area to 4e-2.
+  AccuracyReport area("sums over the area, over the squared radius", 5e-2);
+  const detail::SeatSums of_many(130), of_few(64);
   std::string id;
   std::unique_ptr<const SeatContact> seat;
   for (std::size_t i = 0; i < table.size(); ++i) {
@@ -65,10 +76,35 @@ TEST(SeatFriction, MatchesTheReference) {
     ASSERT_EQ(state.status, SeatStatus::ok) << row.label();
     const detail::SeatSolution& solution = *state.solution;
     const double unit = unit_force(*seat);
-    compare(friction, i, row, {solution, unit, 130}, many);
-    compare(friction, i, row, {solution, unit, 64}, few);
+    for (const auto& [sums, report] :
+         {std::pair{&of_many, &many}, {&of_few, &few}}) {
+      compare(friction, i, row, sums->basis(), sums->of(solution, unit),
+              *report, area);
+    }
   }
   EXPECT_LT(many.rms(), 2e-4);
+}
+
+// Viscous sums by the second moments of the pressure of one free contact, whose
+// directions lie within 1 deg of the load's: w - n (n.w), and w x n.
+TEST(SeatFriction, ViscousSumsOfANarrowContact) {
+  const detail::SeatBasis basis(8);
+  const double v = 0.7;
+  // A point: N_nm(v) times what orders sum up to, 1 for m = 0, else 2.
+  Eigen::ArrayXd c = basis.functions(v) * basis.factors() / pi;
+  for (int n = 0; n < 8; ++n) c(basis.index(n, 0)) /= 2;
+  const Eigen::Vector3d r(std::sin(v), 0, std::cos(v));
+  const Eigen::Vector3d w = Eigen::Vector3d(0.3, -0.5, 0.4).normalized();
+  const auto [f, m] = basis.viscous(c, w);
+  EXPECT_LT((f - w.cross(r)).norm(), 1e-14);
+  EXPECT_LT((m - (w - r * r.dot(w))).norm(), 1e-14);
+}
+
+TEST(SeatFriction, MirrorsAcrossTheEquator) {
+  const detail::SeatBasis basis(40);
+  Eigen::ArrayXd c = basis.functions(0.7), image = basis.functions(pi - 0.7);
+  basis.mirror(c);
+  EXPECT_LT((c - image).abs().maxCoeff(), 1e-13);
 }
 
 }  // namespace

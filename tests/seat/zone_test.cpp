@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 
 #include "libcontact/base/units.hpp"
@@ -25,6 +26,25 @@ TEST(SeatZone, IsWhatItIsMadeFrom) {
   EXPECT_TRUE(SeatZone(100 * degree, pi).carries(pi));
   EXPECT_NEAR(cup(60).margin(10 * degree, 30 * degree), 20 * degree, 1e-15);
   EXPECT_EQ(SeatZone(0, pi).margin(1, 3), HUGE_VAL);
+}
+
+TEST(SeatZone, HasAnAxisAndSideFaces) {
+  const SeatZone zone = cup(60).about({0, 3, -4});
+  EXPECT_EQ(zone.axis(), (std::array<double, 3>{0, 0.6, -0.8}));
+  EXPECT_EQ(zone.about(zone.axis()), zone);
+  EXPECT_NE(zone, cup(60));
+  EXPECT_TRUE(has_text(error_message([&] {
+                         cup(60).about({0, 0, 0});
+                       }),
+                       "length of the axis = 0 must be above 0"));
+  // Flat rims: 120 deg of a cup of 60, 65 of a ring of 25; a bore.
+  EXPECT_NEAR(SeatZone(24 * degree, 56 * degree).side_angle(0), 114 * degree,
+              1e-15);
+  EXPECT_NEAR(zone.side_angle(1), 120 * degree, 1e-15);
+  EXPECT_NEAR(SeatZone(65 * degree, 115 * degree).side_angle(0), 65 * degree,
+              1e-15);
+  EXPECT_NEAR(SeatZone(65 * degree, 115 * degree).side_angle(1), 65 * degree,
+              1e-15);
 }
 
 TEST(SeatZone, Refuses) {

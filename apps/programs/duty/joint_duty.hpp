@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "cli/joint/joint_options.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "programs/duty/body_wear.hpp"
 
@@ -15,7 +17,8 @@ struct JointDuty {
   contact::JointCycle cycle;
   std::vector<BodyWear> wear = {};                ///< of both bodies, or none
   std::vector<contact::WearIn::State> worn = {};  ///< of --cycles
-  contact::WornSeat seat = {};                    ///< after them
+  contact::WornSeat worn_seat = {};               ///< after them
+  std::optional<contact::SeatCycle> seat = {};    ///< of --in-seat
 };
 
 }  // namespace hinge_duty

@@ -81,8 +81,12 @@ int main(int argc, char** argv) {
   add_friction_options(program, options.friction);
   add_law_options(program, options.joint, cli::Laws::one, cli::Laws::one);
   program.add_output(options.output);
-  program.add("Output", {{"--states", &options.states, "FILE",
-                          "CSV file of the states at the rows of the cycle"}});
+  program.add(
+      "Output",
+      {{"--states", &options.states, "FILE",
+        "CSV file of the states at the rows of the cycle"},
+       {"--in-seat", &options.in_seat, "FILE",
+        "the same of a contact that is confined to the [seat] of its ball"}});
   add_fileless_joint_options(program, options.joint);
   return program.run(argc, argv, help,
                      [&] { return hinge_duty::run(options); });

@@ -34,6 +34,7 @@ struct Options {
   std::string worn;      ///< to begin with
   std::string worn_out;  ///< after all cycles
   std::string states;
+  std::string in_seat;  ///< file of the contact that is confined to its seat
   cli::OutputOptions output;
 };
 

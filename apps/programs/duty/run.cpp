@@ -12,6 +12,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/joint/joint_reports.hpp"
 #include "cli/output.hpp"
+#include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
@@ -52,7 +53,8 @@ void check_files(const Options& options) {
                                      {"--map-plot", &options.map_plot},
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks},
-                                     {"--worn-out", &options.worn_out}}) {
+                                     {"--worn-out", &options.worn_out},
+                                     {"--in-seat", &options.in_seat}}) {
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     names.add(option, *file);
   }
@@ -93,7 +95,7 @@ void wear_in(const Options& options, JointDuty& duty) {
     warn_of(duty.joint, "--cycles: " + note);
   }
   duty.worn = std::move(worn.states);
-  duty.seat = std::move(worn.worn);
+  duty.worn_seat = std::move(worn.worn);
 }
 
 // Of coefficients, but of those that wear_in() has had.
@@ -223,6 +225,31 @@ std::vector<JointDuty> run_joints(const Options& options,
   return duties;
 }
 
+// The contacts in seats that end.
+void confine(const Options& options, std::vector<JointDuty>& duties) {
+  if (options.in_seat.empty()) return;
+  for (JointDuty& duty : duties) {
+    if (!duty.joint.spec.geometry.seat()) {
+      cli::refuse_without("--in-seat", "a joint with a [seat]");
+    }
+    contact::JointSpec spec = duty.joint.spec;
+    spec.friction = duty.cycle.contact().friction();
+    cli::Progress progress("table of contacts", 100);
+    double done = 0;
+    duty.seat.emplace(made_of(duty.joint, [&] {
+      return contact::SeatCycle(duty.cycle.cycle(), spec, [&](double share) {
+        const double percent = std::floor(100 * share);
+        if (percent > done) progress.add(std::size_t(percent - done));
+        done = std::max(done, percent);
+      });
+    }));
+    progress.clear();
+    for (const std::string& note : duty.seat->notes()) {
+      warn_of(duty.joint, "--in-seat: " + note);
+    }
+  }
+}
+
 // What is to be known before the numbers are used.
 void warn(const Options& options, const std::vector<cli::Joint>& joints,
           const std::vector<JointDuty>& duties) {
@@ -247,13 +274,14 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
   std::deque<cli::Output> beside;  // all whole before the first appears
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
+                                    {&options.in_seat, &write_in_seat},
                                     {&options.map, &write_map}}) {
     if (file->empty()) continue;
     write(duties, beside.emplace_back(*file), options.output);
   }
   if (!options.worn_out.empty()) {
     beside.emplace_back(options.worn_out)
-        .write(contact::worn_seat_text(duties[0].seat,
+        .write(contact::worn_seat_text(duties[0].worn_seat,
                                        duties[0].cycle.contact().geometry()));
   }
   for (cli::Output& table : beside) table.commit();
@@ -269,6 +297,7 @@ cli::ExitStatus run(const Options& options) {
   check_one_joint(options, joints.size());
   std::vector<JointDuty> duties = run_joints(options, joints);
   for (JointDuty& duty : duties) wear_in(options, duty);
+  confine(options, duties);
   warn(options, joints, duties);
   write_tables(options, joints, duties);
   const JointDuty& duty = duties[0];

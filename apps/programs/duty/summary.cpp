@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -114,6 +115,25 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
          "standard error, of the measured volume alone");
 }
 
+void add_seat(const contact::SeatCycle& seat, Report& to) {
+  to.add("seat_rim_share", seat.rim_share(),
+         "share of the time in which the contact is at a rim of its seat");
+  if (const auto* row = seat.least_gap()) {
+    const auto& rims = row->solution.contact.rims;
+    to.add("seat_least_gap_m", std::min(rims[0].gap, rims[1].gap),
+           "from the contact to the nearest rim along the seat", {row->time});
+  }
+  if (const auto* row = seat.largest_peak()) {
+    to.add("seat_largest_p_peak_Pa", row->solution.contact.peak_pressure,
+           "largest pressure at 0.02 radii or more from every rim",
+           {row->time});
+  }
+  const contact::SeatTable::Check& check = seat.check();
+  if (check.states == 0) return;
+  to.add("seat_table_error", std::max(check.load, check.friction),
+         "of the table of contacts, over the load: the largest of 100 states");
+}
+
 }  // namespace
 
 cli::Report summary_of(const JointDuty& duty,
@@ -124,6 +144,7 @@ cli::Report summary_of(const JointDuty& duty,
   add_peaks(duty.cycle, report);
   for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
   if (measured) add_measured(*measured, pv_integral, report);
+  if (duty.seat) add_seat(*duty.seat, report);
   if (!duty.worn.empty()) {
     for (const auto& column : worn_columns()) {
       report.add(

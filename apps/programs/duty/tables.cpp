@@ -1,13 +1,17 @@
 #include "programs/duty/tables.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
+#include <iterator>
 #include <string>
+#include <type_traits>
 #include <utility>
 
 #include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace hinge_duty {
@@ -131,6 +135,34 @@ void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
                  for (const StateColumn& column : columns) {
                    to.number(column.of({i, rating}) + 0.0);  // no -0
                  }
+                 to.end();
+               }
+             });
+}
+
+void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
+                   const cli::TableStyle& style) {
+  const auto columns_of_all = [](const auto& table) {
+    std::vector<std::decay_t<decltype(columns_of(table[0])[0])>> all;
+    for (const auto& q : table) {
+      std::ranges::move(columns_of(q), std::back_inserter(all));
+    }
+    return all;
+  };
+  const auto joint = columns_of_all(contact::seat_joint_quantities());
+  const auto state = columns_of_all(contact::seat_quantities());
+  std::vector<std::string> names = {"time_s", "status"};
+  for (const auto& column : joint) names.push_back(column.name);
+  for (const auto& column : state) names.push_back(column.name);
+  write_rows(duties, names, output, style,
+             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+               for (const auto& row : duty.seat->rows()) {
+                 const contact::SeatJointSolution& s = row.solution;
+                 begin();
+                 to.number(row.time);
+                 to.text(to_string(s.contact.status));
+                 for (const auto& c : joint) to.number(c(s) + 0.0);
+                 for (const auto& c : state) to.number(c(s.contact) + 0.0);
                  to.end();
                }
              });

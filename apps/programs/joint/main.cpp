@@ -111,6 +111,18 @@ void add_tilt(cli::Program& program, Options& o) {
         others}});
 }
 
+void add_seat(cli::Program& program, Options& o) {
+  program.add(
+      "Seat",
+      {{"--in-seat", &o.in_seat, "",
+        "confine the contact of a ball to its [seat]: vectors are in the axes "
+        "of the body that has it",
+        "",
+        "--normal-force --points --trace --outer --measured-moment --map "
+        "--beside --summary --plot --jobs --law --pressure --tilt --load-at "
+        "--pv"}});
+}
+
 void add_loops(cli::Program& program, Options& o) {
   program.add(
       "Loops",
@@ -155,6 +167,7 @@ int main(int argc, char** argv) {
   add_joint_options(program, options.joint);
   add_state(program, options);
   add_tilt(program, options);
+  add_seat(program, options);
   add_friction(program, options);
   add_law_options(program, options.joint, cli::Laws::several,
                   cli::Laws::several);

@@ -19,6 +19,7 @@
 #include "programs/joint/measured_moment.hpp"
 #include "programs/joint/point_table.hpp"
 #include "programs/joint/points/plot.hpp"
+#include "programs/joint/seat_table.hpp"
 #include "programs/joint/solution_table.hpp"
 #include "programs/joint/tilt_table.hpp"
 #include "programs/joint/torque_plot.hpp"
@@ -175,6 +176,7 @@ cli::ExitStatus run(const Options& options) {
   if (!options.tilt.empty() || !options.load_at.empty()) {
     return run_tilted(options);
   }
+  if (options.in_seat) return run_in_seat(options);
   Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());

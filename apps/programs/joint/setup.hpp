@@ -40,6 +40,8 @@ struct Options {
   std::string tilt;
   std::string load_at;
   std::optional<double> twist;  ///< deg
+  /// Whether the contact of a ball ends at the rims of its seat.
+  bool in_seat = false;
 
   bool trace = false;
   /// A reaction that answers to the friction moment: R = R_0 + M r, with M the

@@ -47,6 +47,7 @@ class Rows {
   cli::ExitStatus write(const Columns& columns, cli::RowWriter& row) const {
     contact::LargestContact largest;
     std::set<std::string> notes;
+    bool all_good = true;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
       for (std::size_t k = 0; k < directions_.size(); ++k) {
         const double direction = directions_[k] * contact::degree;
@@ -56,19 +57,20 @@ class Rows {
         cli::write_differences(joint_.differences, row);
         row.number(loads_[i]);
         row.number(directions_[k]);
+        row.number(seat_.nominal_area());
+        row.number(loads_[i] / seat_.nominal_area());
         for (const auto& column : columns) row.number(column(s) + 0.0);
         row.end();
         largest.add(0, s.peak_pressure);
-        if (const std::string note = seat_.note(s); !note.empty()) {
-          notes.insert(note);
-        }
+        for (const std::string& note : seat_.notes(s)) notes.insert(note);
+        all_good = all_good && seat_.note(s).empty();
       }
     }
     for (const std::string& note : notes) cli::warn("hinge-pressure", note);
     for (const std::string& note : limits_of(joint_).notes(largest)) {
       cli::warn("hinge-pressure", note);
     }
-    return notes.empty() ? cli::all_good : cli::some_bad;
+    return all_good ? cli::all_good : cli::some_bad;
   }
 
  private:
@@ -89,7 +91,8 @@ class Rows {
 cli::ExitStatus run_in_seat(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   const Columns columns = seat_columns();
-  std::vector<std::string> names = {"load_N", "direction_deg"};
+  std::vector<std::string> names = {"load_N", "direction_deg",
+                                    "nominal_area_m2", "p_nominal_Pa"};
   for (const auto& column : columns) names.push_back(column.name);
   warn_of_validity("hinge-pressure", joints);
   cli::ExitStatus status = cli::all_good;

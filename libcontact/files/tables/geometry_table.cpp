@@ -80,8 +80,8 @@ std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
   return result;
 }
 
-// [seat] by a ring's width, a cup's opening, or polar angles.
-SeatZone zone_from_table(const TomlTable& seat, double radius) {
+// By a ring's width, a cup's opening, or polar angles.
+SeatZone angles_from_table(const TomlTable& seat, double radius) {
   for (const auto& [key, other] : {std::pair{"ring_width", "cup"},
                                    {"ring_width", "lower_rim"},
                                    {"ring_width", "upper_rim"},
@@ -111,6 +111,17 @@ SeatZone zone_from_table(const TomlTable& seat, double radius) {
   const double from = seat.number("lower_rim", {0, pi, false, true});
   const double to = seat.number("upper_rim", {from, pi, true});
   return made("upper_rim", [&] { return SeatZone(from, to); });
+}
+
+// [seat]
+SeatZone zone_from_table(const TomlTable& seat, double radius) {
+  const SeatZone zone = angles_from_table(seat, radius);
+  if (!seat.has("axis")) return zone;
+  const auto axis = seat.numbers("axis", {3}, Interval::any());
+  if (std::hypot(axis[0], axis[1], axis[2]) == 0) {
+    seat.must_be("axis", "a vector that is not 0");
+  }
+  return zone.about({axis[0], axis[1], axis[2]});
 }
 
 }  // namespace
@@ -219,7 +230,8 @@ KnownKeys geometry_keys() {
           table_key("seat", {{"ring_width", Dimension::length},
                              {"cup", Dimension::angle},
                              {"lower_rim", Dimension::angle},
-                             {"upper_rim", Dimension::angle}}),
+                             {"upper_rim", Dimension::angle},
+                             {"axis"}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
                                {"relieved_length", Dimension::length}})};

@@ -1,0 +1,134 @@
+#include "libcontact/duty/seat_cycle.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <set>
+
+#include "libcontact/base/text.hpp"
+
+namespace contact {
+
+namespace {
+
+double gap(const SeatState& state) {
+  return std::min(state.rims[0].gap, state.rims[1].gap);
+}
+
+bool is_at_rim(const SeatState& state) {
+  return state.rims[0].intensity > 0 || state.rims[1].intensity > 0;
+}
+
+// Whether the contact would without friction.
+bool reaches_rim(const SeatJoint& joint, const Eigen::Vector3d& reaction) {
+  const JointContact& contact = joint.contact().unbounded();
+  const SeatZone& zone = joint.contact().zone();
+  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
+  const double load = reaction.norm();
+  const bool has_ball = contact.geometry().inner_body() == JointBody::carrier;
+  const double cosine = (has_ball ? 1 : -1) * axis.dot(reaction) / load;
+  return zone.margin(std::acos(std::clamp(cosine, -1.0, 1.0)),
+                     contact.half_angle(load).half_angle) < 0;
+}
+
+// A table of the loads that reach a rim, if there are many of them. Friction
+// makes the force on the seat a little larger or smaller than the reaction.
+std::shared_ptr<const SeatTable> table_of(
+    const SeatJoint& joint, const std::vector<SeatCycle::Instant>& rows,
+    const std::function<void(double)>& progress) {
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  int count = 0;
+  for (const auto& row : rows) {
+    const SeatJointSolution& s = row.solution;
+    const double load = s.reaction.norm();
+    if (!(load > 0) || !reaches_rim(joint, s.reaction)) continue;
+    ++count;
+    least = std::min(least, load);
+    most = std::max(most, load);
+  }
+  if (count < SeatCycle::many) return nullptr;
+  return std::make_shared<const SeatTable>(
+      joint.contact(),
+      SeatTable::Options{.least_load = std::max(0.9 * least, 1e-2 * most),
+                         .most_load = 1.1 * most,
+                         .progress = progress});
+}
+
+}  // namespace
+
+SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
+                     const std::function<void(double)>& progress) {
+  SeatJoint joint(spec);
+  const std::vector<double>& times = cycle.times();
+  const bool turns = spec.geometry.inner_body() == JointBody::carrier;
+  const std::size_t count = times.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const DutyCycle::State state = cycle.at(times[i]);
+    const Eigen::Quaterniond to_seat =
+        turns ? state.turn.conjugate() : Eigen::Quaterniond::Identity();
+    const double before =
+        i == 0 ? times[count - 1] - cycle.period() : times[i - 1];
+    const double after =
+        i + 1 == count ? times[0] + cycle.period() : times[i + 1];
+    Instant row{
+        times[i], (after - before) / 2, {}, to_seat * state.angular_velocity};
+    row.solution.reaction = to_seat * state.reaction;
+    rows_.push_back(std::move(row));
+  }
+  if (const auto table = table_of(joint, rows_, progress)) {
+    joint.use(table);
+    check_ = table->check();
+  }
+  SeatJointSolution last;
+  std::set<std::string> said;
+  for (Instant& row : rows_) {
+    row.solution = joint.solve({.reaction = row.solution.reaction,
+                                .angular_velocity = row.angular_velocity},
+                               last);
+    last = row.solution;
+    row.solution.contact.solution = nullptr;
+    if (row.solution.contact.status == SeatStatus::no_load) continue;
+    for (auto& note : joint.notes(row.solution)) {
+      if (said.insert(note).second && said.size() <= 8) {
+        notes_.push_back(
+            detail::message("from {:.4g} s on: {}", row.time, note));
+      }
+    }
+  }
+}
+
+double SeatCycle::rim_share() const {
+  double all = 0, at_rim = 0;
+  for (const Instant& row : rows_) {
+    all += row.weight;
+    if (is_at_rim(row.solution.contact)) at_rim += row.weight;
+  }
+  return at_rim / all;
+}
+
+const SeatCycle::Instant* SeatCycle::largest_peak() const {
+  const Instant* largest = nullptr;
+  double peak = 0;
+  for (const Instant& row : rows_) {
+    if (!(row.solution.contact.peak_pressure > peak)) continue;
+    peak = row.solution.contact.peak_pressure;
+    largest = &row;
+  }
+  return largest;
+}
+
+const SeatCycle::Instant* SeatCycle::least_gap() const {
+  const Instant* nearest = nullptr;
+  double least = std::numeric_limits<double>::infinity();
+  for (const Instant& row : rows_) {
+    if (!(gap(row.solution.contact) < least)) continue;
+    least = gap(row.solution.contact);
+    nearest = &row;
+  }
+  return nearest;
+}
+
+std::vector<std::string> SeatCycle::notes() const { return notes_; }
+
+}  // namespace contact

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "libcontact/duty/duty_cycle.hpp"
+#include "libcontact/seat/joint.hpp"
+#include "libcontact/seat/table.hpp"
+
+namespace contact {
+
+/// A ball in a seat that ends on its duty cycle: a load that turns in the seat,
+/// at the times of the cycle. The seat turns with the body that has it.
+class SeatCycle {
+ public:
+  struct Instant {
+    double time;                 ///< s
+    double weight;               ///< of means over time, s: trapezoidal rule
+    SeatJointSolution solution;  ///< in the axes of the body with the seat
+    /// Dw in these axes, rad/s.
+    Eigen::Vector3d angular_velocity;
+  };
+
+  /// Where more than `many` contacts reach a rim they come from a SeatTable.
+  /// @param progress  as of the table
+  /// @throws Error as SeatJoint and SeatTable.
+  SeatCycle(const DutyCycle& cycle, const JointSpec& joint,
+            const std::function<void(double)>& progress = {});
+
+  /// From so many contacts at rims on a table is made.
+  static constexpr int many = 60;
+
+  const std::vector<Instant>& rows() const { return rows_; }
+  /// The table's, if there is one; of no states without.
+  const SeatTable::Check& check() const { return check_; }
+
+  /// Share of the time in which the contact is at a rim.
+  double rim_share() const;
+  /// The row with the largest pressure; null if none has one.
+  const Instant* largest_peak() const;
+  /// The row whose contact is nearest to a rim; null if none has one.
+  const Instant* least_gap() const;
+  /// What is to be said, a sentence for each reason.
+  std::vector<std::string> notes() const;
+
+ private:
+  std::vector<Instant> rows_;
+  std::vector<std::string> notes_;
+  SeatTable::Check check_;
+};
+
+}  // namespace contact

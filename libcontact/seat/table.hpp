@@ -1,0 +1,99 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <functional>
+#include <memory>
+#include <vector>
+
+#include "libcontact/seat/contact.hpp"
+
+namespace contact {
+
+namespace detail {
+class SeatBasis;
+class SeatSums;
+struct SeatHarmonics;
+}  // namespace detail
+
+/// The contacts of a seat that reach a rim, over the size and the direction of
+/// the load: made once, then read in 9 us, 17 us with adhesion, for friction
+/// about any slip axis in 4 us more. Squares of 4 x 4 states, which are halved
+/// until a state in the middle of each is found with a quarter of the accuracy
+/// that is asked for; cubic between.
+///
+/// Across the seat's axis all directions are alike, and the two sides of a zone
+/// that is symmetric too.
+class SeatTable {
+ public:
+  struct Options {
+    double least_load;  ///< N, above 0
+    double most_load;   ///< N, above least_load
+    /// Of the load: of the shift, as load, and of friction at f0 = 1.
+    double accuracy = 1e-3;
+    int most_states = 1800;  ///< 10 to 20 s
+    int checks = 100;
+    /// Called with the share of most_states that is done, and the last with 1.
+    std::function<void(double)> progress = {};
+  };
+  /// The largest errors of states that were drawn at random, over the load.
+  struct Check {
+    int states = 0;
+    double load = 0;      ///< of the shift, as load
+    double friction = 0;  ///< sums of section "Friction" about a random axis
+    double peak = 0;      ///< of the largest pressure, over itself
+  };
+
+  /// @param contact  has to outlive the table
+  /// @throws Error without a clearance, and for options out of range.
+  SeatTable(const SeatContact& contact, const Options& options);
+  ~SeatTable();
+
+  /// States that were found.
+  int size() const;
+  const Check& check() const { return check_; }
+
+  /// Whether a contact reaches a rim and is in the table. A tenth of the way
+  /// from the limit of the directions that a seat carries none is.
+  bool covers(const Eigen::Vector3d& force) const;
+
+  /// A contact that is covered; longitudes of maxima, and where the load
+  /// pierces the seat, are not known.
+  /// @return whether it is covered; else nothing happens
+  bool find(const Eigen::Vector3d& force, SeatState& state) const {
+    return find(force, state, nullptr, false);
+  }
+  /// The same with its harmonics, which SeatJoint takes.
+  /// @param has_area  whether those of the area are wanted
+  bool find(const Eigen::Vector3d& force, SeatState& state,
+            detail::SeatHarmonics* harmonics, bool has_area) const;
+  const detail::SeatBasis& basis() const;
+
+ private:
+  using Numbers = Eigen::Array<double, 16, 1>;
+  struct Node;
+  struct Square;
+  struct Place;
+  class Maker;
+
+  Place place(const Eigen::Vector3d& force) const;
+  double load_place(double load) const;
+  double shift_unit(double load) const;
+  bool is_free(const Eigen::Vector3d& force) const;
+  const Square* square(const Place& at) const;
+  void interpolate(const Square& in, const Place& at, Numbers& numbers,
+                   detail::SeatHarmonics* harmonics, bool has_area) const;
+  void set_peak(const Numbers& numbers, SeatState& state) const;
+
+  const SeatContact& contact_;
+  double radius_, clearance_;
+  double unit_load_;  // N
+  bool has_mirror_;
+  Eigen::Array2d low_, high_;      // places of loads and directions
+  Eigen::Array2i count_ = {0, 0};  // of the largest squares
+  std::unique_ptr<const detail::SeatSums> sums_;
+  std::vector<Node> nodes_;
+  std::vector<Square> squares_;
+  Check check_;
+};
+
+}  // namespace contact

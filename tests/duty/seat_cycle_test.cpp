@@ -1,0 +1,84 @@
+#include "libcontact/duty/seat_cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "libcontact/base/units.hpp"
+#include "support/numbers.hpp"
+
+// Balls in seats that end on a cycle: a load that swings in a cup towards its
+// rim.
+namespace contact::test {
+namespace {
+
+using Eigen::Vector3d;
+
+constexpr double load = 6e4;
+
+JointSpec bearing(JointBody inner) {
+  return {.geometry = JointGeometry::ball(0.025, 2.5e-5, inner)
+                          .with_seat(SeatZone::cup(60 * degree)),
+          .inner = Material{2.1e11, 0.3},
+          .outer = Material{1.1e11, 0.34},
+          .friction = FrictionLaw(0.05)};
+}
+
+// The force on the seat, if there were no friction, swings 20 deg about X in
+// its axes; the body does not turn but for a rate about X.
+DutyCycle cycle(double side) {
+  DutyCycle::Rows rows;
+  for (int i = 0; i < 24; ++i) {
+    const double v = 20 * degree * std::sin(2 * pi * i / 24);
+    rows.times.push_back(i / 24.0);
+    rows.forces.push_back(side * load * Vector3d(0, std::sin(v), std::cos(v)));
+    rows.motion.push_back({0.01 * std::cos(2 * pi * i / 24), 0, 0});
+  }
+  rows.period = 1;
+  return {rows, {}, DutyCycle::TurnSequence("xyz")};
+}
+
+TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
+  for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
+    const double side = inner == JointBody::carrier ? 1 : -1;
+    const JointSpec spec = bearing(inner);
+    const DutyCycle swing = cycle(side);
+    const SeatCycle in_seat(swing, spec);
+    const SeatJoint joint(spec);
+    ASSERT_EQ(in_seat.rows().size(), 24u);
+    EXPECT_EQ(in_seat.check().states, 0);  // too few for a table
+    double at_rim = 0;
+    for (std::size_t i : {0u, 6u, 13u}) {
+      const auto& row = in_seat.rows()[i];
+      const DutyCycle::State state = swing.at(row.time);
+      // The seat is the body's if the carrier has the ball.
+      const Eigen::Matrix3d to_seat =
+          side > 0 ? state.turn.conjugate().toRotationMatrix()
+                   : Eigen::Matrix3d::Identity().eval();
+      const SeatJointSolution s =
+          joint.solve({.reaction = to_seat * state.reaction,
+                       .angular_velocity = to_seat * state.angular_velocity});
+      EXPECT_EQ(s.contact.is_free, row.solution.contact.is_free);
+      EXPECT_LT((s.friction_moment - row.solution.friction_moment).norm(),
+                1e-5 * s.friction_moment.norm());
+    }
+    for (const auto& row : in_seat.rows()) {
+      EXPECT_NEAR(row.weight, 1 / 24.0, 1e-15);
+      const bool is_at_rim = row.solution.contact.rims[1].intensity > 0;
+      at_rim += is_at_rim ? row.weight : 0;
+    }
+    EXPECT_NEAR(in_seat.rim_share(), at_rim, 1e-12);
+    EXPECT_GT(at_rim, 0.1);
+    EXPECT_LT(at_rim, 0.9);
+    ASSERT_NE(in_seat.least_gap(), nullptr);
+    // The load is nearest to the rim at a quarter and at three.
+    EXPECT_NEAR(std::abs(in_seat.least_gap()->time - 0.5), 0.25, 1e-12);
+    for (const auto& row : in_seat.rows()) {
+      EXPECT_GE(row.solution.contact.rims[1].gap,
+                in_seat.least_gap()->solution.contact.rims[1].gap);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace contact::test

@@ -1,0 +1,267 @@
+#include "libcontact/seat/joint.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/seat/table.hpp"
+#include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
+#include "support/numbers.hpp"
+#include "support/reference_table.hpp"
+#include "support/seat.hpp"
+
+// Joints in seats that end, under a reaction, against a program of its own.
+namespace contact::test {
+namespace {
+
+using Eigen::Vector3d;
+
+Vector3d vector(const ReferenceTable::Row& row, const std::string& name) {
+  return {row.value(name + "_x"), row.value(name + "_y"),
+          row.value(name + "_z")};
+}
+
+// The first row of a seat in the table of contacts.
+ReferenceTable::Row seat_row(const ReferenceTable& seats,
+                             const std::string& id) {
+  std::size_t i = 0;
+  while (seats[i].text("id") != id) ++i;
+  return seats[i];
+}
+
+JointSpec with_seat(JointSpec joint, const SeatZone& zone, double side) {
+  joint.geometry =
+      JointGeometry::ball(joint.geometry.radius(),
+                          joint.geometry.radial_clearance(),
+                          side > 0 ? JointBody::carrier : JointBody::body)
+          .with_seat(zone);
+  return joint;
+}
+
+JointSpec bearing() {
+  return with_seat({.geometry = JointGeometry::ball(0.025, 2.5e-5),
+                    .inner = Material{2.1e11, 0.3},
+                    .outer = Material{1.1e11, 0.34},
+                    .friction = FrictionLaw(0.1)},
+                   SeatZone::cup(60 * degree), 1);
+}
+
+TEST(SeatJoint, MatchesTheReference) {
+  const ReferenceTable rows("edges/edges_ball_joint.csv");
+  const ReferenceTable seats("edges/edges_ball.csv");
+  // The usual grid's errors, as in docs/seats.md: friction where the slip axis
+  // pierces the contact at a rim, row 3.
+  AccuracyReport force("F over R", 2e-4);
+  AccuracyReport moment("M over R rho", 5e-4);
+  AccuracyReport shift("D over its length", 1e-3);
+  AccuracyReport peak("p_max", 5e-3);
+  AccuracyReport sum("R - s F - R_t over R", 1e-15);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const ReferenceTable::Row row = rows[i];
+    const ReferenceTable::Row seat = seat_row(seats, row.text("seat"));
+    const double side = row.value("s");
+    JointSpec spec = with_seat(joint_of(seat), zone_of(seat), side);
+    spec.friction = FrictionLaw(row.value("f0"), row.value("A"));
+    const SeatJoint joint(spec);
+    const Vector3d reaction = vector(row, "R");
+    const SeatJointSolution s = joint.solve(
+        {.reaction = reaction, .angular_velocity = vector(row, "w")});
+    ASSERT_EQ(s.contact.status, SeatStatus::ok) << row.label();
+    const double size = reaction.norm();
+    const double rho = spec.geometry.radius();
+    force.add_error((s.contact.force - vector(row, "F")).norm() / size,
+                    row.label());
+    moment.add_error((s.friction_moment - vector(row, "M")).norm() / size / rho,
+                     row.label());
+    shift.add_error(
+        (s.contact.shift - vector(row, "D")).norm() / s.contact.shift.norm(),
+        row.label());
+    peak.add_error(std::abs(s.contact.peak_pressure / row.value("p_max") - 1),
+                   row.label());
+    sum.add_error(
+        (reaction - side * s.contact.force - s.friction_force).norm() / size,
+        row.label());
+    EXPECT_LT(s.power, 0);
+    EXPECT_LT(s.evaluations, 12);
+  }
+}
+
+// To the last bit.
+TEST(SeatJoint, FreeContactIsTheJointWithoutEnd) {
+  const SeatJoint joint(bearing());
+  const Joint::Slip slip{.reaction = {2e3, 1e3, 2e4},
+                         .angular_velocity = {0.3, 0.4, -0.2}};
+  const SeatJointSolution s = joint.solve(slip);
+  JointSpec spec = bearing();
+  spec.half_angle_law = "exact";
+  const JointSolution exact = Joint(spec).solve(slip);
+  EXPECT_TRUE(s.contact.is_free);
+  EXPECT_EQ(s.friction_moment, exact.friction_moment);
+  EXPECT_EQ(s.friction_force, exact.friction_force);
+  const RestSolution held =
+      Joint(spec).at_rest({.reaction = slip.reaction, .moment = {5, 10, 3}});
+  const SeatRestSolution rest =
+      joint.at_rest({.reaction = slip.reaction, .moment = {5, 10, 3}});
+  EXPECT_EQ(rest.utilisation, held.utilisation);
+  EXPECT_EQ(rest.direction, held.direction);
+}
+
+// Friction too is continuous where the contact reaches the rim, dry, with
+// adhesion and viscous: within the grid's accuracy, for the area that of its
+// ends.
+TEST(SeatJoint, ReachesTheRimWithoutAJump) {
+  const struct {
+    FrictionModel friction;
+    double allowed;
+  } cases[] = {{FrictionLaw(0.1), 2e-4},
+               {FrictionLaw(0.1, 1e6), 2e-3},
+               {ViscousLaw(1e6, 0.05), 2e-3}};
+  for (const auto& [friction, allowed] : cases) {
+    JointSpec spec = bearing();
+    spec.friction = friction;
+    const SeatJoint joint(spec);
+    const double load = 2e4;
+    const double theta0 =
+        joint.contact().unbounded().half_angle(load).half_angle;
+    const auto at = [&](double more) {
+      const double v = 60 * degree - theta0 + more;
+      const Vector3d w(0.02, -0.01, 0.03);
+      // R for which F has this direction, by the joint without end.
+      const Vector3d force = load * Vector3d(std::sin(v), 0, std::cos(v));
+      const JointSolution of = joint.unbounded().solve_contact(
+          {.normal_force = force, .angular_velocity = w});
+      return joint.solve({.reaction = of.reaction, .angular_velocity = w});
+    };
+    const SeatJointSolution in = at(-1e-5), out = at(1e-5);
+    EXPECT_TRUE(in.contact.is_free);
+    EXPECT_FALSE(out.contact.is_free);
+    EXPECT_LT((in.friction_moment - out.friction_moment).norm() /
+                  in.friction_moment.norm(),
+              allowed);
+    EXPECT_LT((in.friction_force - out.friction_force).norm() / load,
+              allowed * 0.1);
+  }
+}
+
+// M = tau M_t(R, u) gives back u and tau.
+TEST(SeatJoint, RestGivesBackTheMomentOfSlip) {
+  const SeatJoint joint(bearing());
+  for (const Vector3d& u :
+       {Vector3d(0.3, 0.5, 0.8), Vector3d(0, 1, 0), Vector3d(-0.6, 0.2, 0.1)}) {
+    const Joint::Slip slip{.reaction = {6e4, 1e4, 8e4},
+                           .angular_velocity = u.normalized()};
+    const SeatJointSolution s = joint.solve(slip);
+    ASSERT_EQ(s.contact.status, SeatStatus::ok);
+    ASSERT_FALSE(s.contact.is_free);
+    const SeatRestSolution rest = joint.at_rest(
+        {.reaction = slip.reaction, .moment = 0.6 * s.friction_moment});
+    ASSERT_EQ(rest.slip.contact.status, SeatStatus::ok);
+    // Ten times the tolerances of slip and rest.
+    EXPECT_NEAR(rest.utilisation, 0.6, 1e-5);
+    EXPECT_LT((rest.direction - u.normalized()).norm(), 1e-4);
+  }
+}
+
+// The seat's axis turns everything.
+TEST(SeatJoint, TurnsWithTheAxis) {
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()))
+          .toRotationMatrix();
+  const Vector3d axis = turn * Vector3d::UnitZ();
+  JointSpec turned = bearing();
+  turned.geometry = turned.geometry.with_seat(
+      turned.geometry.seat()->about({axis.x(), axis.y(), axis.z()}));
+  const Vector3d reaction(6e4, 1e4, 8e4), rate(0.1, 0.2, 0.3);
+  const SeatJointSolution s = SeatJoint(bearing()).solve(
+      {.reaction = reaction, .angular_velocity = rate});
+  const SeatJointSolution t = SeatJoint(turned).solve(
+      {.reaction = turn * reaction, .angular_velocity = turn * rate});
+  ASSERT_FALSE(s.contact.is_free);
+  EXPECT_LT((t.friction_moment - turn * s.friction_moment).norm() /
+                s.friction_moment.norm(),
+            1e-6);
+  EXPECT_LT((t.contact.shift - turn * s.contact.shift).norm() /
+                s.contact.shift.norm(),
+            1e-6);
+}
+
+TEST(SeatJoint, SaysWhatItCannotCarry) {
+  const SeatJoint joint(bearing());
+  const SeatJointSolution s =
+      joint.solve({.reaction = {1e4, 0, -1e3}, .angular_velocity = {0, 0, 1}});
+  EXPECT_EQ(s.contact.status, SeatStatus::out_of_seat);
+  EXPECT_TRUE(has_text(joint.notes(s).at(0), "the ball leaves it"));
+  JointSpec none = bearing();
+  none.geometry = JointGeometry::ball(0.025, 2.5e-5);
+  EXPECT_TRUE(
+      has_text(error_message([&] { SeatJoint{none}; }), "requires [seat]"));
+}
+
+TEST(SeatTable, AnswersAsTheContact) {
+  for (const SeatZone& zone :
+       {SeatZone::cup(60 * degree), SeatZone(65 * degree, 115 * degree)}) {
+    JointSpec spec = bearing();
+    spec.geometry = spec.geometry.with_seat(zone);
+    SeatJoint joint(spec, {.cells = 16, .longitudes = 48});
+    const auto table = std::make_shared<const SeatTable>(
+        joint.contact(),
+        SeatTable::Options{.least_load = 5e4, .most_load = 2e5, .checks = 30});
+    EXPECT_EQ(table->check().states, 30);
+    EXPECT_LE(table->check().load, 1e-3);
+    EXPECT_LE(table->check().friction, 1e-3);
+    const Vector3d w(0.3, -0.5, 0.4);
+    for (const Vector3d& reaction :
+         {Vector3d(3e4, 2e4, 9e4), Vector3d(-8e4, 3e4, 8e4)}) {
+      const Joint::Slip slip{.reaction = reaction, .angular_velocity = w};
+      joint.use(nullptr);
+      const SeatJointSolution exact = joint.solve(slip);
+      joint.use(table);
+      const SeatJointSolution read = joint.solve(slip);
+      ASSERT_FALSE(exact.contact.is_free);
+      EXPECT_FALSE(read.contact.solution);
+      EXPECT_LT((read.friction_moment - exact.friction_moment).norm() /
+                    exact.friction_moment.norm(),
+                2e-3);
+      EXPECT_NEAR(read.contact.peak_pressure / exact.contact.peak_pressure, 1,
+                  2e-2);
+      EXPECT_LT((read.contact.shift - exact.contact.shift).norm() /
+                    exact.contact.shift.norm(),
+                2e-3);
+    }
+  }
+}
+
+// Loads on both sides of a symmetric ring.
+TEST(SeatTable, MirrorsAcrossTheEquator) {
+  JointSpec spec = bearing();
+  spec.geometry = spec.geometry.with_seat({65 * degree, 115 * degree});
+  SeatJoint joint(spec, {.cells = 12, .longitudes = 40});
+  joint.use(std::make_shared<const SeatTable>(
+      joint.contact(), SeatTable::Options{.least_load = 9e4,
+                                          .most_load = 1.2e5,
+                                          .accuracy = 1e-2,
+                                          .checks = 5}));
+  const auto solve = [&](double up) {
+    return joint.solve({.reaction = {8e4, 1e4, up * 4e4},
+                        .angular_velocity = {up * 0.2, up * 0.5, 0.3}});
+  };
+  const SeatJointSolution s = solve(1), t = solve(-1);
+  ASSERT_FALSE(s.contact.is_free);
+  // Rounding of the direction.
+  EXPECT_NEAR(s.contact.rims[0].intensity / t.contact.rims[1].intensity, 1,
+              1e-9);
+  EXPECT_NEAR(s.contact.lower_end, pi - t.contact.upper_end, 1e-9);
+  EXPECT_NEAR(s.contact.shift.z() / -t.contact.shift.z(), 1, 1e-9);
+  EXPECT_NEAR(s.friction_moment.x(), -t.friction_moment.x(),
+              1e-9 * s.friction_moment.norm());
+  EXPECT_NEAR(s.friction_moment.z(), t.friction_moment.z(),
+              1e-9 * s.friction_moment.norm());
+}
+
+}  // namespace
+}  // namespace contact::test
