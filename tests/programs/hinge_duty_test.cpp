@@ -235,10 +235,10 @@ TEST_F(HingeDuty, ContactsThatLeaveTheTheory) {
   };
   EXPECT_EQ(said(""), "");
   EXPECT_EQ(said("--set materials.outer.limit_pressure_MPa=5"),
-            "hinge-duty: warning: peak pressure 14.66 MPa is above 5 MPa, the "
+            "hinge-duty: warning: peak pressure 14.67 MPa is above 5 MPa, the "
             "limit pressure of the outer body, UHMWPE\n");
   EXPECT_EQ(said("--set materials.outer.youngs_modulus_GPa=0.1"),
-            "hinge-duty: warning: peak pressure 8.423 MPa is above 5 MPa, 5 % "
+            "hinge-duty: warning: peak pressure 8.424 MPa is above 5 MPa, 5 % "
             "of the smaller Young's modulus: linear elasticity does not "
             "hold\n");
   // Half-angles of a law that does not know where they end.
