@@ -32,7 +32,8 @@ struct Options {
   std::optional<double> cycles;
   std::string blocks;
   std::string states;
-  std::string in_seat;  ///< file of the contact that is confined to its seat
+  std::string in_seat;     ///< file of the contact that is confined to its seat
+  std::string seat_table;  ///< where the table of its contacts is kept
   cli::OutputOptions output;
 };
 
