@@ -72,10 +72,9 @@ TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
     EXPECT_LT(at_rim, 0.9);
     ASSERT_NE(in_seat.least_gap(), nullptr);
     EXPECT_EQ(in_seat.least_gap()->solution.contact.rims[1].gap, 0);
-    // The load is nearest to the rim at a quarter, where friction, which turns
-    // it by 3 deg, changes its side.
+    // The load is nearest to the rim at a quarter and at three.
     ASSERT_NE(in_seat.largest_peak(), nullptr);
-    EXPECT_NEAR(in_seat.largest_peak()->time, 0.25, 0.1);
+    EXPECT_NEAR(std::abs(in_seat.largest_peak()->time - 0.5), 0.25, 0.1);
   }
 }
 
