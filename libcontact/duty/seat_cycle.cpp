@@ -58,7 +58,7 @@ std::shared_ptr<const SeatTable> table_of(
 }  // namespace
 
 SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
-                     const std::function<void(double)>& progress) {
+                     const Options& options) {
   SeatJoint joint(spec);
   const std::vector<double>& times = cycle.times();
   const bool turns = spec.geometry.inner_body() == JointBody::carrier;
@@ -76,10 +76,15 @@ SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
     row.solution.reaction = to_seat * state.reaction;
     rows_.push_back(std::move(row));
   }
-  if (const auto table = table_of(joint, rows_, progress)) {
-    joint.use(table);
-    check_ = table->check();
+  std::shared_ptr<const SeatTable> table;
+  if (!options.table.empty()) {
+    table =
+        std::make_shared<const SeatTable>(joint.contact(), spec, options.table);
+  } else if ((table = table_of(joint, rows_, options.progress))) {
+    table_ = table->bytes(spec);
   }
+  if (table) check_ = table->check();
+  joint.use(table);
   SeatJointSolution last;
   std::set<std::string> said;
   for (Instant& row : rows_) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "libcontact/duty/duty_cycle.hpp"
@@ -21,11 +22,18 @@ class SeatCycle {
     Eigen::Vector3d angular_velocity;
   };
 
-  /// Where more than `many` contacts reach a rim they come from a SeatTable.
-  /// @param progress  as of the table
+  struct Options {
+    /// As of the table.
+    std::function<void(double)> progress = {};
+    /// SeatTable::bytes() of the joint; "": a table is made where `many`
+    /// contacts or more reach a rim.
+    std::string table = {};
+  };
   /// @throws Error as SeatJoint and SeatTable.
   SeatCycle(const DutyCycle& cycle, const JointSpec& joint,
-            const std::function<void(double)>& progress = {});
+            const Options& options);
+  SeatCycle(const DutyCycle& cycle, const JointSpec& joint)
+      : SeatCycle(cycle, joint, Options()) {}
 
   /// From so many contacts at rims on a table is made.
   static constexpr int many = 60;
@@ -33,6 +41,8 @@ class SeatCycle {
   const std::vector<Instant>& rows() const { return rows_; }
   /// The table's, if there is one; of no states without.
   const SeatTable::Check& check() const { return check_; }
+  /// SeatTable::bytes() of the table that was made; "" of none.
+  const std::string& table() const { return table_; }
 
   /// Share of the time in which the contact is at a rim.
   double rim_share() const;
@@ -47,6 +57,7 @@ class SeatCycle {
   std::vector<Instant> rows_;
   std::vector<std::string> notes_;
   SeatTable::Check check_;
+  std::string table_;
 };
 
 }  // namespace contact

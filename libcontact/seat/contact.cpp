@@ -46,10 +46,6 @@ Eigen::Vector2d in_plane(const Eigen::Vector3d& force) {
   return {std::hypot(force.x(), force.y()), force.z()};
 }
 
-double polar_angle(const Eigen::Vector3d& force) {
-  return std::atan2(std::hypot(force.x(), force.y()), force.z());
-}
-
 }  // namespace
 
 SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
@@ -82,7 +78,7 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   state.force = force;
   const double load = force.norm();
   if (!(load > 0 && std::isfinite(load))) return state;
-  const double direction = polar_angle(force);
+  const double direction = detail::polar_angle(force);
   const HalfAngleResult half_angle = contact_.half_angle(load);
   state.is_free = half_angle.status == Status::ok &&
                   zone_.margin(direction, half_angle.half_angle) >= 0;
@@ -107,7 +103,7 @@ SeatState SeatContact::confined(const Eigen::Vector3d& force,
   const bool converged = windows_->balance(in_plane(force), *solution);
   state.status = converged ? SeatStatus::ok : SeatStatus::not_converged;
   state.solution = std::move(solution);
-  set_confined(polar_angle(force), state);
+  set_confined(detail::polar_angle(force), state);
   return state;
 }
 
@@ -241,7 +237,7 @@ std::string SeatContact::note(const SeatState& state) const {
   return detail::message(
       "the load points {:.4g} deg from the seat's axis, and the seat carries "
       "loads {} {:.4g} deg only: the ball leaves it",
-      polar_angle(state.force) / degree, is_cup ? "below" : "above",
+      detail::polar_angle(state.force) / degree, is_cup ? "below" : "above",
       (is_cup ? zone_.to() : zone_.from()) / degree);
 }
 

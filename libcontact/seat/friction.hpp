@@ -107,6 +107,11 @@ class SeatSums {
       moments_;
 };
 
+/// From the seat's axis z, rad.
+inline double polar_angle(const Eigen::Vector3d& force) {
+  return std::atan2(std::hypot(force.x(), force.y()), force.z());
+}
+
 /// Axes of the plane of a force: x is that of its component across the seat's
 /// axis z.
 inline Eigen::Matrix3d plane_axes(const Eigen::Vector3d& force) {

@@ -45,10 +45,6 @@ const SeatZone& zone_of(const JointSpec& joint) {
   return *joint.geometry.seat();
 }
 
-double polar_angle(const Vector3d& force) {
-  return std::atan2(std::hypot(force.x(), force.y()), force.z());
-}
-
 // Broyden's method for x = 0 of a function that is nearly x less a constant.
 template <int n>
 class Broyden {
@@ -128,8 +124,8 @@ void SeatJoint::turn(SeatJointSolution& s) const {
 // Whether the contact of a joint without end stays inside the rims.
 bool SeatJoint::is_free(const JointSolution& s) const {
   if (s.status != Status::ok || !(s.normal_force > 0)) return false;
-  return contact_.zone().margin(polar_angle(side_ * s.normal), s.half_angle) >=
-         0;
+  return contact_.zone().margin(detail::polar_angle(side_ * s.normal),
+                                s.half_angle) >= 0;
 }
 
 SeatJointSolution SeatJoint::free_solution(const JointSolution& s) const {
@@ -148,7 +144,7 @@ SeatJointSolution SeatJoint::free_solution(const JointSolution& s) const {
 // alone would drive out.
 Vector3d SeatJoint::start(const Vector3d& force) const {
   const SeatZone& zone = contact_.zone();
-  const double direction = polar_angle(force);
+  const double direction = detail::polar_angle(force);
   if (zone.carries(direction)) return force;
   const double pi = std::numbers::pi;
   const double inside =

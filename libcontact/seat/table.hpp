@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 #include <memory>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "libcontact/seat/contact.hpp"
@@ -46,7 +48,16 @@ class SeatTable {
   /// @param contact  has to outlive the table
   /// @throws Error without a clearance, and for options out of range.
   SeatTable(const SeatContact& contact, const Options& options);
+  /// A table that was made before.
+  /// @param bytes  what bytes() gave on a machine of the same kind
+  /// @throws Error if they are not a table, or one of another joint.
+  SeatTable(const SeatContact& contact, const JointSpec& joint,
+            std::string_view bytes);
   ~SeatTable();
+
+  /// The table for a file: the joint's canonical text, then its numbers.
+  /// @param joint  that the contact was made for
+  std::string bytes(const JointSpec& joint) const;
 
   /// States that were found.
   int size() const;
@@ -75,6 +86,10 @@ class SeatTable {
   struct Place;
   class Maker;
 
+  explicit SeatTable(const SeatContact& contact);
+  void make(const Options& options);
+  template <class Table, class Stream>
+  static void pass(Table& table, Stream&& stream);
   Place place(const Eigen::Vector3d& force) const;
   double load_place(double load) const;
   double shift_unit(double load) const;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -38,6 +39,29 @@ class HingeDuty : public testing::Test {
   }
   const ProgramFolder folder_;
 };
+
+// The rows in the seat are summed up.
+TEST_F(HingeDuty, InSeat) {
+  const std::string run =
+      "hinge-duty --joint data/joints/hip_cup.toml --cycle "
+      "data/duty/hip_cycle.csv --euler zxy --in-seat seat.csv";
+  const std::string text = out(run);
+  const auto rows = csv_rows(folder_.read("seat.csv"));
+  ASSERT_EQ(rows.size(), 101u);
+  double peak = 0, at_rim = 0;
+  for (std::size_t row = 1; row < rows.size(); ++row) {
+    peak = std::max(peak, std::stod(csv_column(rows, "p_peak_Pa")[row - 1]));
+    at_rim += std::stod(csv_column(rows, "K_high")[row - 1]) > 0 ? 0.01 : 0;
+  }
+  EXPECT_EQ(value(text, "seat_largest_p_peak_Pa"), peak);
+  EXPECT_NEAR(value(text, "seat_rim_share"), at_rim, 1e-9);
+  EXPECT_EQ(value(text, "seat_least_gap_m"), 0);
+  const ProgramResult none = folder_.run(hip + "--in-seat seat.csv");
+  EXPECT_EQ(none.status, 2);
+  EXPECT_NE(none.err.find("--in-seat requires a joint with a [seat]"),
+            std::string::npos)
+      << none.err;
+}
 
 // The joint wears in: --blocks ends with what the summary says.
 TEST_F(HingeDuty, Cycles) {

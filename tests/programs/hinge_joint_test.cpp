@@ -17,6 +17,8 @@
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/seat/joint.hpp"
+#include "support/numbers.hpp"
 #include "support/program.hpp"
 
 namespace contact::test {
@@ -709,6 +711,40 @@ TEST(HingeJoint, Pv) {
   EXPECT_NEAR(table.at(1, "pv_nominal_W_per_m2") /
                   (table.at(1, "p_nominal_Pa") * rho * rate.norm()),
               1, 1e-15);
+}
+
+// The numbers are those of SeatJoint, sliding and at rest, with its notes.
+TEST(HingeJoint, ConfinesABallToItsSeat) {
+  const ProgramFolder folder;
+  const std::string run =
+      "hinge-joint --joint data/joints/hip_cup.toml --in-seat --reaction-xyz ";
+  const SeatJoint joint(joint_file("hip_cup"));
+  const ProgramResult steep =
+      folder.run(run + "100,-1900,-700 --rate-xyz 0.2,0,1");
+  const Columns table(steep);
+  const SeatJointSolution s = joint.solve(
+      {.reaction = {100, -1900, -700}, .angular_velocity = {0.2, 0, 1}});
+  ASSERT_FALSE(s.contact.is_free);
+  EXPECT_EQ(table.at(1, "M_t_x_N_m"), s.friction_moment.x());
+  EXPECT_EQ(table.at(1, "F_z_N"), s.contact.force.z());
+  EXPECT_EQ(table.at(1, "p_peak_Pa"), s.contact.peak_pressure);
+  EXPECT_EQ(table.at(1, "upper_gap_m"), 0);
+  // The head's projection is the cup's.
+  EXPECT_NEAR(table.at(1, "p_nominal_Pa") * pi * 0.014 * 0.014 /
+                  Vector3d(100, -1900, -700).norm(),
+              1, 1e-12);
+  EXPECT_NE(steep.err.find("warning: the contact is at its upper rim, where "
+                           "the side face, taken to be at 90 deg"),
+            std::string::npos)
+      << steep.err;
+  const Columns rest(folder.run(run + "100,-1900,-700 --moment-xyz 0.1,0,0.3"));
+  const SeatRestSolution held =
+      joint.at_rest({.reaction = {100, -1900, -700}, .moment = {0.1, 0, 0.3}});
+  EXPECT_EQ(rest.at(1, "utilisation"), held.utilisation);
+  EXPECT_EQ(rest.at(1, "u_z"), held.direction.z());
+  const ProgramResult out = folder.run(run + "0,1000,0 --rate-xyz 0,0,1");
+  EXPECT_EQ(out.status, 1);
+  EXPECT_NE(out.err.find("the ball leaves it"), std::string::npos) << out.err;
 }
 
 // The numbers are those of FinitePin; without a relief there is a note.

@@ -236,6 +236,41 @@ TEST(SeatTable, AnswersAsTheContact) {
   }
 }
 
+// A table read again is the same table, to the last bit; that of another joint
+// and half of one are refused.
+TEST(SeatTable, IsReadAgain) {
+  const JointSpec spec = bearing();
+  SeatJoint joint(spec, {.cells = 10, .longitudes = 30});
+  const auto made = std::make_shared<const SeatTable>(
+      joint.contact(), SeatTable::Options{.least_load = 1.4e5,
+                                          .most_load = 1.6e5,
+                                          .accuracy = 0.05,
+                                          .checks = 3});
+  const std::string bytes = made->bytes(spec);
+  EXPECT_TRUE(has_text(bytes.substr(0, 300), "radius_m"));
+  const auto read =
+      std::make_shared<const SeatTable>(joint.contact(), spec, bytes);
+  const Joint::Slip slip{.reaction = {5e4, 2e4, 1.4e5},
+                         .angular_velocity = {0.2, 0.1, 0.3}};
+  joint.use(made);
+  const SeatJointSolution s = joint.solve(slip);
+  joint.use(read);
+  const SeatJointSolution t = joint.solve(slip);
+  ASSERT_FALSE(s.contact.is_free || s.contact.solution);
+  EXPECT_EQ(s.friction_moment, t.friction_moment);
+  EXPECT_EQ(read->check().load, made->check().load);
+  EXPECT_EQ(read->bytes(spec), bytes);
+  const auto message = [&](const JointSpec& of, const std::string& text) {
+    return error_message([&] { SeatTable(joint.contact(), of, text); });
+  };
+  JointSpec other = spec;
+  other.geometry = other.geometry.with_clearance(2.6e-5);
+  EXPECT_EQ(message(other, bytes), "a table of another joint");
+  EXPECT_EQ(message(spec, bytes.substr(0, bytes.size() - 1)),
+            "a table that is cut off");
+  EXPECT_EQ(message(spec, "name = 1"), "not a table of a seat");
+}
+
 // Loads on both sides of a symmetric ring.
 TEST(SeatTable, MirrorsAcrossTheEquator) {
   JointSpec spec = bearing();

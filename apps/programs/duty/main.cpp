@@ -86,7 +86,11 @@ int main(int argc, char** argv) {
       {{"--states", &options.states, "FILE",
         "CSV file of the states at the rows of the cycle"},
        {"--in-seat", &options.in_seat, "FILE",
-        "the same of a contact that is confined to the [seat] of its ball"}});
+        "the same of a contact that is confined to the [seat] of its ball"},
+       {"--seat-table", &options.seat_table, "FILE",
+        "where the table of contacts is kept that --in-seat makes where many "
+        "reach a rim: read if it is there, else made and written",
+        "--in-seat"}});
   add_fileless_joint_options(program, options.joint);
   return program.run(argc, argv, help,
                      [&] { return hinge_duty::run(options); });

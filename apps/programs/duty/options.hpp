@@ -34,7 +34,8 @@ struct Options {
   std::string worn;      ///< to begin with
   std::string worn_out;  ///< after all cycles
   std::string states;
-  std::string in_seat;  ///< file of the contact that is confined to its seat
+  std::string in_seat;     ///< file of the contact that is confined to its seat
+  std::string seat_table;  ///< where the table of its contacts is kept
   cli::OutputOptions output;
 };
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -15,6 +17,7 @@
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/worn_seat_file.hpp"
@@ -225,25 +228,41 @@ std::vector<JointDuty> run_joints(const Options& options,
   return duties;
 }
 
+contact::SeatCycle confined(const Options& options, const JointDuty& duty) {
+  const std::string& file = options.seat_table;
+  const bool is_kept = !file.empty() && std::filesystem::exists(file);
+  contact::JointSpec spec = duty.joint.spec;
+  spec.friction = duty.cycle.contact().friction();
+  cli::Progress progress("percent of a table of contacts", 100);
+  std::size_t done = 0;
+  const auto say = [&](double share) {
+    const auto percent = static_cast<std::size_t>(100 * share);
+    if (percent > done) progress.add(percent - done);
+    done = std::max(done, percent);
+  };
+  contact::SeatCycle cycle(
+      duty.cycle.cycle(), spec,
+      {say, is_kept ? contact::detail::file_text(file) : std::string()});
+  if (!file.empty() && !is_kept && !cycle.table().empty()) {
+    cli::Output output(file);
+    output.write(cycle.table());
+    output.commit();
+  }
+  return cycle;
+}
+
 // The contacts in seats that end.
 void confine(const Options& options, std::vector<JointDuty>& duties) {
   if (options.in_seat.empty()) return;
+  if (!options.seat_table.empty() && duties.size() != 1) {
+    cli::refuse_without("--seat-table", "one joint");
+  }
   for (JointDuty& duty : duties) {
     if (!duty.joint.spec.geometry.seat()) {
       cli::refuse_without("--in-seat", "a joint with a [seat]");
     }
-    contact::JointSpec spec = duty.joint.spec;
-    spec.friction = duty.cycle.contact().friction();
-    cli::Progress progress("table of contacts", 100);
-    double done = 0;
-    duty.seat.emplace(made_of(duty.joint, [&] {
-      return contact::SeatCycle(duty.cycle.cycle(), spec, [&](double share) {
-        const double percent = std::floor(100 * share);
-        if (percent > done) progress.add(std::size_t(percent - done));
-        done = std::max(done, percent);
-      });
-    }));
-    progress.clear();
+    duty.seat.emplace(
+        made_of(duty.joint, [&] { return confined(options, duty); }));
     for (const std::string& note : duty.seat->notes()) {
       warn_of(duty.joint, "--in-seat: " + note);
     }
