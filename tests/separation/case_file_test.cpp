@@ -243,9 +243,10 @@ TEST(CaseFile, SettingsThatAreWrongAreNamed) {
     }
     return std::string();
   };
-  EXPECT_EQ(message("body[rotor].mass_kg", "1"),
-            "body[rotor].mass_kg = 1: unknown body \"rotor\" (wheel x, wheel y, "
-            "wheel z)");
+  EXPECT_EQ(
+      message("body[rotor].mass_kg", "1"),
+      "body[rotor].mass_kg = 1: unknown body \"rotor\" (wheel x, wheel y, "
+      "wheel z)");
   EXPECT_EQ(message("body[wheel w].mass_kg", "1"),
             "body[wheel w].mass_kg = 1: unknown body \"wheel w\": did you mean "
             "\"wheel x\"? (wheel x, wheel y, wheel z)");
