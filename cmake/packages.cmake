@@ -36,5 +36,7 @@ set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS gnuplot-nox)
 set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
   "libsundials-dev, libfmt-dev, nlohmann-json3-dev, libqhull-dev")
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS libcontact-tools)
+# Studies in parts need hinge-study of the same version.
+set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS
+  "libcontact-tools (= ${PROJECT_VERSION})")
 include(CPack)

@@ -52,6 +52,11 @@ Answers<Row> answers(std::initializer_list<Argument> arguments,
   return result;
 }
 
+/// The arguments `fields`, one name or several, and `out` of WantedRows.
+using Fields =
+    std::optional<std::variant<std::string, std::vector<std::string>>>;
+using Out = std::optional<py::dict>;
+
 namespace detail {
 
 /// An array of a pickle that is none, or of another type or shape.
@@ -62,9 +67,7 @@ namespace detail {
 /// Arrays of a pickle beside those that there are.
 [[noreturn]] void refuse_pickled_names(const py::dict& arrays);
 /// The quantities that are asked for.
-std::vector<std::string> chosen_names(
-    const std::optional<std::vector<std::string>>& names,
-    const std::optional<py::dict>& out);
+std::vector<std::string> chosen_names(const Fields& names, const Out& out);
 [[noreturn]] void refuse_field(const std::string& name,
                                std::vector<std::string> known);
 template <class Row>
@@ -210,9 +213,8 @@ template <class Row>
 class ChosenColumns {
  public:
   /// @throws contact::Error for other names and for arrays that do not fit
-  ChosenColumns(std::span<const Quantity<Row>> table,
-                const std::optional<std::vector<std::string>>& names,
-                const std::optional<py::dict>& out, const Shape& shape) {
+  ChosenColumns(std::span<const Quantity<Row>> table, const Fields& names,
+                const Out& out, const Shape& shape) {
     if (out) arrays_ = *out;
     for (const std::string& name : detail::chosen_names(names, out)) {
       const Quantity<Row>* const q = find_quantity(table, name);
@@ -252,8 +254,8 @@ class ChosenColumns {
 
 /// What is wanted of rows: the arguments `fields`, `out` and `threads`.
 struct WantedRows {
-  std::optional<std::vector<std::string>> fields = {};
-  std::optional<py::dict> out = {};
+  Fields fields = {};
+  Out out = {};
   int threads = 1;
 };
 

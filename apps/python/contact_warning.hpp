@@ -15,8 +15,9 @@ bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level = 2);
 
 /// The level of Joint.cycle() and identify(): these frames are that of
-/// _calls.py, _Made's, theirs and the one that calls.
-inline constexpr int frames_of_maker = 4;
+/// _calls.py, _Made's, theirs, that of with_known_keywords() and the one that
+/// calls.
+inline constexpr int frames_of_maker = 5;
 
 void bind_warning(pybind11::module_& m);
 

@@ -33,6 +33,7 @@ class MomentSets {
 
   Argument joints() const { return joints_.argument(); }
   Argument solutions() const { return {numbers_.data(), 0, solution_.shape}; }
+  Shape shape() const { return Rows({joints(), solutions()}).shape(); }
   // at[0] and at[1] are these.
   MomentSet operator()(const double* const* at) const {
     return joints_(at).moment_set(
@@ -115,6 +116,10 @@ void bind_moment_set(py::module_& m, py::class_<JointSet>& joints) {
   bind_of_set(type, "project", "moment", &MomentSet::project,
               "The moment of the set that is nearest. moment: M on the body, N "
               "m, (..., 3).");
+  type.def("__repr__", [](const MomentSets& self) {
+    return py::str("<libcontact.MomentSet of shape {}>")
+        .format(py::tuple(py::cast(self.shape())));
+  });
   type.def(
       "prox",
       [](const MomentSets& self, const Numbers& inertia, const Numbers& free,

@@ -18,17 +18,20 @@ using contact::PlayMotion;
 class Play {
  public:
   Play(const FileJoint& joint, double damping, double regularisation_speed)
-      : impact_(joint.spec()),
+      : name_(joint.spec().name),
+        impact_(joint.spec()),
         joint_(joint.spec(), {HuntCrossley(damping), regularisation_speed},
                impact_.force_law()),
         limits_(joint.limits()) {}
 
+  const std::string& name() const { return name_; }
   const contact::PlayJoint& joint() const { return joint_; }
   const contact::ForceLaw& law() const { return joint_.force_law(); }
   const contact::JointImpact& impacts() const { return impact_; }
   const contact::ContactLimits& limits() const { return limits_; }
 
  private:
+  std::string name_;
   contact::JointImpact impact_;
   contact::PlayJoint joint_;
   contact::ContactLimits limits_;
@@ -202,6 +205,12 @@ regularisation_speed: below which friction fades, m/s.)");
   type.def(py::init<const FileJoint&, double, double>(), py::arg("joint"),
            py::arg("damping") = 0.0, py::arg("regularisation_speed") = 1e-3,
            py::call_guard<Unlocked>());
+  type.def("__repr__", [](const Play& p) {
+    return py::str(
+               "<libcontact.Play of {!r}, damping {:g} s/m, up to {:.4g} m>")
+        .format(p.name(), p.joint().damping().damping(),
+                p.law().largest_penetration());
+  });
   bind_force_law(type);
   bind_motion(type);
 }

@@ -148,14 +148,16 @@ py::object returned(const py::array& array) {
   return array.ndim() == 0 ? array[py::tuple()] : py::object(array);
 }
 
-std::vector<std::string> detail::chosen_names(
-    const std::optional<std::vector<std::string>>& names,
-    const std::optional<py::dict>& out) {
+std::vector<std::string> detail::chosen_names(const Fields& names,
+                                              const Out& out) {
   if (names && out) {
     throw contact::Error(contact::detail::must_be(
         "fields", "left out beside out, which names them"));
   }
-  if (names) return *names;
+  if (names) {
+    if (const auto* one = std::get_if<std::string>(&*names)) return {*one};
+    return std::get<std::vector<std::string>>(*names);
+  }
   std::vector<std::string> all;
   for (const auto& item : *out) all.push_back(item.first.cast<std::string>());
   return all;

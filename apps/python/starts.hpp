@@ -28,10 +28,6 @@ class Starts {
   const std::vector<Row>* last_;
 };
 
-/// The arguments `fields` and `out` of WantedRows.
-using Fields = std::optional<std::vector<std::string>>;
-using Out = std::optional<py::dict>;
-
 /// The axis of pins; none is 0.
 inline Argument axis_argument(const std::optional<Numbers>& axis) {
   static const Eigen::Vector3d none = Eigen::Vector3d::Zero();

@@ -183,7 +183,8 @@ class RowsFunction {
   void add(const std::string& parameter) { parameters_ += parameter + ",\n"; }
   std::string text() const {
     return overload("None = None", "None = None", type_) +
-           overload("Sequence[_" + fields_ + "Field]", "None = None", dict) +
+           overload("_" + fields_ + "Field | Sequence[_" + fields_ + "Field]",
+                    "None = None", dict) +
            overload("None = None", "dict[str, NDArray[Any]]", dict);
   }
 

@@ -83,6 +83,23 @@ Inner table_at(toml::table& from, const Step& step) {
   return {found == nullptr ? nullptr : found->as_table(), place};
 }
 
+// Says which tables an array has if a step calls one by a name that none has.
+void refuse_stranger(const toml::table& from, const Step& step,
+                     const std::string& setting) {
+  const toml::array* const array = from.get_as<toml::array>(step.name);
+  if (array == nullptr || number_of<std::size_t>(step.which)) return;
+  std::vector<std::string> names;
+  for (const toml::node& node : *array) {
+    const toml::table* const table = node.as_table();
+    if (table == nullptr) continue;
+    if (auto name = (*table)["name"].value<std::string>()) {
+      names.push_back(std::move(*name));
+    }
+  }
+  if (names.empty()) return;
+  throw Error(setting + ": " + unknown(step.name, step.which, names));
+}
+
 // Place in messages, the same for all names of a step.
 std::string place_text(const KnownKey* key, const Step& step,
                        std::size_t place) {
@@ -230,7 +247,10 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
     const KnownKey* next = known(in, step.name);
     if (next != nullptr && next->inside.empty()) refuse();
     const Inner inner = table_at(*table, step);
-    if (inner.table == nullptr) refuse();
+    if (inner.table == nullptr) {
+      refuse_stranger(*table, step, text);
+      refuse();
+    }
     table = inner.table;
     place += place_text(next, step, inner.place) + '.';
     in = next == nullptr ? nullptr : &next->inside;

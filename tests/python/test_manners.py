@@ -116,6 +116,11 @@ class Results(unittest.TestCase):
         self.assertEqual(list(some), ["friction_moment", "status"])
         for name, values in some.items():
             np.testing.assert_array_equal(values, getattr(whole, name))
+        one = hip.solve(*rows, fields="power")
+        self.assertEqual(list(one), ["power"])
+        np.testing.assert_array_equal(one["power"], whole.power)
+        with self.assertRaisesRegex(libcontact.Error, 'did you mean "power"'):
+            hip.solve(*rows, fields="powr")
         out = {"power": np.empty(3000)}
         self.assertIs(hip.solve(*rows, out=out)["power"], out["power"])
         np.testing.assert_array_equal(out["power"], whole.power)
@@ -203,6 +208,34 @@ class Others(unittest.TestCase):
         self.assertRegex(repr(cycle.wear(points=20)), "^libcontact.Wear of the body")
         run = libcontact.Run(libcontact.Case.from_file(case_file))
         self.assertEqual(repr(run), "<libcontact.Run at 0 s of 2.6 s, running>")
+        self.assertIn("libcontact.Run at 0 s of 2.6 s", run._repr_html_())
+        run.advance_to(2.6)
+        event = run.events[0]
+        self.assertIn(f"<td>{event.time:.6g}</td><td>{event.body}</td>",
+                      run._repr_html_())
+        self.assertIn(f"<td>energy</td><td>J</td><td>{cycle.energy:.6g}</td>",
+                      cycle._repr_html_())
+        wear = cycle.wear("carrier", points=20)
+        self.assertIn("<caption>libcontact.Wear of the carrier at 20 points",
+                      wear._repr_html_())
+        self.assertIn(
+            "<td>deepest_pv_integral</td><td>Pa m</td>"
+            f"<td>{wear.deepest_pv_integral:.6g}</td>", wear._repr_html_())
+
+    def test_joints_play_and_moment_sets_print_what_they_are(self):
+        key = "geometry.radial_clearance_um"
+        several = hip.vary({key: [[50], [60], [70], [80], [90]]})
+        page = several._repr_html_()
+        self.assertIn("of shape (5, 1)</caption>", page)
+        self.assertIn("<th>3, 0</th><th>...</th>", page)
+        self.assertIn(f"<td>{key}</td><td>50</td><td>60</td>", page)
+        play = libcontact.Play(hip, damping=0.5)
+        self.assertEqual(
+            repr(play), f"<libcontact.Play of {hip.name!r}, damping 0.5 s/m, up "
+            f"to {play.largest_penetration:.4g} m>")
+        rows = (a.reshape(2, 3, 3) for a in random_rows(6))
+        moments = hip.moment_set(hip.solve(*rows))
+        self.assertEqual(repr(moments), "<libcontact.MomentSet of shape (2, 3)>")
 
 
 class Stub(unittest.TestCase):
@@ -224,6 +257,8 @@ class Stub(unittest.TestCase):
 
 class Arguments(unittest.TestCase):
     def test_that_are_no_numbers_are_refused_as_numpy_does(self):
+        pin = libcontact.Joint.from_file(pin_file)
+        forces = np.ones((4, 3))
         for wrong, said in (
             ("500", "array of <U3"), (["1", "2"], "array of <U1"),
             (np.array(["2020-01-01"], "M8[s]"), "array of datetime64"),
@@ -233,8 +268,16 @@ class Arguments(unittest.TestCase):
         ):  # fmt: skip
             with self.assertRaisesRegex(TypeError, said):
                 hip.half_angle(wrong)
-            with self.assertRaises(TypeError):
-                hip.solve(wrong, [1, 0, 1])
+            for call in (
+                lambda wrong=wrong: hip.solve(wrong, [1, 0, 1]),
+                lambda wrong=wrong: hip.vary({"geometry.radius_mm": wrong}),
+                lambda wrong=wrong: hip.cycle(wrong, forces, rates=forces),
+                lambda wrong=wrong: hip.cycle([0, 1, 2, 3], wrong, rates=forces),
+                lambda wrong=wrong: hip.cycle([0, 1, 2, 3], forces, rates=wrong),
+                lambda wrong=wrong: pin.cycle([0, 1, 2, 3], forces, angles=wrong),
+            )[:None if wrong is not None else 4]:  # fmt: skip
+                with self.assertRaisesRegex(TypeError, said):
+                    call()
         with self.assertRaisesRegex(ValueError, "inhomogeneous"):
             hip.solve([[1, 2, 3], [1, 2]], [1, 0, 1])
 
@@ -247,7 +290,37 @@ class Arguments(unittest.TestCase):
         ):  # fmt: skip
             np.testing.assert_array_equal(hip.half_angle(ones), exact)
 
+    def test_that_are_misspelt_are_said_before_what_is_missing(self):
+        size = {"radius_mm": 14, "radial_clearance_um": 100}
+        for call, said in (
+            (lambda: libcontact.Joint(kind="balll", **size), "balll"),
+            (lambda: libcontact.Joint(kind="balll"), "balll"),
+            (lambda: libcontact.Joint(kind="pin", half_angle="hertzz"), "hertzz"),
+            (lambda: libcontact.Joint(kind="pin"), "^a joint requires inner"),
+            (lambda: libcontact.Joint(kind="ball", half_angle="hertzz", **size),
+             "hertzz"),
+            (lambda: libcontact.Joint(kind="ball", half_angle="exact", **size),
+             "^a joint requires inner and outer"),
+            (lambda: libcontact.half_angle(1, "hertzz"), "hertzz"),
+            (lambda: libcontact.half_angle(1, kind="balll"), "balll"),
+            (lambda: libcontact.half_angle(1), '^law "fitted" requires inner'),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, said):
+                call()
+
+    def test_of_several_joints_are_sent_to_vary(self):
+        metal = {"youngs_modulus_GPa": 200, "poissons_ratio": 0.3}
+        for several in [50, 100], np.array([50.0, 100.0]):
+            with self.assertRaisesRegex(
+                libcontact.Error,
+                "radial_clearance_um = .* must be a number; Joint.vary\\(\\) makes a "
+                "joint of each$"):
+                libcontact.Joint(kind="ball", radius_mm=14, inner=metal,
+                                 outer=metal, radial_clearance_um=several)  # fmt: skip
+
     def test_that_do_not_go_have_the_sentences_of_python(self):
+        case = libcontact.Case.from_file(case_file)
+        cycle = hip.cycle([0, 1, 2, 3], np.ones((4, 3)), rates=np.ones((4, 3)))
         for call, said in (
             (lambda: hip.solve([0, 0, 1], axes=0),
              "Joint.solve() got an unexpected keyword argument 'axes'. Did you "
@@ -263,6 +336,38 @@ class Arguments(unittest.TestCase):
             (lambda: libcontact.Joint(kind="ball", radial_clearence_um=20),
              "Joint() got an unexpected keyword argument 'radial_clearence_um'. "
              "Did you mean 'radial_clearance_um'?"),
+            (lambda: hip.cycle([0, 1], [[0, 0, 1]] * 2, rate=0),
+             "Joint.cycle() got an unexpected keyword argument 'rate'. Did you "
+             "mean 'rates'?"),
+            (lambda: cycle.wear(point=20),
+             "Cycle.wear() got an unexpected keyword argument 'point'. Did you "
+             "mean 'points'?"),
+            (lambda: libcontact.identify(hip, 1, 1, 1, sigmas=1),
+             "identify() got an unexpected keyword argument 'sigmas'. Did you "
+             "mean 'sigma'?"),
+            (lambda: case.run(clearence=False),
+             "Case.run() got an unexpected keyword argument 'clearence'. Did you "
+             "mean 'clearance'?"),
+            (lambda: libcontact.Run(case, clearence=False),
+             "Run() got an unexpected keyword argument 'clearence'. Did you "
+             "mean 'clearance'?"),
+            (lambda: libcontact.Run(case).advance_to(1, progres=print),
+             "Run.advance_to() got an unexpected keyword argument 'progres'. Did "
+             "you mean 'progress'?"),
+            (lambda: libcontact.study.run("s.toml", None, run=3),
+             "run() got an unexpected keyword argument 'run'. Did you mean "
+             "'runs'?"),
+            (lambda: libcontact.half_angle(1, lw="hertz"),
+             "half_angle() got an unexpected keyword argument 'lw'. Did you mean "
+             "'law'?"),
+            (lambda: libcontact.load_parameter(1, lw="hertz"),
+             "load_parameter() got an unexpected keyword argument 'lw'. Did you "
+             "mean 'law'?"),
+            (lambda: libcontact.pressure(0, 1, lw="exact"),
+             "pressure() got an unexpected keyword argument 'lw'"),
+            (lambda: libcontact.friction_coefficients(0.5, 0.1, presure="exact"),
+             "friction_coefficients() got an unexpected keyword argument "
+             "'presure'. Did you mean 'pressure'?"),
         ):  # fmt: skip
             with self.assertRaises(TypeError) as caught:
                 call()
@@ -299,6 +404,11 @@ class Files(unittest.TestCase):
             self.assertIsNotNone(hip[key])
         self.assertIn("materials.outer.youngs_modulus_GPa", hip.keys())
         case = libcontact.Case.from_file(case_file)
+        for key in 3, None, ("geometry",):
+            self.assertNotIn(key, case)
+            self.assertEqual(case.get(key, 7), 7)
+            with self.assertRaises(KeyError):
+                case[key]
         self.assertIn("body[1].hinge.joint[1].geometry.radius_mm", case.keys())
 
     def test_say_which_key_there_is(self):
@@ -311,6 +421,15 @@ class Files(unittest.TestCase):
             with self.assertRaises(KeyError) as caught:
                 hip[key]
             self.assertEqual(caught.exception.args[0], f"{key}: {said}")
+        case = libcontact.Case.from_file(case_file)
+        for body, said in (
+            ("stge", "there are 1: stage"), ("9", "there are 1"),
+            ("xyz", "there are 1: stage"),
+        ):  # fmt: skip
+            with self.assertRaises(KeyError) as caught:
+                case[f"body[{body}].mass_t"]
+            self.assertEqual(
+                caught.exception.args[0], f"body[{body}].mass_t: {said}")
 
     def test_need_no_other_files(self):
         case = libcontact.Case.from_file(case_file)

@@ -243,8 +243,15 @@ TEST(CaseFile, SettingsThatAreWrongAreNamed) {
     }
     return std::string();
   };
-  EXPECT_EQ(message("body[rotor].mass_kg", "1"),
-            "body[rotor].mass_kg = 1 must be a key of the file: TABLE.KEY, "
+  EXPECT_EQ(
+      message("body[rotor].mass_kg", "1"),
+      "body[rotor].mass_kg = 1: unknown body \"rotor\" (wheel x, wheel y, "
+      "wheel z)");
+  EXPECT_EQ(message("body[wheel w].mass_kg", "1"),
+            "body[wheel w].mass_kg = 1: unknown body \"wheel w\": did you mean "
+            "\"wheel x\"? (wheel x, wheel y, wheel z)");
+  EXPECT_EQ(message("body[9].mass_kg", "1"),
+            "body[9].mass_kg = 1 must be a key of the file: TABLE.KEY, "
             "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
   const std::string joint = "body[1].hinge.joint[1].";
   const std::string in_case =

@@ -139,6 +139,21 @@ TEST(Distribution, MomentsOfAllKinds) {
          std::sqrt(3. / 16));
 }
 
+// What is left above a limit is the mirror of what is left below, to the last
+// draw: next to 1 a probability has no such digits.
+TEST(Distribution, HasTailsAboveAsBelow) {
+  const std::string normal = "kind = 'normal'\nmean = 0\ndeviation = 1\n";
+  for (const auto& [above, below] :
+       {std::pair("low = 4\n", "high = -4\n"),
+        {"low = 3.75\nhigh = 11.25\n", "low = -11.25\nhigh = -3.75\n"}}) {
+    const auto up = quantile_of(normal + above);
+    const auto down = quantile_of(normal + below);
+    for (const double u : {0x1p-53, 0.1, 0.5, 0.9, 1 - 0x1p-53}) {
+      EXPECT_NEAR(up(u), -down(1 - u), 1e-12) << u;
+    }
+  }
+}
+
 TEST(Distribution, LimitsAreKept) {
   const auto cut = quantile_of(
       "kind = 'normal'\nmean = 0\ndeviation = 1\nlow = -0.5\nhigh = 2\n");

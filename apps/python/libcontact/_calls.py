@@ -4,9 +4,12 @@ import difflib
 import functools
 import inspect
 from collections.abc import Callable, Iterable
-from typing import Any
+from typing import Any, ParamSpec, TypeVar
 
 from . import _core
+
+P = ParamSpec("P")
+R = TypeVar("R")
 
 
 def meant(word: str, known: Iterable[str]) -> str:
@@ -22,6 +25,22 @@ def unexpected_keyword(
         f"{function}() got an unexpected keyword argument '{keyword}'"
         + meant(keyword, known)
     )
+
+
+def with_known_keywords(function: Callable[P, R]) -> Callable[P, R]:
+    """A function of the package that says of a misspelt keyword which one may
+    be meant, as those of _core do."""
+    name = function.__qualname__.removesuffix(".__init__")
+    known = [k for k in inspect.signature(function).parameters if k != "self"]
+
+    @functools.wraps(function)
+    def call(*arguments: P.args, **keywords: P.kwargs) -> R:
+        for keyword in keywords:
+            if keyword not in known:
+                raise unexpected_keyword(name, keyword, known)
+        return function(*arguments, **keywords)
+
+    return call
 
 
 def _refusal(

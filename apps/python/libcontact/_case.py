@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._calls import with_known_keywords
 from ._files import FileText, toml_text
+from ._results import html_table
 
 
 class Event(NamedTuple):
@@ -54,6 +56,7 @@ class Case(FileText, _core.Case):
         """folder: what the names of joint files are relative to."""
         self._read(toml_text(tables), "", fspath(folder), ())
 
+    @with_known_keywords
     def run(
         self,
         *,
@@ -73,7 +76,7 @@ class Case(FileText, _core.Case):
         _warn_of_contacts(notes)
         outcome = _outcome(*of_run)
         if outcome.failure:
-            warnings.warn(outcome.failure, RuntimeWarning, stacklevel=2)
+            warnings.warn(outcome.failure, RuntimeWarning, stacklevel=3)
         return outcome
 
 
@@ -106,6 +109,7 @@ class Run(_core.Run):
     bit. To take it begins the steps of both anew, as save() does.
     """
 
+    @with_known_keywords
     def __init__(self, case: Case, *, clearance: bool = True) -> None:
         """At the start. clearance: whether to work out distances."""
         super().__init__(case, clearance)
@@ -116,6 +120,11 @@ class Run(_core.Run):
             f"{self.status}>"
         )
 
+    def _repr_html_(self) -> str:
+        """With what has happened so far."""
+        lines = [[f"{e.time:.6g}", e.body, e.what] for e in self.events]
+        return html_table(repr(self)[1:-1], ["t, s", "body", "event"], lines)
+
     def __copy__(self) -> Self:
         """A run that goes on from here as this one does."""
         made = type(self).__new__(type(self))
@@ -123,6 +132,7 @@ class Run(_core.Run):
         made.__dict__.update(self.__dict__)
         return made
 
+    @with_known_keywords
     def advance_to(
         self,
         time: float,
@@ -143,7 +153,7 @@ class Run(_core.Run):
         if status != "running":
             _warn_of_contacts(self._contact_notes)
         if status == "failed":
-            warnings.warn(self.message, RuntimeWarning, stacklevel=2)
+            warnings.warn(self.message, RuntimeWarning, stacklevel=3)
         return status
 
     def __getitem__(self, column: str | Iterable[str]) -> Any:
@@ -170,7 +180,7 @@ class Run(_core.Run):
 
 def _warn_of_contacts(notes: list[str]) -> None:
     for note in notes:
-        warnings.warn(note, _core.ContactWarning, stacklevel=3)
+        warnings.warn(note, _core.ContactWarning, stacklevel=4)
 
 
 def _outcome(

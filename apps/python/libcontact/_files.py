@@ -82,7 +82,10 @@ def among(tables: Any, which: str, key: str) -> Any:
     for number, table in enumerate(tables, 1):
         if which == str(number) or table.get("name") == which:
             return table
-    raise KeyError(f"{key}: there are {len(tables)}")
+    names = [table["name"] for table in tables if "name" in table]
+    near = difflib.get_close_matches(which, names, 1) or names
+    said = f": {', '.join(near)}" if near and not which.isdigit() else ""
+    raise KeyError(f"{key}: there are {len(tables)}{said}")
 
 
 def dotted(tables: Mapping[str, Any], before: str = "") -> Iterator[str]:
@@ -224,6 +227,8 @@ class FileText:
         key: as in replace(). KeyError if the file leaves it out, or has it in
             another unit.
         """
+        if not isinstance(key, str):
+            raise KeyError(key)
         found, rest = walk(self._tables, self._here(key))
         if rest:
             raise _absent(key, found, rest)

@@ -3,16 +3,17 @@
 import copy
 import functools
 import tomllib
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._calls import unexpected_keyword
+from ._calls import unexpected_keyword, with_known_keywords
 from ._files import FileText, toml_text
 from ._joints import Joints
+from ._results import html_table
 
 Key = float | str | Mapping[str, object] | Sequence[object] | None
 
@@ -32,6 +33,16 @@ _table_of = {
 }
 
 
+def _check_keywords(
+    function: str, keywords: Iterable[str], own: Iterable[str] = ()
+) -> None:
+    """own: keywords of the function beside those of joints."""
+    known = [*own, *_table_of, *_core._joint_keys]
+    for keyword in keywords:
+        if keyword not in known:
+            raise unexpected_keyword(function, keyword, known)
+
+
 def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
     """Keywords as the tables of a joint file."""
     tables: dict[str, Any] = {}
@@ -42,18 +53,43 @@ def _nested(keywords: Mapping[str, Key]) -> dict[str, Any]:
             value = {_main_key[keyword]: value}
         if keyword in _table_of:
             tables.setdefault(_table_of[keyword], {})[keyword] = value
-        elif keyword not in _core._joint_keys:
-            known = [*_table_of, *_core._joint_keys]
-            raise unexpected_keyword("Joint", keyword, known)
         elif isinstance(value, Mapping):
             tables.setdefault(keyword, {}).update(value)
         else:
             tables[keyword] = value
+    return tables
+
+
+_any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
+_any_materials = {"inner": _any_material, "outer": _any_material}
+
+
+def _joint_text(keywords: Mapping[str, Key]) -> str:
+    """Keywords as a joint file."""
+    tables = _nested(keywords)
+    size = {"radius": 1.0, "relative_clearance": 1e-3}
+    if keywords.get("kind") == "pin":
+        size["length"] = 1.0
+    missing = {"geometry": size, "materials": _any_materials}
+    if not missing.keys() <= tables.keys():
+        # What is there and wrong is said first.
+        Joint._of(toml_text(missing | tables), "", "", ())
     if "materials" not in tables:
         raise _core.Error(
             "a joint requires inner and outer, the two materials, or pair"
         )
-    return tables
+    return toml_text(tables)
+
+
+def _several(keys: Mapping[str, Key], error: Exception) -> Exception:
+    """The error; of several numbers in the place of one it says what takes
+    them."""
+    text = str(error)
+    wants_one = text.endswith(" must be a number")
+    for key, value in keys.items():
+        if wants_one and f"{key} = " in text and np.ndim(value):  # type: ignore
+            return _core.Error(f"{text}; Joint.vary() makes a joint of each")
+    return error
 
 
 class Joint(FileText, _core.Joint):
@@ -79,8 +115,12 @@ class Joint(FileText, _core.Joint):
     if not TYPE_CHECKING:  # the stub of _core has all keys
 
         def __init__(self, *, kind: str, **keys: Key) -> None:
-            tables = _nested({"name": "joint", "kind": kind} | keys)
-            self._read(toml_text(tables), "", "", ())
+            _check_keywords("Joint", keys)
+            text = _joint_text({"name": "joint", "kind": kind} | keys)
+            try:
+                self._read(text, "", "", ())
+            except _core.Error as error:
+                raise _several(keys, error) from None
 
     def __eq__(self, other: object) -> bool:
         if not isinstance(other, Joint):
@@ -126,6 +166,7 @@ class Joint(FileText, _core.Joint):
         """
         return Joints(self, keys)
 
+    @with_known_keywords
     def cycle(
         self,
         time: ArrayLike,
@@ -150,10 +191,9 @@ class Joint(FileText, _core.Joint):
 
         A last row that repeats the first is left out, with a RuntimeWarning.
         """
-        times = np.asarray(time, dtype=float)
         if (angles is None) == (rates is None):
             raise _core.Error("a cycle requires angles or rates")
-        motion = np.asarray(rates if angles is None else angles, dtype=float)
+        motion = _core._numbers(rates if angles is None else angles)  # type: ignore
         if angles is not None and self.kind == "pin":
             motion = np.stack([motion, 0 * motion, 0 * motion], axis=-1)
             sequence = "z"
@@ -162,7 +202,7 @@ class Joint(FileText, _core.Joint):
         if angles is None and sequence is not None:
             raise _core.Error(f"sequence = \"{sequence}\" requires angles")
         return Cycle(
-            self, times, force, motion, sequence, period, force_on, force_in,
+            self, time, force, motion, sequence, period, force_on, force_in,
         )  # fmt: skip
 
 
@@ -190,12 +230,26 @@ class Wear:
     def __init__(self, attributes: dict[str, Any]) -> None:
         self.__dict__.update(attributes)
 
+    @property
+    def _place(self) -> str:
+        return "(" + ", ".join(f"{x:.4g}" for x in self.deepest_point) + ")"
+
     def __repr__(self) -> str:
-        place = ", ".join(f"{x:.4g}" for x in self.deepest_point)
         return (
             f"libcontact.Wear of the {self.body} at {len(self.points)} points: "
-            f"{self.deepest_pv_integral:.6g} Pa m at the deepest, ({place})"
+            f"{self.deepest_pv_integral:.6g} Pa m at the deepest, {self._place}"
         )
+
+    def _repr_html_(self) -> str:
+        lines = [
+            ["deepest_pv_integral", "Pa m", f"{self.deepest_pv_integral:.6g}"],
+            ["deepest_point", "", self._place],
+            ["deepest_cross_shear", "", f"{self.deepest_cross_shear:.6g}"],
+            ["cell_area", "m^2", f"{self.cell_area:.6g}"],
+            ["volume_defect", "", f"{self.volume_defect:.2g}"],
+        ]
+        title = f"libcontact.Wear of the {self.body} at {len(self.points)} points"
+        return html_table(title, [], lines)
 
 
 class _Made:
@@ -217,6 +271,7 @@ class Cycle(_Made, _core.Cycle):
         """Of friction, W."""
         return self.energy / self.period
 
+    @with_known_keywords
     def wear(self, body: str = "body", points: int = 2000) -> Wear:
         """Where one of the bodies wears.
 
@@ -240,6 +295,7 @@ class Fit(_Made, _core.Fit):
         return iter(self.parameters)
 
 
+@with_known_keywords
 def identify(
     joint: Joint,
     reaction: ArrayLike,
@@ -284,23 +340,19 @@ def _unit_joint(keys: Mapping[str, Key]) -> Joint:
         del size["length"]
     if any(key.startswith(("radius", "diameter")) for key in keys):
         del size["radius"]
-    return _cached(toml_text(_nested({"name": "joint"} | size | dict(keys))))
-
-
-_any_material = {"youngs_modulus": 1e9, "poissons_ratio": 0.3}
+    return _cached(_joint_text({"name": "joint"} | size | dict(keys)))
 
 
 def _law_joint(law: str, keys: Mapping[str, Key]) -> Joint:
     """The same, where one law counts."""
-    has_materials = not {"inner", "outer", "pair"}.isdisjoint(keys)
-    if has_materials:
+    if not {"inner", "outer", "pair"}.isdisjoint(keys):
         return _unit_joint(keys)
+    joint = _unit_joint(_any_materials | keys)
     if law in _core._material_laws:
         raise _core.Error(
             f'law "{law}" requires inner and outer, the two materials, or pair'
         )
-    same = {"inner": _any_material, "outer": _any_material}
-    return _unit_joint(same | keys)
+    return joint
 
 
 def half_angle(
@@ -316,6 +368,7 @@ def half_angle(
     law: "hertz", "arctan", "tanh", "blend", "paper", "fitted" or "exact".
     keys: `inner` and `outer`, the materials, and others of Joint.
     """
+    _check_keywords("half_angle", keys, ["law"])
     joint = _law_joint(
         law,
         {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
@@ -335,6 +388,7 @@ def load_parameter(
 
     half_angle: theta0, rad, (...).
     """
+    _check_keywords("load_parameter", keys, ["law"])
     joint = _law_joint(
         law,
         {"kind": kind, "half_angle": law, "pressure": _pressure_for(keys)}
@@ -364,6 +418,7 @@ def pressure(
         "exact"; the last two depend on the materials `inner` and `outer`.
     keys: others of Joint.
     """
+    _check_keywords("pressure", keys, ["pressure"])
     joint = _law_joint(pressure, {"kind": kind, "pressure": pressure} | keys)
     return joint._pressure(theta, half_angle)
 
@@ -381,5 +436,6 @@ def friction_coefficients(
     alpha: slip axis angle, rad, (...): 0 sliding, pi/2 spinning.
     pressure, keys: as in pressure().
     """
+    _check_keywords("friction_coefficients", keys, ["pressure"])
     joint = _law_joint(pressure, {"kind": "ball", "pressure": pressure} | keys)
     return joint._friction_coefficients(theta0, alpha)

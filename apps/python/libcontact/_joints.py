@@ -7,7 +7,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _core
-from ._files import value_text
+from ._results import columns_of, html_table
 
 if TYPE_CHECKING:
     from ._joint import Joint
@@ -81,6 +81,15 @@ class Joints(_core.Joints):
     def __reduce__(self) -> tuple[Any, ...]:
         return Joints, (self._joint, self._keys)
 
+    def _repr_html_(self) -> str:
+        heads, places, rest = columns_of(self.shape)
+        lines = [
+            [key, *(f"{values[place]:.6g}" for place in places), *rest]
+            for key, values in self._keys.items()
+        ]
+        title = f"libcontact.Joints {self._joint.name!r} of shape {self.shape}"
+        return html_table(title, ["", *heads, *rest], lines)
+
     def __repr__(self) -> str:
         ranges = (
             f"{key} {np.min(v):g} to {np.max(v):g}" if v.size else key
@@ -93,7 +102,7 @@ class Joints(_core.Joints):
 
 
 def _numbers(key: str, given: ArrayLike) -> NDArray[np.float64]:
-    array = np.asarray(given)
-    if array.dtype.kind not in "fiu":
-        raise TypeError(f"{key} = {value_text(given)} must be an array of numbers")
-    return array.astype(float)
+    try:
+        return np.array(_core._numbers(given))
+    except TypeError as error:
+        raise TypeError(f"{key}: {error}") from None

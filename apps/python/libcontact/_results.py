@@ -29,23 +29,27 @@ def _text(value: Any, words: str = "", digits: int = 6) -> str:
     return f"{value:.{digits}g}"
 
 
-def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    """Of the first rows."""
-    return list(itertools.islice(np.ndindex(*shape), _most))
+def columns_of(
+    shape: tuple[int, ...],
+) -> tuple[list[str], list[tuple[int, ...]], list[str]]:
+    """Headings and places of the rows that are printed, and what stands for the
+    others."""
+    places = list(itertools.islice(np.ndindex(*shape), _most))
+    heads = [", ".join(map(str, p)) for p in places] if shape else [""]
+    is_whole = len(places) == np.prod(shape, dtype=int)
+    return heads, places, [] if is_whole else ["..."]
 
 
 def _table(self: Any) -> tuple[list[str], list[list[str]]]:
     """Headings and lines, a quantity each: key, unit, values."""
-    places = _places(self.shape)
-    heads = [", ".join(map(str, p)) for p in places] if self.shape else [""]
+    heads, places, rest = columns_of(self.shape)
     digits = 4 if self.shape else 6
-    is_whole = len(places) == np.prod(self.shape, dtype=int)
     lines = []
     for key, _, unit, _, words in self._quantities:
         values = getattr(self, key)
         line = [_text(values[p] if p else values, words, digits) for p in places]
-        lines.append([key, unit, *line] + ([] if is_whole else ["..."]))
-    return ["", "", *heads] + ([] if is_whole else ["..."]), lines
+        lines.append([key, unit, *line, *rest])
+    return ["", "", *heads, *rest], lines
 
 
 def _title(self: Any) -> str:
@@ -153,13 +157,23 @@ def to_xarray(self: Any, dims: Sequence[str] | None = None) -> Any:
     return xarray.Dataset(variables, coords={"part": list("xyz")})
 
 
+def _cycle_lines(self: Any) -> list[list[str]]:
+    return [
+        [key, unit, _text(getattr(self, key))]
+        for key, _, unit, *_ in self._quantities
+    ]
+
+
+def _cycle_title(self: Any) -> str:
+    return f"libcontact.Cycle of {len(self.time)} rows"
+
+
 def _cycle_repr(self: Any) -> str:
-    return f"libcontact.Cycle of {len(self.time)} rows\n" + aligned(
-        [
-            [key, unit, _text(getattr(self, key))]
-            for key, _, unit, *_ in self._quantities
-        ]
-    )
+    return _cycle_title(self) + "\n" + aligned(_cycle_lines(self))
+
+
+def _cycle_html(self: Any) -> str:
+    return html_table(_cycle_title(self), [], _cycle_lines(self))
 
 
 def _fit_table(self: Any) -> tuple[list[str], list[list[str]]]:
@@ -219,6 +233,7 @@ def _attach() -> None:
             for name, function in manners.items():
                 setattr(of, name, function)
     _core.Cycle.__repr__ = _cycle_repr  # type: ignore
+    _core.Cycle._repr_html_ = _cycle_html  # type: ignore
     _core.Fit.__repr__ = _fit_repr  # type: ignore
     _core.Fit._repr_html_ = _fit_html  # type: ignore
 

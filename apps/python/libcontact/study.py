@@ -24,6 +24,7 @@ from collections.abc import Sequence
 from concurrent.futures import Executor, as_completed
 from pathlib import Path
 
+from ._calls import with_known_keywords
 from ._core import Error
 
 __all__ = ["compute_part", "run"]
@@ -56,6 +57,7 @@ def compute_part(study: str, choice: Sequence[str], rows: str) -> bytes:
         return journal.read_bytes()
 
 
+@with_known_keywords
 def run(
     study: str | os.PathLike[str],
     executor: Executor,

@@ -45,6 +45,15 @@ Quantile truncated(const TomlTable& table, const Distribution& all) {
   }
   const double bottom = low.value_or(-Interval::largest);
   const double top = high.value_or(Interval::largest);
+  if (from >= 0.5) {
+    // By what is above: next to 1 there are few numbers, and 1 has no quantile.
+    const double most = cdf(complement(all, *low));
+    const double rest = high ? cdf(complement(all, *high)) : 0;
+    return [all, most, rest, bottom, top](double u) {
+      const double above = rest + (most - rest) * (1 - u);
+      return std::clamp(quantile(complement(all, above)), bottom, top);
+    };
+  }
   return [all, from, to, bottom, top](double u) {
     return std::clamp(quantile(all, from + (to - from) * u), bottom, top);
   };
