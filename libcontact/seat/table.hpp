@@ -18,10 +18,10 @@ struct SeatHarmonics;
 }  // namespace detail
 
 /// The contacts of a seat that reach a rim, over the size and the direction of
-/// the load: made once, then read in 9 us, 17 us with adhesion, for friction
-/// about any slip axis in 4 us more. Squares of 4 x 4 states, which are halved
-/// until a state in the middle of each is found with a quarter of the accuracy
-/// that is asked for; cubic between.
+/// the load: made once, then read in 8 to 12 us, 17 us with adhesion, for
+/// friction about any slip axis in 4 to 6 us more. Squares of 4 x 4 states,
+/// which are halved until a state in the middle of each is found with a quarter
+/// of the accuracy that is asked for; cubic between.
 ///
 /// Across the seat's axis all directions are alike, and the two sides of a zone
 /// that is symmetric too.

@@ -241,6 +241,9 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(seat("lower_rim_rad = 0.5\nupper_rim_rad = 2"), SeatZone(0.5, 2));
   EXPECT_EQ(seat("cup_rad = 1\naxis = [0, 3, -4]"),
             SeatZone::cup(1).about({0, 0.6, -0.8}));
+  const JointSpec turned =
+      parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\naxis = [1, 2, -3]"));
+  EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
   EXPECT_EQ(
       error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "

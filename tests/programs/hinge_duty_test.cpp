@@ -56,6 +56,13 @@ TEST_F(HingeDuty, InSeat) {
   EXPECT_EQ(value(text, "seat_largest_p_peak_Pa"), peak);
   EXPECT_NEAR(value(text, "seat_rim_share"), at_rim, 1e-9);
   EXPECT_EQ(value(text, "seat_least_gap_m"), 0);
+  const ProgramResult other =
+      folder_.run(run + " --seat-table data/joints/hip_cup.toml");
+  EXPECT_EQ(other.status, 2);
+  EXPECT_NE(other.err.find("--seat-table data/joints/hip_cup.toml: not a table "
+                           "of a seat"),
+            std::string::npos)
+      << other.err;
   const ProgramResult none = folder_.run(hip + "--in-seat seat.csv");
   EXPECT_EQ(none.status, 2);
   EXPECT_NE(none.err.find("--in-seat requires a joint with a [seat]"),

@@ -269,6 +269,11 @@ TEST(SeatTable, IsReadAgain) {
   EXPECT_EQ(message(spec, bytes.substr(0, bytes.size() - 1)),
             "a table that is cut off");
   EXPECT_EQ(message(spec, "name = 1"), "not a table of a seat");
+  EXPECT_TRUE(has_text(error_message([&] {
+                         SeatTable(joint.contact(),
+                                   {.least_load = 2, .most_load = 1});
+                       }),
+                       "most_load = 1 must be above least_load"));
 }
 
 // Loads on both sides of a symmetric ring.

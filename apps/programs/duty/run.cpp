@@ -240,15 +240,22 @@ contact::SeatCycle confined(const Options& options, const JointDuty& duty) {
     if (percent > done) progress.add(percent - done);
     done = std::max(done, percent);
   };
-  contact::SeatCycle cycle(
-      duty.cycle.cycle(), spec,
-      {say, is_kept ? contact::detail::file_text(file) : std::string()});
-  if (!file.empty() && !is_kept && !cycle.table().empty()) {
+  const contact::DutyCycle& cycle = duty.cycle.cycle();
+  if (is_kept) {
+    try {
+      return {cycle, spec, {say, contact::detail::file_text(file)}};
+    } catch (const contact::Error& error) {
+      throw contact::Error(
+          fmt::format("--seat-table {}: {}", file, error.what()));
+    }
+  }
+  contact::SeatCycle made(cycle, spec, {say, {}});
+  if (!file.empty() && !made.table().empty()) {
     cli::Output output(file);
-    output.write(cycle.table());
+    output.write(made.table());
     output.commit();
   }
-  return cycle;
+  return made;
 }
 
 // The contacts in seats that end.
