@@ -28,7 +28,10 @@ struct World {
   explicit World(const std::string& bodies, double dt = 1e-3,
                  const std::string& more = "",
                  const std::string& gravity = "0 0 -9.81") {
-    const std::string path = testing::TempDir() + "/world.xml";
+    // Tests may run side by side.
+    const std::string path =
+        testing::TempDir() + "/contact_" +
+        testing::UnitTest::GetInstance()->current_test_info()->name() + ".xml";
     std::ofstream(path)
         << "<mujoco><compiler angle='radian'/><option timestep='" << dt
         << "' gravity='" << gravity << "'/><worldbody>" << bodies
