@@ -163,6 +163,14 @@ TEST(Distribution, LimitsAreKept) {
   EXPECT_LE(cut(study::highest_uniform), 2);
   EXPECT_ERROR(quantile_of("kind = 'uniform'\nlow = 1\nhigh = 1\n"),
                "d.toml:3: high = 1 must be above low");
+  for (const char* const kind : {"'uniform'", "'triangular'\nmode = 0"}) {
+    const std::string text = std::string("kind = ") + kind;
+    EXPECT_TRUE(
+        std::isfinite(quantile_of(text + "\nlow = -1\nhigh = 1e150\n")(0.5)));
+    EXPECT_TRUE(error_message([&] {
+                  quantile_of(text + "\nlow = -1e150\nhigh = 1e150\n");
+                }).ends_with("high = 1e+150 must be at most 1e150 above low"));
+  }
   EXPECT_ERROR(
       quantile_of("kind = 'normal'\nmean = 0\ndeviation = 1\nlow = 9\n"),
       "d.toml:4: low = 9 must be a limit that leaves a millionth of the "

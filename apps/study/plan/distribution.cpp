@@ -23,6 +23,9 @@ std::pair<double, double> read_range(const TomlTable& table) {
   const double low = table.number("low", Interval::any());
   const double high = table.number("high", Interval::any());
   if (!(low < high)) table.must_be("high", "above low");
+  // Draws square it.
+  constexpr double widest = 1e150;
+  if (!(high - low <= widest)) table.must_be("high", "at most 1e150 above low");
   return {low, high};
 }
 
