@@ -22,8 +22,8 @@ class SteppedPin final : public SteppedJoint {
   int looks() const override { return 36; }
   // Of half the steps under a load that moves half-angles differ by up to 1
   // deg; more places change nothing.
-  double next_step(bool many) const override {
-    return wear_.next_step() * (many ? 0.5 : 1);
+  double next_step(bool moves) const override {
+    return wear_.next_step() * (moves ? 0.5 : 1);
   }
 
   Status wear(const SeatPath::Place& place, double seat, double inner,
