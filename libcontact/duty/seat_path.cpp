@@ -28,6 +28,10 @@ SeatPath::SeatPath(const JointCycle& cycle) {
     return (a.load - b.load).norm() <= rounding * b.load.norm() &&
            a.axis.cross(b.axis).norm() <= rounding;
   });
+  keeps_direction_ = std::ranges::all_of(places_, [&](const Place& a) {
+    const Eigen::Vector3d& b = places_.front().load;
+    return a.load.cross(b).norm() <= rounding * a.load.norm() * b.norm();
+  });
 }
 
 Eigen::Vector3d SeatPath::middle() const {

@@ -27,6 +27,8 @@ class SeatPath {
   double reach(const Eigen::Vector3d& middle) const;
   /// Whether load and axis are alike at all times.
   bool stands_still() const { return stands_still_; }
+  /// Whether the load always points to the same place, however large it is.
+  bool keeps_direction() const { return keeps_direction_; }
   /// Places of the same distance each, in the order of the cycle; one if they
   /// stand still. Every round has others: what `count` leaves out
   /// comes in the next ones.
@@ -35,6 +37,7 @@ class SeatPath {
  private:
   std::vector<Place> places_;
   bool stands_still_ = true;
+  bool keeps_direction_ = true;
   std::vector<double> ends_;  // of their distances, one after the other
 };
 

@@ -30,7 +30,7 @@ class SteppedBall final : public SteppedJoint {
 
   int places() const override { return 16; }
   int looks() const override { return 24; }
-  double next_step() const override {
+  double next_step(bool /*moves*/) const override {
     constexpr double first = 0.02;
     constexpr double growth = 0.2;
     return std::max(first * compliance_, growth * since_);

@@ -17,7 +17,8 @@ class SteppedJoint {
   /// Of which largest values are, at even times.
   virtual int looks() const = 0;
   /// Of distance times k, m/Pa, of the next block.
-  virtual double next_step() const = 0;
+  /// @param moves  whether the load does
+  virtual double next_step(bool moves) const = 0;
   /// Wears under a load at one place.
   /// @param path  distance times k, m/Pa
   /// @param many  whether it is one of many places, for which one step serves

@@ -35,7 +35,8 @@ class Steps {
 
   /// How many cycles may be taken at once; infinite without wear.
   double next_block() const {
-    return joint_->next_step() / ((k_.seat + k_.inner) * path_.distance());
+    return joint_->next_step(!path_.keeps_direction()) /
+           ((k_.seat + k_.inner) * path_.distance());
   }
   /// Of the depth in some cycles about the mean over all of the surface, m.
   double mean_growth(double cycles) const {

@@ -78,10 +78,10 @@ struct WearIn {
 /// The wear of the ball or pin changes nothing.
 ///
 /// **Where it moves** the depth of the wear is one more gap at each point, and
-/// the contact is solved there by elasticity alone, at 24 places of the cycle
-/// for each block, in which the path of the wear grows by a tenth (PinWear).
-/// Accuracy: duty/moving_wear_test.cpp. penetration is the deepest wear, v that
-/// of the volume, largest values are of 48 instants, R_n and its direction
+/// the contact is solved there by elasticity alone, at places of the cycle,
+/// block after block (docs/moving_wear.md). Accuracy:
+/// duty/moving_wear_test.cpp. penetration is the deepest wear, v that of the
+/// volume, largest values are of 36 instants (balls: 24), R_n and its direction
 /// those before wear. The wear of the pin changes nothing.
 ///
 /// A pin without clearance or with interference is stepped too, from closed to

@@ -86,7 +86,7 @@ constexpr Quantity<Worn> of_worn[] = {
     {"penetration", "", Dimension::length,
      "deepest wear; to 8 %, once most of it is wear, of loads that stand still",
      [](const Worn& w) { return w.penetration; }},
-    {"half_angle", "theta0", Dimension::angle, "largest, to 1.5 deg",
+    {"half_angle", "theta0", Dimension::angle, "largest, to 1.1 deg",
      [](const Worn& w) { return w.half_angle; }},
     {"peak_pressure", "p_peak", Dimension::stress,
      "largest, to 6 %, of a ball much worn up to 17 % too high",
