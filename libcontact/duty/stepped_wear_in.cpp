@@ -19,7 +19,10 @@ namespace {
 
 void check(Status status) {
   if (status == Status::ok) return;
-  throw Error("the contact of a worn joint did not converge");
+  throw Error(status == Status::out_of_range
+                  ? "the contact of a worn ball reaches further than 90 deg "
+                    "beyond its load, where the grid of its wear ends"
+                  : "the contact of a worn joint did not converge");
 }
 
 class Steps {

@@ -46,6 +46,7 @@ class WornSphere {
     Eigen::Vector3d shift = {0, 0, 0};  ///< D, m
     /// Of a cap with the contact's area, rad.
     double half_angle = 0;
+    /// out_of_range: the contact reaches the grid's end, which cuts it.
     Status status = Status::not_converged;
   };
   /// @param load     R_n, N, towards the contact
