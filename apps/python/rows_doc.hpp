@@ -1,6 +1,6 @@
 #pragma once
 
-/// What docstrings say of arguments that many functions have.
+/// Docstrings of arguments that many functions have.
 #define CONTACT_ROWS_DOC                                                      \
   "fields: names of the quantities that are wanted, as \"friction_moment\": " \
   "they\n"                                                                    \

@@ -30,7 +30,7 @@ def _text(value: Any, words: str = "", digits: int = 6) -> str:
 
 
 def _places(shape: tuple[int, ...]) -> list[tuple[int, ...]]:
-    """Of the first rows."""
+    """Indices of the first rows."""
     return list(itertools.islice(np.ndindex(*shape), _most))
 
 
