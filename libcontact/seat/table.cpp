@@ -38,7 +38,7 @@ enum Number {
   count
 };
 
-// Of a cubic through four even places, 0 <= x <= 1.
+// Weights of a cubic through four even places, 0 <= x <= 1.
 Eigen::Array4d cubic(double x) {
   const double a = 3 * x, b = a - 1, c = a - 2, d = a - 3;
   return {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};
@@ -227,7 +227,7 @@ class SeatTable::Maker {
     }
   }
 
-  // Of a state: about some slip axes.
+  // Errors at a state: about some slip axes.
   Check error(const Eigen::Array2d& at, int axes) {
     Exact exact;
     const Eigen::Vector3d force = this->force(at);
