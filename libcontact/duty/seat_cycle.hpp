@@ -15,13 +15,13 @@ class SeatCycle {
  public:
   struct Instant {
     double time;                 ///< s
-    double weight;               ///< of means over time, s: trapezoidal rule
+    double weight;               ///< in means over time, s: trapezoidal rule
     SeatJointSolution solution;  ///< in the axes of the body with the seat
     /// Dw in these axes, rad/s.
     Eigen::Vector3d angular_velocity;
   };
 
-  /// Where more than `many` contacts reach a rim they come from a SeatTable.
+  /// More than `many` contacts at a rim come from a SeatTable.
   /// @param progress  as of the table
   /// @throws Error as SeatJoint and SeatTable.
   SeatCycle(const DutyCycle& cycle, const JointSpec& joint,
@@ -40,7 +40,7 @@ class SeatCycle {
   const Instant* largest_peak() const;
   /// The row whose contact is nearest to a rim; null if none has one.
   const Instant* least_gap() const;
-  /// What is to be said, a sentence for each reason.
+  /// Notes on the cycle, a sentence for each reason.
   std::vector<std::string> notes() const;
 
  private:
