@@ -1,6 +1,6 @@
 #pragma once
 
-/// What wears and heats a joint: p v, heat flux, duty cycles, wear maps.
+/// Wear and heat of a joint: p v, heat flux, duty cycles, wear maps.
 // clang-format off
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/duty/duty_cycle.hpp"

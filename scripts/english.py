@@ -35,9 +35,9 @@ BOOL = re.compile(r"[^;={(]*\b(bool|AssertionResult)\b|.*\)[^;]*-> bool")
 
 
 def c_comments(text):
-    """Place (line and column) and words of each comment."""
+    """Place (line and column) and words of each comment but /*parameter*/."""
     for match in TOKEN.finditer(text):
-        if match.lastgroup in ("line", "block"):
+        if match.lastgroup and not re.fullmatch(r"/\*\w+\*/", match.group()):
             column = match.start() - text.rfind("\n", 0, match.start()) - 1
             words = re.sub(r"^(//[/!]?|/\*[*!]?)<?|\*/$", "", match.group())
             yield text.count("\n", 0, match.start()), column, words.strip()

@@ -7,8 +7,8 @@
 
 #include "libcontact/c/contact.h"
 
-/// What the adapters to simulators share. They stand on the C interface, and
-/// are C++17 as the headers of some simulators are.
+/// Helpers shared by the adapters to simulators. They stand on the C interface,
+/// and are C++17 as the headers of some simulators are.
 namespace contact_hosts {
 
 /// @throws std::runtime_error with the message of a call that failed

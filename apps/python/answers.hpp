@@ -17,7 +17,7 @@ namespace contact_python {
 
 using contact::Quantity;
 
-/// What a getter of a quantity returns, as NumPy has it.
+/// Return type of a quantity's getter, as NumPy has it.
 template <class Value>
 using Number =
     std::conditional_t<std::is_same_v<Value, const Eigen::Vector3d&>, double,
@@ -156,7 +156,7 @@ py::array array_in(const py::dict& arrays, const Quantity<Row>& field,
 template <class Row>
 Answers<Row> from_arrays(const py::dict& arrays,
                          std::span<const Quantity<Row>> fields) {
-  std::optional<Shape> shape;  // of the rows, by a quantity that is a number
+  std::optional<Shape> shape;  // shape of the rows, by a plain number
   py::dict own;
   for (const Quantity<Row>& field : fields) {
     const py::array array = array_in(arrays, field, shape);
@@ -252,7 +252,7 @@ class ChosenColumns {
   std::vector<std::function<void(std::size_t, const Row&)>> columns_;
 };
 
-/// What is wanted of rows: the arguments `fields`, `out` and `threads`.
+/// Request for rows: the arguments `fields`, `out` and `threads`.
 struct WantedRows {
   Fields fields = {};
   Out out = {};

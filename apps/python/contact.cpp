@@ -1,4 +1,4 @@
-// What depends on a normal force, or on the laws alone.
+// Functions of a normal force, and those of the laws alone.
 #include <pybind11/stl.h>
 
 #include <limits>
@@ -60,7 +60,7 @@ std::vector<std::string> notes(const FileJoint& self,
   return all;
 }
 
-// Of a law alone, as functions of the module.
+// Functions of the module for a law alone.
 py::object law_half_angle(const FileJoint& self, const Numbers& parameter) {
   const auto& law = self.contact().half_angle_law();
   return evaluate({{"load_parameter", parameter, 0}},

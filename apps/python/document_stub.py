@@ -17,7 +17,7 @@ Definition = ast.ClassDef | ast.FunctionDef
 
 
 def definitions(body: list[ast.stmt], of: object) -> Iterator[tuple[Definition, str]]:
-    """What has a docstring, with it."""
+    """Definitions that have a docstring, each with it."""
     before = ""
     for node in body:
         if not isinstance(node, Definition):

@@ -55,7 +55,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
         if (is_vector) datum.moment = vector_at(at[2]);
         data.push_back(datum);
       });
-  // What is looked for need not be there.
+  // The parameters to be found need not be given.
   const bool finds_coefficient =
       std::ranges::count(options.parameters, FrictionParameter::coefficient);
   const contact::JointContact& contact =
@@ -74,7 +74,7 @@ std::pair<double, double> pair_of(const Estimate::Interval& interval) {
   return {interval.low, interval.high};
 }
 
-// What the fit says of states: moments and their standard errors.
+// Moments that the fit predicts for states, and their standard errors.
 py::tuple predict(const FrictionFit& fit, const Numbers& reaction,
                   const Numbers& rate) {
   const auto arguments = {Argument("reaction", reaction, 3),

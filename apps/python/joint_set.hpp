@@ -33,7 +33,7 @@ class JointSet {
   const contact::Joint& operator[](std::size_t i) const { return joints_[i]; }
   /// @throws contact::Error if they have no friction
   void require_friction() const;
-  /// Of a joint; with Python's lock.
+  /// Limits of a joint's contact; with Python's lock.
   const contact::ContactLimits& limits(std::size_t i) const;
 
  private:

@@ -1,4 +1,4 @@
-// What solvers of several bodies iterate on.
+// Moment sets, for iterative solvers of several bodies.
 #include <pybind11/stl.h>
 
 #include "libcontact/quantities/tables.hpp"

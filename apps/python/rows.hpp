@@ -43,7 +43,7 @@ struct Argument {
   Argument(const char* name, const Numbers& array, int width);
   /// Three numbers that are the same for all rows.
   explicit Argument(const Eigen::Vector3d& all_rows) : data(all_rows.data()) {}
-  /// Of our own.
+  /// Numbers of our own.
   Argument(const double* numbers, int row_width, Shape of_rows)
       : data(numbers), width(row_width), shape(std::move(of_rows)) {}
   /// Matrices of three by three, behind the others in the shape.
@@ -51,7 +51,7 @@ struct Argument {
 
   const double* data;
   int width = 3;
-  Shape shape = {};  ///< of rows
+  Shape shape = {};  ///< shape of the rows
 };
 
 /// Arguments broadcast against each other by NumPy's rules, row by row.
@@ -89,7 +89,7 @@ class Rows {
   // As many rows as nobody waits for.
   static constexpr std::size_t block = 1024;
 
-  // Where the numbers of a row are.
+  // Places of the numbers of a row.
   class Cursor {
    public:
     /// At row `begin`.
@@ -108,7 +108,7 @@ class Rows {
   Shape shape_;
   std::size_t size_ = 1;
   std::vector<const double*> begin_;
-  std::vector<Shape> strides_;  // of each argument
+  std::vector<Shape> strides_;  // strides of each argument
 };
 
 template <class Begin>
@@ -153,8 +153,8 @@ inline Eigen::Vector3d vector_at(const double* numbers) {
 /// An array as functions return it: a number if it has no dimension.
 py::object returned(const py::array& array);
 
-/// Where numbers go, and how many threads share the rows: the arguments `out`
-/// and `threads` of functions of one quantity.
+/// Destination of numbers, and number of threads that share the rows: the
+/// arguments `out` and `threads` of functions of one quantity.
 struct Wanted {
   py::object out = py::none();
   int threads = 1;
@@ -165,7 +165,7 @@ struct Wanted {
 
 namespace detail {
 
-/// That of an array in which results are put.
+/// Memory of an array in which results are put.
 /// @param name  for messages
 /// @throws contact::Error if it is of another type, shape or order of memory
 void* memory_of(const std::string& name, const py::object& array,

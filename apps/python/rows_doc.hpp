@@ -1,6 +1,6 @@
 #pragma once
 
-/// What docstrings say of arguments that many functions have.
+/// Docstrings of arguments that many functions have.
 #define CONTACT_ROWS_DOC                                                      \
   "fields: name or names of the quantities that are wanted, as\n"             \
   "    \"friction_moment\": they alone are kept, and returned as a dict of\n" \

@@ -19,8 +19,8 @@
 namespace contact_python {
 namespace {
 
-/// What a run asks Python on its way: whether somebody pressed Ctrl-C, and
-/// who wants to know how far it is.
+/// Questions of a run to Python on its way: whether somebody pressed Ctrl-C,
+/// and who wants to know how far it is.
 class Listener {
  public:
   Listener(py::object progress, const separation::Run& run)
@@ -150,7 +150,7 @@ class CaseRun {
   }
 
  private:
-  // Whoever listens to this run is asked.
+  // Options by which the run asks whoever listens to it.
   separation::RunOptions heard(separation::RunOptions options) {
     options.progress = [this](const separation::Run& r) {
       if (listener_) listener_->come_to(r.time());
@@ -178,7 +178,7 @@ class CaseRun {
   const std::string identity_;
   Listener* listener_ = nullptr;  // while it moves on
   bool is_busy_ = false;          // under Python's lock
-  std::vector<double> values_;    // where it is, once somebody has asked
+  std::vector<double> values_;    // place of the run, once somebody has asked
   separation::Run run_;
 };
 
@@ -201,7 +201,7 @@ std::vector<std::string> mode_words() {
 
 namespace {
 
-// Where it is.
+// Properties that say where the run is.
 void bind_place(py::class_<CaseRun>& type) {
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(

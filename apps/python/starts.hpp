@@ -6,7 +6,7 @@
 
 namespace contact_python {
 
-/// What rows start from: each from that of the same number, or all from one.
+/// Starts of rows: each from the result of the same number, or all from one.
 /// Unpickled results have nothing to start from.
 template <class Row>
 class Starts {

@@ -132,7 +132,7 @@ class LanesOf {
   // NOLINTNEXTLINE: the same number in all lanes, in formulae
   CONTACT_LANE LanesOf(double all)
       : LanesOf([all](auto) __attribute__((always_inline)) { return all; }) {}
-  /// of(lane), lane an integral constant.
+  /// From of(lane) for each lane, an integral constant.
   template <class F>
   requires std::invocable<const F&, std::integral_constant<int, 0>>
       CONTACT_LANE explicit LanesOf(const F& of)
@@ -253,7 +253,7 @@ class LanesOf {
     return LanesOf(a.native_ < b.native_ ? a.native_ : b.native_);
   }
 
-  /// Of the lanes, by halves.
+  /// Sum, maximum and minimum of the lanes, by halves.
   friend CONTACT_LANE double reduce(const LanesOf& x) {
     return x.folded([](const auto& a, const auto& b) { return a + b; });
   }

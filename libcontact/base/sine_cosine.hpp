@@ -19,7 +19,7 @@ inline SineCosinePair<double> sine_cosine(double theta) {
   return {std::sin(theta), std::cos(theta)};
 }
 
-/// Of angles in [-pi/4, pi/4].
+/// Sine and cosine of angles in [-pi/4, pi/4].
 template <class V>
 [[gnu::always_inline]] inline SineCosinePair<V> sine_cosine_series(const V& y) {
   // Taylor series: the first terms left out are 3e-19.

@@ -12,7 +12,7 @@
 #include "libcontact/c/status.h"
 #include "libcontact/files/setting.hpp"
 
-/// What every function of the C interface does: nothing of C++ gets out, and
+/// Boundary of the C interface: no C++ exception gets out, and
 /// contact_last_message() says what has failed.
 namespace contact::c {
 
@@ -29,8 +29,9 @@ contact_status call(const Work& work) noexcept {
   }
 }
 
-/// What C holds. Builds with assertions know which of them have been freed: a
-/// call with another pointer is refused, where it would end the program.
+/// Base of the objects that C holds. Builds with assertions know which of them
+/// have been freed: a call with another pointer is refused, where it would end
+/// the program.
 class Handle {
  public:
 #ifdef NDEBUG
@@ -49,7 +50,7 @@ inline bool is_freed(const void* /*handle*/) { return false; }
 bool is_freed(const void* handle);
 #endif
 
-/// What a pointer points to.
+/// Object that a pointer points to.
 /// @param name  "contact_joint_solve: slip"
 /// @throws Error if it is null, or a handle that has been freed
 template <class Value>
@@ -95,7 +96,7 @@ contact_status call_for(const Work& work, Result*... results) noexcept {
   return status;
 }
 
-/// Where a new object is put: NULL until it is there.
+/// Place of a new object: NULL until it is there.
 template <class Object>
 Object** emptied(Object** to, const char* name) {
   given(to, name) = nullptr;

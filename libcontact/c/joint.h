@@ -38,7 +38,7 @@ typedef struct contact_joint_numbers {
   int body_has_inner;      /* the body has the ball or pin; 0: the carrier */
   double radius;           /* rho of the ball or pin, m */
   double radial_clearance; /* difference of the radii, m; < 0: interference */
-  double length;           /* of a pin's contact, m */
+  double length;           /* contact length of a pin, m */
   contact_material inner;  /* ball or pin */
   contact_material outer;  /* seat or hole */
   /* Friction stress f0 p + A (dry), or (k0 + k1 p) v (viscous != 0). */
@@ -58,20 +58,20 @@ contact_status contact_joint_make(const contact_joint_numbers* numbers,
 /* Builds with assertions refuse joints that have been freed. */
 void contact_joint_free(contact_joint* joint);
 
-/* Of a joint, however it was made. */
+/* Numbers of a joint, however it was made. */
 typedef struct contact_joint_size {
   int kind;                 /* a contact_kind */
   int body_has_inner;       /* the body has the ball or pin; 0: the carrier */
   double radius;            /* rho of the ball or pin, m */
   double radial_clearance;  /* m */
-  double length;            /* of a pin's contact, m; NaN of a ball */
+  double length;            /* contact length of a pin, m; NaN of a ball */
   double effective_modulus; /* E = 2 E* of the surfaces, Pa */
 } contact_joint_size;
 contact_status contact_joint_get_size(const contact_joint* joint,
                                       contact_joint_size* size);
 
-/* Where the joint leaves the range of the theory or of its laws: sentence i,
- * NULL behind the last one. Valid as long as the joint. */
+/* Limits of the theory or of its laws that the joint exceeds: sentence i, NULL
+ * behind the last one. Valid as long as the joint. */
 const char* contact_joint_note(const contact_joint* joint, size_t i);
 
 /* The contact under a normal force R_n, N, above 0; with interference 0 too. */

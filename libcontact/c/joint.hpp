@@ -9,7 +9,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/spec.hpp"
 
-/// What C holds of a joint.
+/// Joint that C holds.
 struct contact_joint  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
   explicit contact_joint(contact::JointSpec of)

@@ -1,4 +1,4 @@
-/* What solvers of several bodies iterate on: the moments that a contact holds,
+/* Moments for iterative solvers of several bodies: those that a contact holds,
  * and how friction answers to its causes. */
 #ifndef LIBCONTACT_C_MOMENTS_H
 #define LIBCONTACT_C_MOMENTS_H
@@ -17,7 +17,7 @@ extern "C" {
  * of its solution; CONTACT_OUT_OF_RANGE for friction that falls with the speed.
  */
 
-/* Where the set's moments oppose an angular velocity, rad/s, most. */
+/* Moment of the set that opposes an angular velocity, rad/s, most. */
 typedef struct contact_edge {
   double power;     /* the largest -M_t . Dw, W */
   double moment[3]; /* M_t of it, N m */
@@ -40,7 +40,7 @@ contact_status contact_joint_held(const contact_joint* joint,
 typedef struct contact_prox {
   contact_status status;
   int iterations;             /* Newton steps; 0 where the joint holds */
-  double residual;            /* of the equation, over |W free| */
+  double residual;            /* equation's, over |W free| */
   double angular_velocity[3]; /* alpha; exactly 0 where the joint holds */
   double moment[3];           /* M_t on the body, N m */
 } contact_prox;

@@ -12,7 +12,7 @@
 #include "libcontact/play/impact.hpp"
 #include "libcontact/play/play_joint.hpp"
 
-/// What C holds of a joint with play.
+/// Joint with play that C holds.
 struct contact_play  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
   contact_play(const contact::JointSpec& spec,

@@ -19,7 +19,7 @@ typedef struct contact_play_options {
   double damping; /* a of F (1 + a d penetration/dt), s/m; or by the next two */
   double restitution;          /* 0 to 1; 0: by damping */
   double reference_speed;      /* at which it is that, m/s */
-  double regularisation_speed; /* of friction, m/s; 0: 0.001 */
+  double regularisation_speed; /* for friction, m/s; 0: 0.001 */
 } contact_play_options;
 
 /* Makes the table of the force law, which takes 0.01 to 0.5 s.
@@ -64,11 +64,11 @@ contact_status contact_play_impact(const contact_play* play, double mass,
 /* The ball or pin relative to its seat, in a frame fixed to the seat. */
 typedef struct contact_play_motion {
   double position[3]; /* from the seat's centre to the ball's or pin's, m */
-  double velocity[3]; /* of it, m/s */
+  double velocity[3]; /* its derivative, m/s */
   double angular_velocity[3]; /* rad/s */
-  double axis[3];             /* of a pin, unit vector */
+  double axis[3];             /* unit vector; pins only */
 } contact_play_motion;
-/* What acts on the ball or pin; on the seat, about its centre, -force and
+/* Load on the ball or pin; the seat has, about its centre, -force and
  * -moment - position x force. */
 typedef struct contact_play_force {
   double force[3];       /* N */
@@ -86,9 +86,9 @@ contact_status contact_play_evaluate(const contact_play* play,
                                      contact_play_force* force,
                                      double derivatives[54]);
 
-/* Where a motion or an impact leaves the model, a sentence on each line, cut to
- * `size` with its final 0; empty if it does not. density: kg/m^3, 0 if it is
- * not known. */
+/* Notes on where a motion or an impact leaves the model, one sentence per line,
+ * cut to `size` with its final 0; empty if it does not. density: kg/m^3, 0 if
+ * it is not known. */
 contact_status contact_play_motion_notes(const contact_play* play,
                                          const contact_play_motion* motion,
                                          char* text, size_t size);

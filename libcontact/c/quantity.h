@@ -1,5 +1,4 @@
-/* What results say, by names: those of Python and of the columns of programs.
- */
+/* Quantities of results by name, as in Python and in columns of programs. */
 #ifndef LIBCONTACT_C_QUANTITY_H
 #define LIBCONTACT_C_QUANTITY_H
 
@@ -34,8 +33,8 @@ contact_status contact_solution_get(const contact_solution* solution,
                                     const char* key, double* value);
 contact_status contact_rest_get(const contact_rest* rest, const char* key,
                                 double* value);
-/* Of the contact under a normal force R_n, N, above 0; with interference 0
- * too, where it has its "unloaded_moment", N m, and the like at any load. */
+/* Quantity of a contact under a normal force R_n, N, above 0; with interference
+ * 0 too, where it has its "unloaded_moment", N m, and the like at any load. */
 contact_status contact_patch_get(const contact_joint* joint,
                                  double normal_force, const char* key,
                                  double* value);

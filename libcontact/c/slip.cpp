@@ -35,8 +35,8 @@ Vector3d vector(const double* first, std::ptrdiff_t stride, std::size_t i) {
   return v;
 }
 
-// What the next solution starts from, the accurate forms of the angles, and
-// what has a name of its own in no language but C++.
+// Start of the next solution, the accurate forms of the angles, and the members
+// that have a name in C++ alone.
 struct Memory {
   JointSolution::Memory slip;
   SineCosine reaction;
@@ -104,7 +104,7 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.contact_area, s.contact_area);
 }
 
-// What a refused call does not know.
+// Sets the results of a refused call to NaN.
 struct ToNan {
   void operator()(double& c, const double&) const {
     c = std::numeric_limits<double>::quiet_NaN();
@@ -114,7 +114,7 @@ struct ToNan {
   }
 };
 
-// What a solution starts from.
+// Solution to start from.
 JointSolution start_of(const contact_solution* last) {
   JointSolution s;
   if (!last) return s;
@@ -131,7 +131,7 @@ Joint::Slip slip_of(const contact_slip& slip) {
           vector(slip.axis)};
 }
 
-// Of solve_rows(): what it reads and writes is there.
+// Checks that all that solve_rows() reads and writes is there.
 void check(const contact_slips& slips, const contact_solution* solutions,
            std::ptrdiff_t stride) {
   constexpr const char* place = "contact_joint_solve_rows";

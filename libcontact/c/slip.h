@@ -22,7 +22,7 @@ typedef enum contact_state {
 typedef struct contact_solution {
   contact_status status;
   contact_state state;
-  int evaluations; /* of the contact's friction that were needed */
+  int evaluations; /* evaluations of the contact's friction */
   double residual; /* estimate of |f/tan g - 1| that is left */
 
   double reaction[3];        /* R = R_n n + R_t, N */
@@ -57,7 +57,7 @@ size_t contact_solution_size(void);
 typedef struct contact_slip {
   double reaction[3];         /* R on the body, N */
   double angular_velocity[3]; /* Dw of the body against the carrier, rad/s */
-  double axis[3];             /* of a pin, unit; 0: the direction of Dw */
+  double axis[3];             /* unit axis of a pin; 0: that of Dw */
 } contact_slip;
 
 /* Friction under a reaction while the halves turn.
@@ -97,7 +97,7 @@ contact_status contact_joint_solve_rows(const contact_joint* joint,
 typedef struct contact_hold {
   double reaction[3]; /* R on the body, N */
   double moment[3];   /* M on the body that friction has to supply, N m */
-  double axis[3];     /* of a pin, unit; 0: the direction of M */
+  double axis[3];     /* unit axis of a pin; 0: that of M */
 } contact_hold;
 typedef struct contact_rest {
   contact_status status;
@@ -107,8 +107,8 @@ typedef struct contact_rest {
   /* The sliding about it at 1 rad/s, whose moment is M/utilisation. */
   contact_solution slip;
 } contact_rest;
-/* Whether the joint rests under R while holding M. A viscous joint holds
- * nothing: its utilisation is infinite.
+/* Decides whether the joint rests under R while holding M. A viscous joint
+ * holds nothing: its utilisation is infinite.
  * last: as above. */
 contact_status contact_joint_at_rest(const contact_joint* joint,
                                      const contact_hold* hold,

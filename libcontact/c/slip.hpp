@@ -17,12 +17,12 @@ struct Refused<contact_rest> {
   static void write(contact_rest* rest, contact_status status) noexcept;
 };
 
-/// What C was told, to the last bit.
+/// C++ results from those of C, to the last bit.
 JointSolution solution_of(const contact_solution& solution);
 RestSolution rest_of(const contact_rest& rest);
 contact_status status_of(Status status);
 
-/// What C is told.
+/// C results from those of C++.
 void put(contact_solution& to, const JointSolution& solution);
 void put(contact_rest& to, const RestSolution& rest);
 

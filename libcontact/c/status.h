@@ -1,4 +1,4 @@
-/* What all functions of the C interface share. */
+/* Status, messages and version, shared by the whole C interface. */
 #ifndef LIBCONTACT_C_STATUS_H
 #define LIBCONTACT_C_STATUS_H
 
@@ -7,7 +7,7 @@
 extern "C" {
 #endif
 
-/* Of these headers, and of the library that is there. Until 1.0 they have to be
+/* Version of these headers, and that of the library. Until 1.0 they have to be
  * the same up to the last number. */
 #define CONTACT_VERSION "0.2.0"
 const char* contact_version(void);
@@ -21,8 +21,8 @@ typedef enum contact_status {
   CONTACT_FAILURE = 5        /* no memory, or an error of the library */
 } contact_status;
 
-/* Of the calling thread's last call that did not return CONTACT_OK; "" before
- * there was one. Valid until the thread's next call. */
+/* Message of the calling thread's last call that did not return CONTACT_OK; ""
+ * before there was one. Valid until the thread's next call. */
 const char* contact_last_message(void);
 
 /* Makes a message that of the calling thread's last call, cut to 2047 bytes,

@@ -22,7 +22,7 @@ StepStart start_of(const contact_step_start& s) {
           Vector3d(s.axis)};
 }
 
-// What a step begins from.
+// Step to begin from.
 JointStep last_of(const contact_step* last) {
   JointStep step;
   if (!last) return step;

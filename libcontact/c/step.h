@@ -19,7 +19,7 @@ typedef struct contact_step_start {
   double reaction[3];         /* R on the body, N, of the step before */
   double angular_velocity[3]; /* Dw, rad/s; exactly 0: it rests */
   double free[3]; /* Dw at the end of the step if it had no friction, rad/s */
-  double axis[3]; /* of a pin, unit; 0: the direction of Dw or of `free` */
+  double axis[3]; /* unit axis of a pin; 0: that of Dw or `free` */
 } contact_step_start;
 
 /* The same joint at its end. */
@@ -29,7 +29,7 @@ typedef struct contact_step {
   double angular_velocity[3]; /* Dw, rad/s; exactly 0 where the joint holds */
   double moment[3];           /* M_t on the body during the step, N m */
   contact_solution solution;  /* friction at the start */
-  contact_rest rest;          /* of a joint that rested: what it had to hold */
+  contact_rest rest;          /* if the joint rested: what it had to hold */
 } contact_step;
 
 /* One implicit step: M_t = W (Dw - free), M_t opposite to Dw. A torque of

@@ -35,7 +35,7 @@ class LayerCompliance {
   /// @param modulus  E that the results are scaled with, Pa
   LayerCompliance(JointKind kind, Side side, const LayeredBody& body,
                   double radius, double modulus);
-  /// Of a body of the pair, scaled with its radius and effective modulus.
+  /// Compliance of a body, scaled with the pair's radius and effective modulus.
   LayerCompliance(JointKind kind, Side side, const LayeredPair& pair);
 
   /// @param n  harmonic, 0, 1, 2, ...

@@ -19,7 +19,7 @@ bool has_range(const std::vector<Vector3d>& rows) {
 }
 
 bool ends_as_it_begins(const std::vector<Vector3d>& rows) {
-  // Of numbers that were written with some digits, or turned.
+  // Numbers may have been written with some digits, or turned.
   constexpr double tolerance = 1e-9;
   Vector3d least = rows.front();
   Vector3d largest = rows.front();
@@ -42,7 +42,7 @@ bool repeats_first(const DutyCycle::Rows& rows) {
 std::optional<double> even_period(const std::vector<double>& times) {
   const double span = times.back() - times.front();
   const double step = span / static_cast<double>(times.size() - 1);
-  // Of times that were rounded to some digits.
+  // Times may have been rounded to some digits.
   constexpr double rounding = 1e-3;
   for (std::size_t i = 1; i < times.size(); ++i) {
     const double error = times[i] - times[i - 1] - step;
@@ -56,7 +56,7 @@ std::optional<double> even_period(const std::vector<double>& times) {
 std::string DutyCycle::Rows::make_one_period() {
   if (times.size() < 2) return {};
   const double span = times.back() - times.front();
-  // Of times that are 0.01, 0.02, ...
+  // Times such as 0.01, 0.02, ... are rounded.
   constexpr double rounding = 1e-9;
   const bool may_repeat =
       !period || std::abs(*period - span) <= rounding * span;

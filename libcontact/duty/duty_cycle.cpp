@@ -26,11 +26,10 @@ Quaterniond turn_by(const Vector3d& vector) {
 
 struct Least {
   double time;
-  double step;  // of the interval in which it is
+  double step;  // length of the interval around it
 };
 
-// Where a function of period `period`, cubics squared between `times`, is
-// least among its neighbours.
+// Minima of a function of period `period`, cubics squared between `times`.
 template <class Function>
 std::vector<Least> least_values(const Function& function,
                                 const std::vector<double>& times,
@@ -103,7 +102,7 @@ Vector3d DutyCycle::TurnSequence::angular_velocity(
   return rate;
 }
 
-// Of forces, and of angles or angular velocities.
+// Splines of forces, and of angles or angular velocities.
 struct DutyCycle::Splines {
   PeriodicSpline forces;
   PeriodicSpline motion;
@@ -189,7 +188,7 @@ Vector3d DutyCycle::angular_velocity(double time) const {
 // one before, leave 1e-10 with eight points.
 std::vector<double> DutyCycle::reversals(bool is_pin) const {
   constexpr double growth = 3;
-  // What turns in less than this share of an interval is taken for a kink; the
+  // A turn in less than this share of an interval is taken for a kink; the
   // error is the square of the share.
   constexpr double kink = 1e-6;
   const auto vector = [&](double time) {

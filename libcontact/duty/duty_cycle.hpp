@@ -55,8 +55,8 @@ class DutyCycle {
 
   /// How forces were measured.
   struct ForceFrame {
-    JointBody on = JointBody::body;       ///< that they act on
-    JointBody axes = JointBody::carrier;  ///< that they are given in
+    JointBody on = JointBody::body;       ///< the body they act on
+    JointBody axes = JointBody::carrier;  ///< the body whose axes give them
   };
 
   /// A joint at one time of a cycle.
@@ -103,7 +103,7 @@ class DutyCycle {
   std::shared_ptr<const Splines> splines_;
   ForceFrame frame_;
   std::optional<TurnSequence> sequence_;
-  std::vector<Eigen::Quaterniond> turns_;  // of rates, at the times
+  std::vector<Eigen::Quaterniond> turns_;  // by integrated rates, at the times
   double closure_ = 0;
 };
 

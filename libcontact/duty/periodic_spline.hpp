@@ -23,7 +23,7 @@ class PeriodicSpline {
   /// Its derivative, per s.
   Eigen::Vector3d slope(double time) const;
 
-  /// Those that were given.
+  /// Times as given.
   const std::vector<double>& times() const { return times_; }
   double period() const { return period_; }
 
@@ -31,8 +31,8 @@ class PeriodicSpline {
   struct Place {
     std::size_t from;
     std::size_t to;
-    double step;   // of the interval, s
-    double share;  // of it that has passed
+    double step;   // length of the interval, s
+    double share;  // passed share of the interval
   };
   Place find(double time) const;
 

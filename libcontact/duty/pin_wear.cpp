@@ -20,7 +20,7 @@ PinWear::PinWear(const LayeredPair& pair, double clearance,
 }
 
 double PinWear::next_step() const {
-  // Of steps half as long S differs by 2e-5 (duty/pin_wear_test.cpp).
+  // Halving these steps changes S by 2e-5 (duty/pin_wear_test.cpp).
   constexpr double first = 0.004;
   constexpr double growth = 0.1;
   const double unit = circle_.mean_compliance();
@@ -66,7 +66,7 @@ Status PinWear::step(const CircleSprings& growth, const Step& contact) {
   last_ = contact();
   if (growth.local > 0) {
     Eigen::VectorXd worn = gap_ - before;
-    // Of the mean both have their share.
+    // Both have their share of the mean.
     worn.array() -= worn.mean() * growth.mean / (growth.local + growth.mean);
     worn_ += worn;
   }

@@ -22,7 +22,7 @@ class PinWear {
   PinWear(const LayeredPair& pair, double clearance,
           const Eigen::VectorXd& worn = {});
 
-  /// What slides past, times the wear coefficients k, m/Pa: a depth is its
+  /// Sliding distance times the wear coefficients k, m/Pa: a depth is its
   /// product with a pressure.
   struct Path {
     double hole;
@@ -64,7 +64,7 @@ class PinWear {
 
   WornCircle circle_;
   Eigen::VectorXd gap_;
-  Eigen::VectorXd worn_;  // of the hole
+  Eigen::VectorXd worn_;  // depth of the hole's wear
   bool has_lifted_;
   double since_ = 0;  // path since it lifted off
   WornCircle::Contact last_;

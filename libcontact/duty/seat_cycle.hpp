@@ -16,14 +16,14 @@ class SeatCycle {
  public:
   struct Instant {
     double time;                 ///< s
-    double weight;               ///< of means over time, s: trapezoidal rule
+    double weight;               ///< in means over time, s: trapezoidal rule
     SeatJointSolution solution;  ///< in the axes of the body with the seat
     /// Dw in these axes, rad/s.
     Eigen::Vector3d angular_velocity;
   };
 
   struct Options {
-    /// As of the table.
+    /// Called as by SeatTable.
     std::function<void(double)> progress = {};
     /// SeatTable::bytes() of the joint; "": a table is made where `many`
     /// contacts or more reach a rim.
@@ -50,7 +50,7 @@ class SeatCycle {
   const Instant* largest_peak() const;
   /// The row whose contact is nearest to a rim; null if none has one.
   const Instant* least_gap() const;
-  /// What is to be said, a sentence for each reason.
+  /// Notes on the cycle, a sentence for each reason.
   std::vector<std::string> notes() const;
 
  private:

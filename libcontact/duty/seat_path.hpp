@@ -7,8 +7,8 @@
 
 namespace contact::detail {
 
-/// What slides where over a seat or hole in a cycle, in the axes of the body
-/// that has it.
+/// Path of the sliding contact over a seat or hole in a cycle, in the axes of
+/// the body that has it.
 class SeatPath {
  public:
   explicit SeatPath(const JointCycle& cycle);
@@ -21,7 +21,7 @@ class SeatPath {
 
   /// rho integral of |Dw| dt over the cycle, m.
   double distance() const { return ends_.empty() ? 0 : ends_.back(); }
-  /// Of the places, by their distance; a unit vector.
+  /// Mean direction of the places, weighted by their distance; a unit vector.
   Eigen::Vector3d middle() const;
   /// The largest angle from there to a place, rad.
   double reach(const Eigen::Vector3d& middle) const;
@@ -38,7 +38,7 @@ class SeatPath {
   std::vector<Place> places_;
   bool stands_still_ = true;
   bool keeps_direction_ = true;
-  std::vector<double> ends_;  // of their distances, one after the other
+  std::vector<double> ends_;  // running sums of their distances
 };
 
 }  // namespace contact::detail

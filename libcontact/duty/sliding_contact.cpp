@@ -42,7 +42,7 @@ double falling_root(const Function& function, double at_zero, double guess,
     at_last = at_x;
     if (x + step >= low && x + step <= high) {
       x += step;
-      // What the step leaves is about its product with the one before.
+      // The error left by a step is about its product with the one before.
       const double bend = std::min(x, edge - x);
       if (std::abs(step * step_before) < 1e-14 * x * bend &&
           std::abs(step) < 1e-4 * bend) {
@@ -55,8 +55,8 @@ double falling_root(const Function& function, double at_zero, double guess,
   return x;
 }
 
-// Where (1 - u^2)^n (1 + k u) is largest, u in [0, 1]: a pressure, n 0.5 to 1,
-// times slip on a contact so small that it is flat.
+// Place of the maximum of (1 - u^2)^n (1 + k u), u in [0, 1]: a pressure, n 0.5
+// to 1, times slip on a contact so small that it is flat.
 double flat_peak(double n, double k) {
   const double r = n / k;
   return 1 / (r + std::sqrt(r * r + 1 + 2 * n));
@@ -245,8 +245,8 @@ double SlidingContact::peak_angle(const Stress& stress,
   const double part = stress.pressure_part * pressure_unit_;
   const double constant =
       stress.constant_part + stress.pressure_part * uniform_pressure_;
-  // Of the logarithm of strength and speed, times the strength squared: finite
-  // at the edge, where slopes may be infinite and p is 0.
+  // Derivative of the logarithm of strength and speed, times the strength
+  // squared: finite at the edge, where slopes may be infinite and p is 0.
   using Value = detail::ExpandedPressure::Value;
   const auto slope = [&](double theta) {
     const auto [pressure, fall] =

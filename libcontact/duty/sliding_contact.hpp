@@ -13,10 +13,10 @@ class ExpandedPressure;
 class PressureProfile;
 }  // namespace detail
 
-/// What a bearing is rated by, over the contact of a joint that slides: slip,
-/// p v, and the heat flux, which is friction stress times slip and heats both
-/// bodies together. All of it is 0 at rest and without load, NaN where the
-/// solution is NaN.
+/// Quantities that bearings are rated by, over the contact of a joint that
+/// slides: slip, p v, and the heat flux, which is friction stress times slip
+/// and heats both bodies together. All of it is 0 at rest and without load, NaN
+/// where the solution is NaN.
 ///
 /// Places are unit vectors r from the joint's centre, of a pin normal to its
 /// axis; frame and signs as in Joint. Theory: docs/duty.md.
@@ -25,7 +25,7 @@ class PressureProfile;
 /// allocate nor throw.
 class SlidingContact {
  public:
-  /// Where a quantity is largest over the contact.
+  /// Largest value of a quantity over the contact, and its place.
   struct Peak {
     double value;
     double theta;           ///< from the contact's centre, rad
@@ -55,7 +55,7 @@ class SlidingContact {
   const Eigen::Vector3d& centre() const { return centre_; }
   /// p, Pa; 0 outside of the contact.
   double pressure(const Eigen::Vector3d& place) const noexcept;
-  /// Of the body's surface against the carrier's, m/s.
+  /// Velocity of the body's surface over the carrier's, m/s.
   Eigen::Vector3d slip(const Eigen::Vector3d& place) const noexcept;
   /// p |v|, W/m^2.
   double pv(const Eigen::Vector3d& place) const noexcept;
@@ -81,14 +81,14 @@ class SlidingContact {
   /// L, the mean of |v|/(rho |Dw|) with the weight p, times S: of a pin S.
   /// Infinite where interference presses without load.
   double slip_coefficient() const { return slip_coefficient_; }
-  /// Of p |v| over the contact, W: rho |Dw| R_n L.
+  /// Integral of p |v| over the contact, W: rho |Dw| R_n L.
   double pv_total() const { return pv_total_; }
   /// pv_total() over the area of the contact, W/m^2.
   double pv_mean() const noexcept;
   /// R over the projected area of JointGeometry::nominal_pressure(), times
   /// rho |Dw|, W/m^2.
   double pv_nominal() const { return pv_nominal_; }
-  /// Of the heat flux, W: minus the power of friction, to 1e-12
+  /// Integral of the heat flux, W: minus the power of friction, to 1e-12
   /// (duty/sliding_contact_test.cpp).
   double heat() const { return heat_; }
 
@@ -129,7 +129,7 @@ class SlidingContact {
   double uniform_pressure_ = 0;
   double rim_speed_;    // rho |Dw|, m/s
   SlipAxis axis_;       // sin a >= 0
-  Stress heat_stress_;  // of q
+  Stress heat_stress_;  // friction stress in q
   double slip_coefficient_ = 0;
   double pv_total_ = 0;
   double heat_ = 0;

@@ -14,9 +14,9 @@ class SteppedJoint {
 
   /// Places of a cycle that are worn in a block.
   virtual int places() const = 0;
-  /// Of which largest values are, at even times.
+  /// Number of even times among which largest values are sought.
   virtual int looks() const = 0;
-  /// Of distance times k, m/Pa, of the next block.
+  /// Length of the next block, distance times k, m/Pa.
   /// @param moves  whether the load does
   virtual double next_step(bool moves) const = 0;
   /// Wears under a load at one place.
@@ -25,7 +25,7 @@ class SteppedJoint {
   virtual Status wear(const SeatPath::Place& place, double seat, double inner,
                       bool many) = 0;
 
-  /// What a contact says.
+  /// State of the contact at one place.
   struct Look {
     Status status = Status::ok;
     double half_angle = 0;
@@ -33,7 +33,7 @@ class SteppedJoint {
     double peak_slip_pressure = 0;  ///< largest p w, w the slip over rho |Dw|
     /// Integral of p w over the contact beyond R_n, N.
     double beyond = 0;
-    double area = 0;  ///< of w over rho^2, of a pin 2 theta0 l, m
+    double area = 0;  ///< integral of w over rho^2, of a pin 2 theta0 l, m
     double tilt = 1;  ///< |M_t| over its part along Dw
   };
   /// @param force  R_n, N
@@ -53,7 +53,7 @@ std::unique_ptr<SteppedJoint> stepped_ball(const JointContact& contact,
                                            const SeatPath& path,
                                            const WornSeat& before);
 
-/// What elasticity knows of a joint: its walls, or its pair without end.
+/// Elastic bodies of a joint: its walls, or its pair without end.
 LayeredPair bodies_of(const JointContact& contact);
 
 }  // namespace contact::detail

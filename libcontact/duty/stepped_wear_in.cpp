@@ -41,7 +41,7 @@ class Steps {
     return joint_->next_step(!path_.keeps_direction()) /
            ((k_.seat + k_.inner) * path_.distance());
   }
-  /// Of the depth in some cycles about the mean over all of the surface, m.
+  /// Mean growth over all of the surface of the depth in some cycles, about, m.
   double mean_growth(double cycles) const {
     double load = 0;
     for (const SeatPath::Place& place : path_.places(joint_->places(), 0)) {

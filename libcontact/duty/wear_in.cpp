@@ -30,7 +30,7 @@ double mean_clearance(const JointGeometry& geometry, double volume) {
              (2 * std::numbers::pi * geometry.radius() * geometry.length());
 }
 
-// What the pressure of a cycle does, with the weight of p v.
+// Pressure of a cycle in means with the weight of p v.
 struct Wearing {
   double pv = 0;          // integral over contact and time, J
   double overlap = 0;     // mean g(theta0)
@@ -68,7 +68,7 @@ void add_cycle(const JointCycle& cycle, WearIn::State& state) {
   }
 }
 
-// Of overlapping shapes: eps (1/cos theta0 - 1).
+// Penetration of overlapping shapes: eps (1/cos theta0 - 1).
 double depth_of_overlap(const JointGeometry& geometry, double overlap) {
   const double theta0 =
       WornHalfAngle::half_angle_of_overlap(geometry.kind(), overlap);
@@ -79,7 +79,7 @@ double depth_of_overlap(const JointGeometry& geometry, double overlap) {
 WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
                          double wear_per_pv, double cycles, double unit) {
   constexpr double largest_growth = 0.1;
-  const double growth = wear_per_pv * wearing.pv / unit;  // of v in a cycle
+  const double growth = wear_per_pv * wearing.pv / unit;  // v's, per cycle
   // At least a cycle: what wears so fast is no bearing.
   const double block =
       std::min(cycles - now.cycles,
@@ -99,7 +99,7 @@ bool moves(const JointCycle& cycle) {
   return cycle.contact_spread() > share * wearing_of(cycle).half_angle;
 }
 
-// What steps do not use, or "".
+// Note on the laws that steps do not use, or "".
 std::string laws_note(const JointContact& contact) {
   const std::string half_angle = contact.half_angle_law().name();
   const std::string pressure = contact.pressure_law().name();

@@ -12,11 +12,11 @@ namespace contact {
 
 /// Wear coefficients k of the two bodies, m^2/N, >= 0.
 struct WearCoefficients {
-  double seat;       ///< of the seat or hole
-  double inner = 0;  ///< of the ball or pin
+  double seat;       ///< k of the seat or hole
+  double inner = 0;  ///< k of the ball or pin
 };
 
-/// What is gone of a seat or hole, as it goes from run to run.
+/// Wear of a seat or hole, as it is passed on from run to run.
 struct WornSeat {
   /// m: of a hole at even points of the circle from X towards Y, in the axes of
   /// the body that has it; none: nothing is gone.
@@ -24,7 +24,7 @@ struct WornSeat {
   /// after latitude of one longitude after the other.
   std::vector<double> depths = {};
   Eigen::Vector3d pole = {0, 0, 1};
-  double reach = 0;   ///< of the grid from its pole, rad
+  double reach = 0;   ///< reach of the grid from its pole, rad
   double cycles = 0;  ///< in which it went
 };
 
@@ -48,7 +48,7 @@ struct WearIn {
     /// s of RunningInPressure at the mean g of the cycle: 0 the joint's own
     /// pressure, 1 the worn one.
     double worn_share = 0;
-    // Of one cycle then; the largest are of its rows.
+    // Values of one cycle in this state; the largest are those of its rows.
     double energy = 0;         ///< J
     double mean_moment = 0;    ///< N m
     double half_angle = 0;     ///< largest, rad
@@ -61,16 +61,16 @@ struct WearIn {
   /// The seat or hole after all cycles; without depths where the load stands
   /// still, as no points are worn then.
   WornSeat worn;
-  /// What the user should know: sentences without a full stop.
+  /// Notes for the user: sentences without a full stop.
   std::vector<std::string> notes;
 };
 
-/// What wear does to a joint, with the geometry that it changes.
+/// Wear of a joint on a duty cycle, with the geometry that it changes.
 ///
-/// **Where the load stands still in the seat** (JointCycle::contact_spread()
-/// at most 0.1 of the half-angle before wear, the mean with the weight of p v):
+/// **Where the load stands still in the seat** (JointCycle::contact_spread() at
+/// most 0.1 of the half-angle before wear, the mean with the weight of p v):
 /// blocks of cycles in which v grows by at most 10 % of g(theta0), see
-/// WornHalfAngle and RunningInPressure. Of g over the cycle the mean with the
+/// WornHalfAngle and RunningInPressure. The mean of g over the cycle has the
 /// weight of p v. Where a ball does not mostly spin, the half-angle is within
 /// 1.1 deg of joints that wear step by step and the peak within 6 %; of a ball
 /// whose v is above 4 g(theta0 without wear) the peak is up to 17 % too high,

@@ -21,8 +21,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using std::numbers::pi;
 
-// Of work done along directions, sum of |f| d d^T: one eigenvalue is 0, the
-// others have this sum and product.
+// Cross-shear of work done along directions, sum of |f| d d^T: one eigenvalue
+// is 0, the others have this sum and product.
 double cross_shear(const Matrix3d& work) {
   const double sum = work.trace();
   if (sum == 0) return std::numeric_limits<double>::quiet_NaN();
@@ -35,7 +35,7 @@ double cross_shear(const Matrix3d& work) {
 
 struct WearMap::Instant {
   detail::PressureProfile profile;
-  Vector3d centre;          // of the contact
+  Vector3d centre;          // centre of the contact
   double chord;             // from there to the edge
   Vector3d slip;            // times a point: slip, m
   double pressure_unit;     // Pa

@@ -9,9 +9,9 @@
 
 namespace contact {
 
-/// Where and how one body of a joint wears on a cycle, by Archard's law with
-/// the geometry of the unworn joint: the depth is k times the integral of p |v|
-/// over the time.
+/// Wear of one body of a joint on a cycle, by Archard's law with the geometry
+/// of the unworn joint: the depth is k times the integral of p |v| over the
+/// time.
 ///
 /// Points are unit vectors from the joint's centre, in the body's own axes; of
 /// a pin normal to Z.
@@ -49,7 +49,7 @@ class WearMap {
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;
 
-  /// What is said of wear that is hardly that of a bearing.
+  /// Note on wear that is hardly that of a bearing.
   /// @param coefficient  k, m^2/N
   /// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
   ///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published

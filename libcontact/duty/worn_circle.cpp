@@ -121,7 +121,7 @@ WornCircle::Contact WornCircle::press(const Vector2d& load, const VectorXd& gap,
   VectorXd open(size());
   for (int step = 0; step < most; ++step) {
     balance(towards, gap, springs, touching, contact);
-    // Those that pull leave, those that overlap join.
+    // Points that pull leave, points that overlap join.
     open = compliance_ * contact.pressure + gap - lever_ * contact.shift;
     open.array() += springs.mean * contact.pressure.mean();
     Points next;

@@ -25,7 +25,7 @@ SeatWindow window_to(double reach) {
 }
 
 int latitudes_of(double reach, double step) {
-  // Of a reach that was rounded.
+  // The reach may be a rounded number.
   return std::max(static_cast<int>(std::ceil(reach / step - 1e-9)), 1);
 }
 // Even, as the longitudes are twice as many.
@@ -110,13 +110,13 @@ WornSphere::Map WornSphere::turned(const std::vector<Map>& by_order,
   return harmonics;
 }
 
-// Of one set in contact: A y - L D = -gap, L^T y = goal.
+// Equations of one set in contact: A y - L D = -gap, L^T y = goal.
 struct WornSphere::Problem {
   const WornSphere& of;
   Map gap;      // times the cells' unit
   Map springs;  // the same; may be empty
   Vector3d goal;
-  std::vector<Map> inverse;  // of A_m with the mean spring
+  std::vector<Map> inverse;  // inverse of A_m with the mean spring
   Map contact;               // 1 inside
 
   Map compliance(const Map& y) const {

@@ -36,15 +36,15 @@ class WornSphere {
   int longitudes() const { return 2 * order_; }
   /// The middle of a cell, unit vector.
   Eigen::Vector3d point(int latitude, int longitude) const;
-  /// Of a cell, m^2.
+  /// Area of a cell, m^2.
   double area(int latitude) const;
-  /// Of a cap of 45 deg that is pressed evenly, in the mean, m/Pa.
+  /// Mean compliance of a cap of 45 deg that is pressed evenly, m/Pa.
   double compliance() const;
 
   struct Contact {
     Map pressure;                       ///< Pa
     Eigen::Vector3d shift = {0, 0, 0};  ///< D, m
-    /// Of a cap with the contact's area, rad.
+    /// Half-angle of a cap with the contact's area, rad.
     double half_angle = 0;
     /// out_of_range: the contact reaches the grid's end, which cuts it.
     Status status = Status::not_converged;
@@ -66,11 +66,11 @@ class WornSphere {
   double radius_;
   double modulus_;  // E
   int order_;
-  Eigen::Matrix3d axes_;  // of the grid
+  Eigen::Matrix3d axes_;  // axes of the grid
   SeatCells cells_;
   SeatCompliance compliance_;
   Map transform_;  // orthogonal: from longitudes to their harmonics
-  double power_;   // of gaps beside an edge, in which they are linear
+  double power_;   // power in which gaps beside an edge are linear
   std::vector<Map> lever_;
   Map unit_;
 };

@@ -18,7 +18,7 @@
 
 namespace contact {
 
-/// What clearance and load make of a contact.
+/// State of a contact, by clearance and load.
 enum class ContactState {
   closed,     ///< interference: pressed together all round, theta0 = pi
   lifted,     ///< interference, opened on the side that the load leaves
@@ -111,8 +111,8 @@ class JointContact {
   /// p_0, Pa: the pressure of interference alone, the same all round. 0
   /// without interference.
   double interference_pressure() const noexcept;
-  /// What a contact that is closed all round has beyond the pressure of one
-  /// that is about to lift off under the same load, Pa: p_0 - p_1. 0 of others.
+  /// Excess of the pressure of a contact closed all round over that of one
+  /// about to lift off under the same load, Pa: p_0 - p_1. 0 of others.
   double uniform_pressure(double normal_force,
                           double half_angle) const noexcept {
     return is_closed(half_angle)
@@ -129,7 +129,7 @@ class JointContact {
   ///               the moment at which the joint breaks away.
   double unloaded_moment(double speed) const noexcept;
 
-  /// What clearance and a load make of the contact.
+  /// Contact state under a load.
   ContactState state(double normal_force) const noexcept;
   /// The sum of the pressures without regard to their direction, N: S R_n, and
   /// of a closed contact that of its interference, at any load.
@@ -152,7 +152,7 @@ class JointContact {
     return half_angle_law_->half_angle(load_parameter(normal_force));
   }
 
-  /// What a friction stress depends on beside half-angle and slip axis.
+  /// Arguments of a friction stress beside half-angle and slip axis.
   struct Load {
     double normal_force;  ///< R_n, N
     double speed;         ///< |Dw|, rad/s
@@ -167,7 +167,7 @@ class JointContact {
   FrictionIntegrals integrals(double half_angle, SlipAxis axis,
                               const Load& load = no_load) const noexcept;
 
-  /// What the integrals are multiplied with.
+  /// Factors of the integrals.
   struct Strength {
     double pressure_part;  ///< f0 or k1 rho |Dw|
     double area_part;      ///< A rho^2 or k0 rho^3 |Dw|, N
@@ -175,9 +175,9 @@ class JointContact {
   /// @param speed  |Dw|, rad/s; without influence but for viscous friction
   Strength strength(double speed) const noexcept;
 
-  /// What the integrals of a load and their strength make together, N: friction
-  /// force, and both moments over rho. Has values without load too, where
-  /// coefficients over R_n have none.
+  /// Integrals of a load times their strength, N: friction force, and both
+  /// moments over rho. They have values without load too, where coefficients
+  /// over R_n have none.
   FrictionTriple friction_at(double half_angle, SlipAxis axis,
                              const Load& load) const noexcept;
 

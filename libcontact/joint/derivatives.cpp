@@ -22,7 +22,7 @@ FrictionTriple combined(double a, const FrictionTriple& x, double b,
           a * x.spinning + b * y.spinning};
 }
 
-// Of a function of a number, at 0, by values at +-h and +-2h.
+// Derivative at 0 of a function of a number, by values at +-h and +-2h.
 template <class Function>
 FrictionTriple slope(const Function& at, double h) {
   const FrictionTriple near = combined(1, at(h), -1, at(-h));

@@ -25,7 +25,7 @@ class JointGroup {
   /// One of the joints.
   struct Member {
     Joint joint;
-    /// Of its centre along the axis from the group's pole, m.
+    /// Place of its centre along the axis from the group's pole, m.
     double position;
   };
 
@@ -87,7 +87,7 @@ class JointGroup {
   ///                  to 1e-12 of |R| and |R| x distance (joint/group_test.cpp)
   void solve(const Slip& slip, Solution& solution) const noexcept;
 
-  /// What a joint takes: share `force` of R and `moment` of M x u normal to the
+  /// Load of one joint: share `force` of R and `moment` of M x u normal to the
   /// axis, M less the parts of the joints' friction moments normal to the axis;
   /// share `axial` of R along it.
   struct Share {

@@ -59,7 +59,7 @@ JointSolution not_a_number(Status status, const Vector3d& reaction) {
   return s;
 }
 
-// What depends on R_n and theta0 alone.
+// Sets the quantities that depend on R_n and theta0 alone.
 void set_contact(JointSolution& s, const JointContact& contact, double force,
                  double half_angle, JointContact::Strength strength) {
   s.normal_force = force;

@@ -10,7 +10,7 @@
 
 namespace contact {
 
-/// What a resting joint holds, see Joint::at_rest().
+/// Moment that a resting joint holds, see Joint::at_rest().
 struct RestSolution {
   /// As the slip's; not_converged if no slip direction was found.
   Status status = Status::out_of_range;
@@ -96,8 +96,8 @@ class Joint {
     Eigen::Vector3d moment;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
   };
-  /// Whether the joint rests under R while holding the moment M, and how near
-  /// it is to sliding.
+  /// Decides whether the joint rests under R while holding the moment M, and
+  /// how near it is to sliding.
   ///
   /// While a joint rests n is not known. Consistent with sliding, it holds
   ///

@@ -7,7 +7,7 @@
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/joint/joint.hpp"
 
-// What a joint at rest holds: H(R) by the sliding moments M_t(R, u).
+// Moments that a joint at rest holds: H(R) by the sliding moments M_t(R, u).
 namespace contact {
 namespace {
 
@@ -43,7 +43,7 @@ class SlipSearch {
     ++solves_;
     const Vector3d& m = last_.friction_moment;
     const double value = std::atan2(std::hypot(m.x(), m.y()), -m.z()) - angle_;
-    // Of an angle of up to pi after a handful of operations.
+    // Rounding of an angle of up to pi after a handful of operations.
     constexpr double rounding = 2e-15;
     return std::abs(value) <= rounding ? 0 : value;
   }

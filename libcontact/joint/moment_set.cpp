@@ -97,7 +97,7 @@ SlipAxis MomentSet::axis_of_moment(double sliding,
   // Exact if the edge were an ellipse.
   const double ratio = most_spinning_ / most_sliding_;
   const double guess = sliding / spinning * ratio * ratio;
-  constexpr double factor = 1.5;  // of the search for bounds
+  constexpr double factor = 1.5;  // growth of the bounds in their search
   std::uintmax_t steps = 200;     // 10 on average
   const auto [low, high] = boost::math::tools::bracket_and_solve_root(
       residual, guess, factor, true,
@@ -215,7 +215,7 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia,
     }
     if (!moved) break;
   }
-  // What rounding of the moments leaves.
+  // Rounding of the moments leaves less than this.
   result.status = result.residual <= 1e-12 ? Status::ok : Status::not_converged;
   return result;
 }

@@ -125,7 +125,7 @@ void extrapolate(SlipPoint& point, const SlipPoint& before, double share,
 
 struct Start {
   double tangent;
-  double slope;  // of the residual over ln tan psi
+  double slope;  // d residual / d ln tan psi
 };
 
 // Secant steps in ln tan psi; not_converged if they do not settle at once.
@@ -186,7 +186,7 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
     const double r = equation.at(tangent).residual;
     return std::isnan(r) ? -1.0 : r;
   };
-  constexpr double factor = 4;  // of the search for bounds
+  constexpr double factor = 4;  // growth of the bounds in their search
   std::uintmax_t evaluations = options.evaluation_limit;
   const auto [low, high] = boost::math::tools::bracket_and_solve_root(
       residual, guess, factor, true,
@@ -197,7 +197,7 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
   if (root.residual <= options.tolerance) {
     root.status = Status::ok;
   } else if (!(root.residual < largest_jump)) {
-    // Where the half-angle law begins to have values, and no root.
+    // The half-angle law begins to have values here: this is no root.
     root.status = Status::out_of_range;
   }
   return root;

@@ -21,7 +21,7 @@ template <class T>
 struct SlipTriangle {
   T tangent;  ///< tan psi
   T sin_psi, cos_psi, cos_g;
-  T axis_sin, axis_cos;  ///< of a >= 0
+  T axis_sin, axis_cos;  ///< sin a, cos a; a >= 0
 
   /// @param tan_psi        [0, 1e150]
   /// @param sin_b, cos_b   both >= 0

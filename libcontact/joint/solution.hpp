@@ -9,12 +9,12 @@
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/joint/contact.hpp"
 
-/// What a Joint returns. All vectors are in the frame of the given
-/// reaction; forces and moments act on the body (the opposite ones on the
-/// carrier); Dw is the angular velocity of the body relative to the carrier.
+/// Results of a Joint. All vectors are in the frame of the given reaction;
+/// forces and moments act on the body (the opposite ones on the carrier); Dw is
+/// the angular velocity of the body relative to the carrier.
 namespace contact {
 
-/// What the two halves of a joint do.
+/// Motion of the two halves of a joint against each other.
 enum class JointState {
   sliding,   ///< they turn against each other
   resting,   ///< relative angular velocity exactly 0: no friction
@@ -79,12 +79,12 @@ struct SolveOptions {
 /// opposite to Dw, and its coefficient over R_n is infinite. If the status is
 /// out_of_range all numbers are NaN.
 struct JointSolution {
-  /// Where a solution was found and how it changes with R and Dw: lets the next
-  /// solve start close by. Travels inside JointSolution; no user's business.
+  /// Start of the next solution: where this one was found and how it changes
+  /// with R and Dw. Travels inside JointSolution; not for users.
   struct Memory {
     bool valid = false;
     double reaction_force = 0;     ///< R
-    SineCosine reaction = {0, 1};  ///< of min(b, pi - b)
+    SineCosine reaction = {0, 1};  ///< min(b, pi - b)
     double tangent = 0;            ///< tan psi
     double normal_force = 0;       ///< R_n
     double cosine = 0;             ///< cos a
@@ -115,7 +115,7 @@ struct JointSolution {
   Eigen::Vector3d friction_force = Eigen::Vector3d::Zero();
   /// M_t about the joint's centre, N m.
   Eigen::Vector3d friction_moment = Eigen::Vector3d::Zero();
-  /// Of the body's half against the carrier's at the contact's centre, m/s.
+  /// Velocity of the body's half over the carrier's at the centre, m/s.
   Eigen::Vector3d slip_velocity = Eigen::Vector3d::Zero();
   /// M_t . Dw, W; never positive.
   double power = 0;
@@ -137,7 +137,7 @@ struct JointSolution {
   /// k0 rho^2/(k1 R_n)); infinite without the latter.
   double adhesion_number = 0;
 
-  /// What clearance and load make of the contact.
+  /// Contact state under this load.
   ContactState contact_state = ContactState::clearance;
   /// mu or lambda; infinite without clearance, below 0 with interference.
   double load_parameter = 0;

@@ -14,7 +14,7 @@
 namespace contact {
 namespace {
 
-// Of crystals: materials grow by some 2 % from cold to where they melt, and a
+// Limit for crystals: they grow by some 2 % from cold to where they melt, and a
 // quarter of the way there their moduli and coefficients are no longer
 // constant.
 constexpr double largest_free_strain = 0.005;

@@ -22,8 +22,8 @@ namespace contact {
 
 class SharedLaws;
 
-/// What made the clearance of a joint that is warmer or colder than it was when
-/// its clearance was measured: docs/temperature.md.
+/// Growth of the clearance of a joint that is warmer or colder than when its
+/// clearance was measured: docs/temperature.md.
 struct ThermalGrowth {
   Temperatures temperatures;
   double reference_clearance;  ///< at temperatures.reference, m
@@ -51,9 +51,9 @@ struct ThermalGrowth {
 struct JointSpec {
   std::string name = {};  ///< for people
   JointGeometry geometry;
-  /// What the geometry is from, if from a fit.
+  /// Fit that the geometry comes from, if any.
   std::optional<Fit> fit = {};
-  /// What its clearance has grown from, if by at().
+  /// Growth that at() has added to the clearance, if any.
   std::optional<ThermalGrowth> thermal_growth = {};
   /// Ball or pin: its material, or coatings and a core.
   LayeredBody inner;
@@ -62,7 +62,7 @@ struct JointSpec {
   LayeredBody outer;
   std::optional<FrictionModel> friction = {};
   InnerLoading loading = InnerLoading::centre();
-  /// Of the ends of a pin or its hole; FinitePin alone knows it.
+  /// Relief of the ends of a pin or its hole; FinitePin alone uses it.
   Relief relief = Relief::none();
   /// For make_half_angle_law(); "": exact with layers and with interference,
   /// else fitted.
@@ -85,7 +85,7 @@ struct JointSpec {
   std::string half_angle_law_name() const;
   std::string pressure_law_name() const;
 
-  /// What a Joint is made of.
+  /// Contact that a Joint is made from.
   /// @throws Error if there is no friction
   JointContact contact() const;
   /// The same, of several joints that share their laws.
@@ -95,8 +95,8 @@ struct JointSpec {
   std::unique_ptr<PressureLaw> make_pressure_law() const;
   /// Load from and to load parameter.
   LoadScale load_scale() const { return {geometry, pair()}; }
-  /// Where the clearance is from if it is not given itself, a sentence each:
-  /// fit and temperatures.
+  /// Origin of a clearance that is not given itself, a sentence each: fit and
+  /// temperatures.
   std::vector<std::string> clearance_notes() const;
   /// Notes of the description alone: of its growth, and of a relief, which no
   /// joint knows.

@@ -40,7 +40,7 @@ Move dry_about(const Vector3d& u, double size, double inertia, double free) {
   return {(free + moment / inertia) * u, moment * u};
 }
 
-// What friction, once its n, R_n and theta0 are known, leaves of a free motion.
+// Slip that friction leaves of a free motion, once n, R_n and theta0 are known.
 class Sliding {
  public:
   // @param rate  of the solution, rad/s
@@ -61,7 +61,7 @@ class Sliding {
     }
     if (joint_.contact().is_viscous()) return viscous(inertia, free);
     const MomentSet set = joint_.moment_set(solution_);
-    // Of a stress the set is that of rest; its size is that of the speed.
+    // A friction stress makes the set that of rest, its size that of the speed.
     const double scale =
         joint_.contact().stress()
             ? solution_.friction_moment.norm() / set.moment(rate_).norm()
@@ -105,7 +105,7 @@ bool holds(const Joint& joint, const StepStart& start, const Vector3d& axis,
   step.rest = joint.at_rest({start.reaction, moment, axis}, step.rest);
   step.status = step.rest.status;
   if (!(step.rest.utilisation > 1)) return true;
-  // Where nothing is held the free motion says in which direction it slides.
+  // If nothing is held the free motion gives the direction of slip.
   step.solution = std::isinf(step.rest.utilisation)
                       ? joint.solve({start.reaction, start.free, axis})
                       : step.rest.slip;

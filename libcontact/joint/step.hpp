@@ -15,7 +15,7 @@ struct StepStart {
   Eigen::Vector3d angular_velocity;
   /// Dw at the end of the step if this joint had no friction, rad/s.
   Eigen::Vector3d free;
-  /// Of a pin, unit vector; 0: the direction of Dw or of `free`.
+  /// Axis of a pin, unit vector; 0: the direction of Dw or of `free`.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
 };
 
@@ -30,7 +30,7 @@ struct JointStep {
   bool holds = false;
   /// Friction at the start; of incipient sliding where the joint rested.
   JointSolution solution;
-  /// Where it rested: Joint::at_rest() with what it had to hold.
+  /// Joint::at_rest() with the moment it had to hold, if the joint rested.
   RestSolution rest;
 };
 

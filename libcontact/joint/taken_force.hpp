@@ -6,7 +6,7 @@
 
 namespace contact::detail {
 
-/// What a joint takes of a force: a pin the part normal to its axis.
+/// Part of a force that a joint takes: of a pin that normal to its axis.
 inline Eigen::Vector3d taken(const Joint& joint, const Eigen::Vector3d& force,
                              const Eigen::Vector3d& angular_velocity,
                              const Eigen::Vector3d& axis) {

@@ -28,7 +28,7 @@ struct FitParameter {
   FrictionParameter parameter;
   std::string_view key;     ///< in Python: "clearance"
   std::string_view column;  ///< in reports: "radial_clearance_m"
-  std::string_view name;    ///< of its correlations: "clearance"
+  std::string_view name;    ///< in correlations: "clearance"
   std::string_view meaning;
 };
 

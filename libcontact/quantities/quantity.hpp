@@ -15,10 +15,10 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/joint/solution.hpp"
 
-/// What results say: for each of their structs a table of quantities, from
-/// which columns and their help, summaries, the names that studies know, the
-/// getters of C and the attributes of Python are made. A new quantity is a
-/// member of the struct and a row here.
+/// Tables of the quantities of results, one for each struct, from which columns
+/// and their help, summaries, the names that studies know, the getters of C and
+/// the attributes of Python are made. A new quantity is a member of the struct
+/// and a row here.
 namespace contact {
 
 /// A quantity of a T. Values are in SI units and radians.
@@ -32,7 +32,7 @@ struct Quantity {
                Status (*)(const T&), JointState (*)(const T&),
                const Eigen::Vector3d& (*)(const T&), ContactState (*)(const T&)>
       of;
-  /// Of a vector whose length is a column too, what that means.
+  /// Meaning of a vector's length, if it is a column too.
   std::string_view length_meaning = {};
   /// Null: always. Without it tables are empty.
   bool (*exists)(const T&) = nullptr;
@@ -144,7 +144,7 @@ template <class T>
 std::vector<Column<T>> columns_of(const Quantity<T>& q) {
   return columns_of(q, printed_unit(q.dimension));
 }
-/// Those of all quantities of a table.
+/// Columns of all quantities of a table.
 template <class T>
 std::vector<Column<T>> columns_of(std::span<const Quantity<T>> all) {
   std::vector<Column<T>> columns;

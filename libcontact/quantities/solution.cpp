@@ -7,7 +7,7 @@ using S = JointSolution;
 
 // Directions and angles that rest and lack of load leave without meaning.
 bool slides(const S& s) { return s.state == JointState::sliding; }
-// Of the moment of interference without load there is nothing over R_n.
+// The moment of interference without load has no ratio to R_n.
 bool has_ratios(const S& s) { return !slides(s) || s.normal_force != 0; }
 
 constexpr Quantity<S> of_solution[] = {

@@ -24,7 +24,7 @@ struct ContactPatch {
   double normal_force;  ///< R_n, N
   double half_angle;    ///< theta0, rad; NaN where the law has none
 };
-/// Those that do not exist without a half-angle say so.
+/// Quantities that do not exist without a half-angle say so.
 std::span<const Quantity<ContactPatch>> patch_quantities();
 std::span<const Quantity<ContactApproach>> approach_quantities();
 
@@ -32,10 +32,10 @@ std::span<const Quantity<ContactApproach>> approach_quantities();
 /// interference.
 std::span<const Quantity<ContactPatch>> preload_quantities();
 
-/// Of pure friction, f = f0, over the contact.
+/// Coefficients of pure friction, f = f0, over the contact.
 std::span<const Quantity<FrictionTriple>> coefficient_quantities();
 
-/// Of a time of a cycle beside its solution.
+/// Quantities of a time of a cycle beside its solution.
 std::span<const Quantity<JointCycle::Instant>> instant_quantities();
 /// Integrals and means of a cycle; each is computed when it is asked for.
 std::span<const Quantity<JointCycle>> cycle_quantities();

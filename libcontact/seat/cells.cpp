@@ -11,7 +11,7 @@ namespace contact::detail {
 namespace {
 
 constexpr double pi = std::numbers::pi;
-constexpr double growth = 1.25;  // of cells, away from a rim
+constexpr double growth = 1.25;  // growth of cells away from a rim
 
 // Sizes of the cells from a rim on that are smaller than the even ones.
 std::vector<double> graded(double first, double even) {
@@ -52,7 +52,7 @@ SeatCells::SeatCells(const SeatWindow& of, int count, double thickness)
   const auto n = bound.size() - 1;
   unit = bound.head(n).cos() - bound.tail(n).cos();
   mean_shape = unit;
-  // Of the moments, which are as smooth as g: 1e-15.
+  // Moments, which are as smooth as g: 1e-15.
   const Rule rule = rule_of_shape(0);
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(n);
   sine = cosine = mean_angle = mean_square = sum;

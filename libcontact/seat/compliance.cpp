@@ -77,8 +77,8 @@ Eigen::VectorXd compliances(const LayeredPair& pair, int degree) {
   return c;
 }
 
-// Of the degrees beyond the last one: N_nm is sqrt(2/(pi sin v)) times a cosine
-// whose square is 1/2 in the mean, alike for all m << n.
+// Sum over the degrees beyond the last one: N_nm is sqrt(2/(pi sin v)) times a
+// cosine whose square is 1/2 in the mean, alike for all m << n.
 Eigen::MatrixXd tail(const SeatCells& cells, int degree) {
   const int size = cells.size();
   const double n = degree + 0.5;

@@ -8,9 +8,9 @@
 
 namespace contact::detail {
 
-/// What pressures on the cells of a seat press in, order by order in longitude:
-/// a pressure w_i cos(m phi) gives the mean displacement A_m(k, i) cos(m phi),
-/// weighted by w_k sin v, of cell k, in units of 4 rho/E:
+/// Displacement of the cells of a seat under pressures on them, order by order
+/// in longitude: a pressure w_i cos(m phi) gives the mean displacement
+/// A_m(k, i) cos(m phi), weighted by w_k sin v, of cell k, in units of 4 rho/E:
 ///
 ///     A_m = sum_{n >= m} c_n B_n B_n^T,  B_i,n = ∫ w_i N_nm(cos v) sin v dv,
 ///
@@ -22,8 +22,8 @@ struct SeatCompliance {
   SeatCompliance(const LayeredPair& pair, const SeatCells& cells, int order);
 
   std::vector<Eigen::MatrixXd> matrix;   ///< A_m
-  std::vector<Eigen::MatrixXd> inverse;  ///< of A_m, made regular: see there
-  int degree;                            ///< of the last harmonic
+  std::vector<Eigen::MatrixXd> inverse;  ///< A_m^-1, made regular: see there
+  int degree;                            ///< degree of the last harmonic
 };
 
 }  // namespace contact::detail

@@ -128,7 +128,7 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
   const detail::SeatPatchSolver& solver = *state.solution->solver;
   const detail::SeatPatch& patch = state.solution->patch;
   const double modulus = contact_.pair().effective_modulus();
-  const double unit = modulus / (4 * radius_);  // of pressures
+  const double unit = modulus / (4 * radius_);  // unit of pressures
   const detail::SeatReadout read(solver, patch);
   const bool is_axial = in_plane(state.force).x() == 0;
   state.shift = detail::plane_axes(state.force) *
@@ -249,7 +249,7 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
     const bool is_reached = state.rims[rim].intensity > 0;
     if (!is_reached && !(state.rims[rim].distance < beside)) continue;
     const double angle = zone_.side_angle(rim) / degree;
-    // Of finite elements: docs/seats.md, "What is neglected".
+    // Numbers by finite elements: docs/seats.md, "What is neglected".
     const bool is_acute = angle < 85;
     all.push_back(detail::message(
         "the contact {} its {} rim, where the side face, taken to be at {:.4g} "

@@ -48,7 +48,7 @@ struct SeatPlace {
   double longitude = std::numeric_limits<double>::quiet_NaN();    ///< rad
 };
 
-/// What a contact does at a rim of its seat.
+/// State of a contact at a rim of its seat.
 struct SeatRim {
   /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
   /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
@@ -69,10 +69,10 @@ struct SeatState {
   /// Whether it does not reach a rim: all is then from the exact laws of the
   /// seat without end.
   bool is_free = false;
-  /// Of the ball's centre from concentric, m, in the axes of the force.
+  /// Shift of the ball's centre from concentric, m, in the axes of the force.
   Eigen::Vector3d shift =
       Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Where the load pierces the seat, Pa; NaN where there is no seat.
+  /// Pressure where the load pierces the seat, Pa; NaN where there is no seat.
   double pressure_at_load = std::numeric_limits<double>::quiet_NaN();
   /// The largest pressure at the reported distance or more from every rim, Pa.
   double peak_pressure = std::numeric_limits<double>::quiet_NaN();
@@ -94,7 +94,7 @@ struct SeatState {
 /// Pressure on a rim that is rounded (Hertz' shape of a punch's edge).
 struct RoundedRim {
   double peak_pressure;  ///< Pa
-  double reach;          ///< of the contact beyond the old rim, m
+  double reach;          ///< reach beyond the old rim, m
 };
 
 /// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
@@ -116,7 +116,7 @@ struct RoundedRim {
 class SeatContact {
  public:
   struct Grid {
-    int cells = 28;       ///< of latitude, 8 to 200; some more near rims
+    int cells = 28;       ///< over latitude, 8 to 200; some more near rims
     int longitudes = 90;  ///< over half a turn, 16 to 720
     /// From every rim, over the radius, for peak_pressure, (0, 1).
     double report_distance = 0.02;
@@ -142,7 +142,7 @@ class SeatContact {
   /// a shift.
   Eigen::Matrix3d stiffness(const SeatState& state) const;
 
-  /// What a rim does that is rounded along the meridian, for a radius much
+  /// Contact at a rim that is rounded along the meridian, for a radius much
   /// smaller than the contact and than the thickness of the surface layer:
   /// p = 0.582 (K^2 E*/r)^(1/3), over d = (1.880 K r/E*)^(2/3).
   /// @param intensity  K, Pa m^(1/2)

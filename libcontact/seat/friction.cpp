@@ -54,11 +54,11 @@ class Sectoral {
   double last_ = std::sqrt(0.5);
 };
 
-// Of one block of orders and the degrees of one parity: sums of c Q, n c Q and
+// Sums over one block of orders and the degrees of one parity: c Q, n c Q and
 // c slope Q_(n-1).
 struct Sums {
   Lanes value = Lanes::Zero(), along = Lanes::Zero(), before = Lanes::Zero();
-  double pole = 0;  // of c_n0 sqrt(n(n+1)) Q_n1
+  double pole = 0;  // sum of c_n0 sqrt(n(n+1)) Q_n1
 };
 
 // Value and gradient on the sphere, e_v and e_phi.
@@ -156,7 +156,7 @@ SeatSlip SeatBasis::dry(const Eigen::ArrayXd& c,
   const double sin_phi = sine > 0 ? axis.y() / sine : 0;
   Expansion power, angle;
   Sectoral sectoral(sine);
-  double turn_x = 1, turn_y = 0;  // of m phi
+  double turn_x = 1, turn_y = 0;  // cosine and sine of m phi
   Eigen::Index i = 0;
   for (int first = 0; first < degrees_; first += lanes) {
     Lanes now = Lanes::Zero(), before = now, cosines, sines;

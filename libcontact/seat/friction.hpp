@@ -30,13 +30,12 @@ class SeatBasis {
 
   int degrees() const { return degrees_; }
   Eigen::Index size() const { return up_.size(); }
-  /// Where the number of N_nm is, n >= m.
+  /// Index of the number of N_nm, n >= m.
   Eigen::Index index(int n, int m) const;
   /// N_nm at a polar angle.
   Eigen::ArrayXd functions(double v) const;
 
-  /// What the harmonics of dm (p dS, or dS) are multiplied by so that they
-  /// are those of
+  /// Factors that turn the harmonics of dm (p dS, or dS) into those of
   ///
   ///     Phi = ∫ |w x r| dm (n even),   Xi = ∫ asin(w.r) dm (n odd)
   ///
@@ -61,8 +60,8 @@ class SeatBasis {
   Eigen::ArrayXd up_, down_, slope_, factors_;
 };
 
-/// What the cells of a grid give to each harmonic, from pressures and from
-/// covered area: a number of the basis in each column.
+/// Contribution of each cell of a grid to each harmonic, from pressures and
+/// from covered area: a number of the basis in each column.
 struct SeatMoments {
   SeatMoments(const SeatCells& cells, const SeatBasis& basis);
 

@@ -27,10 +27,10 @@ namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-// Of harmonics: 1e-3 of the load for slip axes that pierce the contact beside a
-// rim, else 1e-5.
+// Number of degrees: 1e-3 of the load for slip axes that pierce the contact
+// beside a rim, else 1e-5.
 constexpr int degrees = 130;
-// Of R: ten times what SeatContact leaves.
+// Tolerance of R: ten times the error that SeatContact leaves.
 constexpr double tolerance = 1e-7;
 
 const SeatZone& zone_of(const JointSpec& joint) {

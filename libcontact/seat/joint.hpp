@@ -40,7 +40,7 @@ struct SeatJointSolution {
   int evaluations = 0;      ///< contacts that were found
 };
 
-/// Whether a ball in a seat that ends rests, and how near it is to sliding.
+/// Limit of rest of a ball in a seat that ends: how near it is to sliding.
 struct SeatRestSolution {
   double utilisation = std::numeric_limits<double>::quiet_NaN();  ///< tau
   /// u, unit vector; 0 if M = 0.
@@ -88,8 +88,8 @@ class SeatJoint {
   /// no u was found.
   SeatRestSolution at_rest(const Joint::Hold& hold) const;
 
-  /// What is to be said of a solution, a sentence each: why there is none, or
-  /// what the model leaves out beside a rim.
+  /// Notes on a solution, a sentence each: why there is none, or what the model
+  /// leaves out beside a rim.
   std::vector<std::string> notes(const SeatJointSolution& solution) const;
 
   const SeatContact& contact() const { return contact_; }

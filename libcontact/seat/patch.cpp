@@ -114,7 +114,7 @@ void SeatPatchSolver::solve(Eigen::Vector2d shift, SeatPatch& patch) const {
   }
   const Map roots = root_.replicate(right.rows(), 1);
   Map y = patch.pressure.cwiseProduct(roots);
-  // What begins coarse is improved before its set is believed.
+  // A coarse start is improved before its set is believed.
   constexpr double tolerances[] = {1e-4, 1e-4, 1e-6, 1e-6};
   constexpr double finest = 1e-9;
   patch.converged = false;

@@ -56,7 +56,7 @@ class SeatPatchSolver {
   const SeatCells& cells() const { return cells_; }
   int order() const { return order_; }
   double longitude(int j) const;
-  /// Of a node in sums over the whole turn, rad.
+  /// Weight of a node in sums over the whole turn, rad.
   double longitude_weight(int j) const;
 
  private:
@@ -70,7 +70,7 @@ class SeatPatchSolver {
   SeatCompliance compliance_;
   int order_;
   double clearance_;
-  Eigen::RowVectorXd root_;  // of the longitudes' weights over pi 2/M
+  Eigen::RowVectorXd root_;  // root of the longitudes' weights over pi 2/M
   Map transform_;            // symmetric, orthogonal
   Map lever_x_, lever_z_, unit_;
 };

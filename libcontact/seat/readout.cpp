@@ -33,8 +33,8 @@ SeatReadout::Run SeatReadout::run_of(int cell, int j) const {
   return run;
 }
 
-// Of f = p/g about the middle of the cell, whose means over cells with the
-// weight w_i sin v are a_i p_i.
+// Parabola of f = p/g about the middle of the cell, whose means over cells with
+// the weight w_i sin v are a_i p_i.
 Eigen::Vector3d SeatReadout::parabola(int cell, int j) const {
   const Run in = run_of(cell, j);
   const int first = std::max(in.first, std::min(cell - 2, in.last - 4));
@@ -77,7 +77,7 @@ SeatReadout::Peak SeatReadout::peak(double rim_distance) const {
 }
 
 SeatReadout::Peak SeatReadout::peak(double low, double high, int j) const {
-  constexpr int parts = 16;  // of a cell: a maximum is flat
+  constexpr int parts = 16;  // parts of a cell: a maximum is flat
   Peak peak{0, nan, nan};
   for (int i = 0; i < cells_.size(); ++i) {
     const double from = std::max(low, cells_.bound(i));

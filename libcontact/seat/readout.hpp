@@ -7,9 +7,9 @@
 
 namespace contact::detail {
 
-/// What a patch on a seat says of its contact, in the patch's own unit of
-/// pressure and in radians: pressures at points, the strength of the rims'
-/// singularities, where the contact ends.
+/// Pressures and edges of the contact of a patch on a seat, in the patch's own
+/// unit of pressure and in radians: pressures at points, the strength of the
+/// rims' singularities, where the contact ends.
 class SeatReadout {
  public:
   SeatReadout(const SeatPatchSolver& solver, const SeatPatch& patch)
@@ -39,8 +39,8 @@ class SeatReadout {
   };
   Rim rim(int rim) const;
 
-  /// Where the contact begins and ends on one longitude; both NaN without
-  /// contact. Between the two it may be open: thin rings bend.
+  /// Ends of the contact on one longitude; both NaN without contact. Between
+  /// the two it may be open: thin rings bend.
   struct Ends {
     double lower, upper;
   };

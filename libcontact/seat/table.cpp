@@ -22,7 +22,7 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr int degrees = 64;
 
-// Of a cubic through four even places, 0 <= x <= 1.
+// Weights of a cubic through four even places, 0 <= x <= 1.
 Eigen::Array4d cubic(double x) {
   const double a = 3 * x, b = a - 1, c = a - 2, d = a - 3;
   return {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};

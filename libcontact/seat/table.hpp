@@ -30,7 +30,7 @@ class SeatTable {
   struct Options {
     double least_load;  ///< N, above 0
     double most_load;   ///< N, above least_load
-    /// Of the load: of the shift, as load, and of friction at f0 = 1.
+    /// Errors allowed, over the load: shift, as load, and friction at f0 = 1.
     double accuracy = 1e-3;
     int most_states = 1800;  ///< 10 to 20 s
     int checks = 100;
@@ -40,9 +40,9 @@ class SeatTable {
   /// The largest errors of states that were drawn at random, over the load.
   struct Check {
     int states = 0;
-    double load = 0;      ///< of the shift, as load
+    double load = 0;      ///< error of the shift, as load
     double friction = 0;  ///< sums of section "Friction" about a random axis
-    double peak = 0;      ///< of the largest pressure, over itself
+    double peak = 0;      ///< error of the largest pressure, over itself
   };
 
   /// @param contact  has to outlive the table
@@ -104,7 +104,7 @@ class SeatTable {
   double unit_load_;  // N
   bool has_mirror_;
   Eigen::Array2d low_, high_;      // places of loads and directions
-  Eigen::Array2i count_ = {0, 0};  // of the largest squares
+  Eigen::Array2i count_ = {0, 0};  // number of the largest squares
   std::unique_ptr<const detail::SeatSums> sums_;
   std::vector<Node> nodes_;
   std::vector<Square> squares_;

@@ -7,7 +7,7 @@
 namespace contact::detail {
 namespace {
 
-// Of a window: at which end of the zone it lies, and how many times it is
+// Place of a window: at which end of the zone it lies, and how many times it is
 // 2^(1/2) narrower.
 struct Place {
   int end, step;
@@ -28,7 +28,7 @@ Place narrowest(const SeatSolution& of) {
   }
   constexpr double spare = 4.0 / 3;
   const double share = spare * wide / cells.window.width();
-  // Of the last one the smallest zone would have cells of 1e-4 rad.
+  // With the last window the smallest zone would have cells of 1e-4 rad.
   return {lower ? 0 : 1,
           std::clamp(static_cast<int>(-2 * std::log2(share)), 0, 16)};
 }

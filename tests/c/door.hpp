@@ -8,7 +8,7 @@
 #include "libcontact/c/contact.h"
 #include "separation/c/run.h"
 
-/// What the tests of the C interface share.
+/// Helpers of the tests of the C interface.
 namespace contact::test {
 
 using CJoint = std::unique_ptr<contact_joint, void (*)(contact_joint*)>;

@@ -129,7 +129,7 @@ TEST_P(Joints, StartFromTheLastSolutionAsInCpp) {
   EXPECT_LT(warm, cold);
 }
 
-// Of a user's own structure, there and back.
+// A user's own structure, there and back.
 struct Record {
   char name;
   double reaction[3], rate[3], axis[3];

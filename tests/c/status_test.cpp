@@ -20,7 +20,7 @@ std::atomic<long> allocations = 0;
 std::atomic<long> in_use = 0;
 }  // namespace
 
-// Of the shared library too.
+// The shared library uses it too.
 void* operator new(std::size_t size) {
   ++allocations;
   void* const memory = out_of_memory ? nullptr : std::malloc(size ? size : 1);
@@ -28,7 +28,7 @@ void* operator new(std::size_t size) {
   ++in_use;
   return memory;
 }
-// That of a sanitizer has memory that is not for free().
+// A sanitizer's own operator has memory that is not for free().
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
   try {
     return operator new(size);
@@ -424,7 +424,7 @@ TEST(CStatus, FreedHandlesAreRefusedWhereAssertionsAre) {
 #endif
 }
 
-// Of doubles no residual but 0 is so small, and it is often 0.
+// No residual of doubles but 0 is so small, and it is often 0.
 TEST(CStatus, TooSmallAToleranceIsNotMet) {
   const CJoint joint = c_joint(CONTACT_DATA_DIR "/joints/paper_example_2.toml");
   std::vector<contact_slip> rows(50, good);
@@ -509,7 +509,7 @@ TEST(CStatus, NothingIsKeptOfWhatIsFreed) {
   const auto bytes_before = mallinfo2().uordblks;
   for (int i = 0; i < 20; ++i) once();
   EXPECT_EQ(in_use, before);
-  // Of malloc() alone: what was saved is 10 kB; its caches come and go.
+  // malloc() alone is counted: what was saved is 10 kB; its caches come and go.
   EXPECT_LE(mallinfo2().uordblks, bytes_before + 20'000);
 }
 

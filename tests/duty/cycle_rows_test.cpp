@@ -49,7 +49,7 @@ TEST(CycleRows, ReturnIsLeftOut) {
   }
 }
 
-// Whoever states a longer period means the row.
+// A stated longer period means the row.
 TEST(CycleRows, ReturnWithinALongerPeriodStays) {
   DutyCycle::Rows rows = swing(20, 1);
   rows.period = 21;

@@ -133,8 +133,8 @@ TEST_P(Cycles, Summary) {
   const auto moment = [](const JointCycle::Instant& i) {
     return i.solution.friction_moment.norm();
   };
-  // That of the data. |M_t| turns quickly where a ball is slow: 2e-7 with four
-  // nodes to an interval in place of eight.
+  // Tolerance of the data. |M_t| turns quickly where a ball is slow: 2e-7 with
+  // four nodes to an interval in place of eight.
   AccuracyReport integrals("integrals", 1e-9);
   const double period = summary.at("period_s");
   integrals.add(cycle_.integral([](const JointCycle::Instant& i) {
@@ -175,8 +175,8 @@ TEST_P(Cycles, Summary) {
 TEST_P(Cycles, WearMap) {
   const ReferenceTable& map = reference_.map;
   const bool pin = reference_.spec.geometry.kind() == JointKind::pin;
-  // That of the data. The contact's edge passes a point with a kink: 2e-5 of a
-  // hip with four nodes to an interval in place of eight.
+  // Tolerance of the data. The contact's edge passes a point with a kink: 2e-5
+  // of a hip with four nodes to an interval in place of eight.
   AccuracyReport depth("p v over the time, of its largest", 1e-5);
   AccuracyReport shear("cross-shear, away from the edges of wear", 1e-4);
   const auto& summary = reference_.summary;

@@ -178,7 +178,7 @@ JointContact lined_ball(const ReferenceTable::Row& row) {
 
 TEST(MovingWear, OfABallMatchesWearStepByStep) {
   const ReferenceTable table("duty/moving_ball_wear.csv");
-  // Of cells of 4 deg; 0.5 deg and 2 % were seen.
+  // Limits for cells of 4 deg; 0.5 deg and 2 % were seen.
   AccuracyReport half_angle("half-angle, of 1 deg", 0.6);
   AccuracyReport peak("peak", 0.03);
   AccuracyReport ratio("S", 5e-3);

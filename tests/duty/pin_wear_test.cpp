@@ -155,7 +155,7 @@ TEST(PinWear, RunsToTheWornPressure) {
   }
 }
 
-// Of steps that are half as long S differs by less than 1e-4.
+// Halving the steps changes S by less than 1e-4.
 TEST(PinWear, StepsAreShortEnough) {
   const ReferenceTable table("preload/wear.csv");
   const LayeredPair pair = pair_of(table[0]);

@@ -118,7 +118,7 @@ void check_state(const JointContact& contact, const JointSolution& s,
   const SlidingContact::Peak& pv = sliding.largest_pv();
   const SlidingContact::Peak& flux = sliding.largest_heat_flux();
   EXPECT_NEAR(sliding.pv(pv.place) / pv.value, 1, 1e-9);
-  // Where adhesion puts it on the edge rounding may put it outside.
+  // If adhesion puts it on the edge rounding may put it outside.
   const Vector3d inside = (pv.place + 1e-9 * sliding.centre()).normalized();
   if (flux.theta < s.half_angle) {
     EXPECT_NEAR(sliding.heat_flux(flux.place) / flux.value, 1, 1e-9);
@@ -160,7 +160,7 @@ void check_state(const JointContact& contact, const JointSolution& s,
 TEST(SlidingContact, TotalsAndLargest) {
   RandomSlips random(3);
   AccuracyReport heat("heat = -power", 1e-12);
-  // Of the rule, whose integrand has kinks where the slip is 0.
+  // Error of the rule, whose integrand has kinks where the slip is 0.
   AccuracyReport totals("totals against a rule over the contact", 1e-4);
   const FrictionModel frictions[] = {FrictionLaw(0.1), FrictionLaw(0.1, 5e6),
                                      ViscousLaw(2e8, 0.1)};

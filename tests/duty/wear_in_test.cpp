@@ -116,7 +116,7 @@ TEST(WearIn, SlidingCoefficientOfAWornInBall) {
   EXPECT_EQ(report.size(), 29u);
 }
 
-// What WornPressure says of such a ball, docs/pressure_laws.md; the limits.
+// Values of WornPressure for such a ball, docs/pressure_laws.md; the limits.
 TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
   constexpr double pi = std::numbers::pi;
   const WornPressure law(JointKind::ball);
@@ -331,7 +331,7 @@ TEST(WearIn, CoefficientsOfBearings) {
   EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), {1e-20}, 1).notes.size(), 1u);
 }
 
-// What wears beyond a tenth of its overlap in a cycle goes on by whole cycles.
+// Wear beyond a tenth of the overlap in a cycle goes on by whole cycles.
 TEST(WearIn, BlocksHaveACycleAtLeast) {
   const WearIn wear = wear_in(steady(), pin(1e11, 0.1, 1.7), {1e-11}, 5.5);
   ASSERT_GT(wear.states.size(), 2u);

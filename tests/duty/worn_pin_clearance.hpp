@@ -33,7 +33,7 @@ inline double clearance_of_worn_pin(const JointContact& contact,
       growth += path * now.sum_of_pressures(force, half_angle) / area;
     }
   };
-  // Of the half-angle law's own errors a thousandth: S has a kink at lift-off.
+  // A thousandth of the half-angle law's own errors: S has a kink at lift-off.
   constexpr double tolerance = 1e-10;
   namespace odeint = boost::numeric::odeint;
   using Stepper = odeint::runge_kutta_dopri5<double>;

@@ -22,7 +22,7 @@ namespace {
 
 using contact::test::check;
 
-// What is written to the standard streams while it lives.
+// Text written to the standard streams while it lives.
 class Said {
  public:
   Said() : file_(memfd_create("said", 0)), out_(dup(1)), error_(dup(2)) {

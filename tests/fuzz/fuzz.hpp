@@ -9,7 +9,7 @@
 
 #include "libcontact/base/error.hpp"
 
-/// What the fuzz programs share.
+/// Helpers of the fuzz programs.
 namespace contact::test {
 
 inline void check(bool holds) {

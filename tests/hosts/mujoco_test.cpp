@@ -141,7 +141,7 @@ TEST(HostMujoco, LetsGoAtTheLimit) {
   ASSERT_EQ(contact_joint_at_rest(joint.get(), &hold, nullptr, &rest),
             CONTACT_OK);
   const double limit = 1 / rest.utilisation;
-  const double weight = 9.81 * 0.001;  // of the link about the hinge
+  const double weight = 9.81 * 0.001;  // moment of the link about the hinge
   for (const double side : {-1.0, 1.0}) {
     mj_resetData(world.model, world.data);
     HingeFriction fresh(world.model);

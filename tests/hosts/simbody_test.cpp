@@ -150,7 +150,7 @@ TEST(HostSimbody, FindsTheOnset) {
   World w;
   w.weigh({0, 0, -9.81});
   add_chain(w, 1, false);
-  const double weight = 9.81 * 0.001;  // of the link about the pin
+  const double weight = 9.81 * 0.001;  // moment of the link about the pin
   const auto joint = contact_hosts::read_joint(pin_file, "limit", CONTACT_PIN);
   const contact_hold hold = {{0, 0, 9.81}, {0, 1, 0}, {0, 1, 0}};
   contact_rest rest;

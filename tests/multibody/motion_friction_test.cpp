@@ -496,7 +496,7 @@ TEST(MotionFriction, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   EXPECT_NE(motion.failure()->message().find("more than 3 changes"),
             std::string::npos)
       << motion.failure()->message();
-  // What it was saved with is no reason to go on.
+  // A saved failure is no reason to go on.
   motion.save();
   ASSERT_TRUE(motion.failure());
   EXPECT_EQ(motion.advance_to(101), Stop::failed);

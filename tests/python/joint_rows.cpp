@@ -1,4 +1,4 @@
-// What C++ answers to rows of a joint, for the tests of the Python package:
+// Answers of C++ to rows of a joint, for the tests of the Python package:
 //   joint_rows JOINT.toml TIMES <ROWS >ANSWERS
 // solves all rows (R and Dw, six doubles each) as often and says on standard
 // error how many processor seconds the fastest time took.

@@ -1,4 +1,4 @@
-"""What the tests of the Python package share."""
+"""Helpers shared by the tests of the Python package."""
 
 import csv
 import io
@@ -36,7 +36,7 @@ def random_rows(n, seed=1):
 
 
 def cxx_rows(joint_file, reaction, rate, times=1):
-    """What C++ answers, (n, 12), and its processor seconds."""
+    """Answers of C++, (n, 12), and its processor seconds."""
     done = subprocess.run(
         [build / "tests/joint_rows", joint_file, str(times)],
         input=np.concatenate([reaction, rate], axis=1).tobytes(),

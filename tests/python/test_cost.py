@@ -1,4 +1,4 @@
-"""What it costs: time and memory beside C++'s."""
+"""Cost of the package: time and memory beside C++'s."""
 
 import resource
 import time

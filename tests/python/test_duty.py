@@ -254,7 +254,7 @@ class Identification(unittest.TestCase):
         *arguments, sigma = self.arguments()
         fit = libcontact.identify(*arguments, sigma=sigma, huber=True)
         moment = fit.moment
-        arguments[3][:] = 0  # that belongs to the caller
+        arguments[3][:] = 0  # the array belongs to the caller
         again = pickle.loads(pickle.dumps(fit))
         np.testing.assert_array_equal(again.moment, moment)
         np.testing.assert_array_equal(again.covariance, fit.covariance)

@@ -370,7 +370,7 @@ class Files(unittest.TestCase):
                 warnings.simplefilter("error")
                 with self.assertRaises(libcontact.ContactWarning):
                     call(2000)
-        # What concerns no contact is silent.
+        # A quantity that concerns no contact is silent.
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             soft.nominal_pressure(2000)

@@ -1,4 +1,4 @@
-"""What no program does that is right: it ends with an exception, not with the
+"""Misuse, which no right program does: it ends with an exception, not with the
 process."""
 
 import inspect

@@ -95,7 +95,7 @@ class Together(unittest.TestCase):
         _, again = libcontact.step(
             [hip, pin], reaction, rate, free, mass, axis=axis, last=s)
         self.assertEqual(again["sweeps"], fit["sweeps"])
-        # That of one joint is its own.
+        # The step of one joint alone is its own.
         alone, _ = libcontact.step([hip], reaction[:1], rate[:1], free[:1], inertia)
         own = hip.step(reaction[0], rate[0], free[0], inertia)
         np.testing.assert_array_equal(alone.moment[0], own.moment)
@@ -159,7 +159,7 @@ class Derivatives(unittest.TestCase):
                 difference = (there - back) / (2 * step)
                 size = np.abs(d[name]).max(axis=(1, 2))
                 error = np.abs(d[name][..., k] - difference).max(axis=1) / size
-                # Of second order in steps of 1e-4 of Dw and R.
+                # Differences of second order, steps of 1e-4 of Dw and R.
                 self.assertLess(error.max(), 1e-4)
 
     def test_at_the_contact_are_symmetric(self):

@@ -25,7 +25,7 @@ materials = {{ pair = "{DATA}/materials/steel_steel.toml" }}
 friction = {{ coefficient = 0.1 }}
 pressure = {{ law = "sqrt_tan" }}
 """
-# What sbatch does with a job array, one after another.
+# Stand-in for sbatch: runs the tasks of a job array one after another.
 SBATCH = """#!/bin/sh
 for i in $(seq $(echo ${1#--array=} | tr - ' ')); do
   SLURM_ARRAY_TASK_ID=$i sh -c "$3" || exit

@@ -9,7 +9,7 @@
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
-// What holds of every seat that ends, and what is refused.
+// Identities of every seat that ends, and refusals.
 namespace contact::test {
 namespace {
 
@@ -221,7 +221,7 @@ TEST(Seat, RoundedRimIsThePunchsShape) {
          (d - y) * std::log(std::abs((root + other) / (root - other))));
     if (p > largest) largest = p, place = y / d;
   }
-  EXPECT_NEAR(largest / rim.peak_pressure, 1, 2e-3);  // of three digits
+  EXPECT_NEAR(largest / rim.peak_pressure, 1, 2e-3);  // to three digits
   EXPECT_NEAR(place, 0.70, 0.01);
 }
 

@@ -49,8 +49,8 @@ void HingeFriction::update() {
   }
 }
 
-// Of a ball: M_t while it slides, a limit for each axis where a step would stop
-// it.
+// Friction of a ball: M_t while it slides, a limit for each axis where a step
+// would stop it.
 void HingeFriction::rub(Hinge& h, const Vector3d& moment) {
   const auto* const body = h.joint->getChildBodyNode();
   const double arm =

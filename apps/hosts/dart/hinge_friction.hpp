@@ -34,7 +34,7 @@ class HingeFriction {
   /// Before each World::step().
   void update();
 
-  /// Of the hinge added as the i-th: |M_t|, N m.
+  /// |M_t| of the i-th hinge added, N m.
   double limit(std::size_t i) const { return hinges_.at(i).limit; }
 
  private:

@@ -16,7 +16,7 @@ Eigen::Map<VectorXd> mapped(mjtNum* numbers, int size) {
   return {numbers, size};
 }
 
-// Of the parent on a body, world axes.
+// Force of the parent on a body, world axes.
 Vector3d reaction_on(const mjData* data, int body) {
   return Vector3d(data->cfrc_int + 6 * body + 3);
 }

@@ -52,9 +52,9 @@ class HingeFriction {
   /// After mj_step(): the reactions for the next one.
   void note_reactions(mjData* data);
 
-  /// Of the hinge added as the i-th: its last step.
+  /// Last step of the i-th hinge added.
   const contact_step& hinge(std::size_t i) const { return steps_.at(i); }
-  /// Of friction and constraints in the last step; 1 without constraints.
+  /// Turns of friction and constraints in the last step; 1 without constraints.
   int turns() const { return turns_; }
   const contact_sweeps& sweeps() const { return sweeps_; }
 

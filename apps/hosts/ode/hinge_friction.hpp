@@ -37,13 +37,13 @@ class HingeFriction {
   /// @param step  that will be made, s
   void update(double step);
 
-  /// Of the hinge added as the i-th: |M_t|, N m.
+  /// |M_t| of the i-th hinge added, N m.
   double limit(std::size_t i) const { return hinges_.at(i).limit; }
 
  private:
   struct Hinge {
     dJointID joint;
-    dJointID motor;  // of a ball
+    dJointID motor;  // for a ball
     JointHandle contact;
     dJointFeedback* feedback;
     contact_solution solution;

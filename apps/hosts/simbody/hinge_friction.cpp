@@ -99,7 +99,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
 
   void calcForce(const State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
                  SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {
-    // Those of the last pass, where passes are made on a scratch state.
+    // Moments of the last pass, where passes are made on a scratch state.
     for (std::size_t i = 0; i < hinges.size(); ++i) {
       const MobilizedBody& body = hinges[i].body;
       const Vec3 m = is_given_ ? hinges[i].moment : moments(state)[int(i)];
@@ -142,7 +142,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
     return h.rest.utilisation - 1 - (h.is_ball ? 1e-8 : 1e-10);
   }
 
-  // Of a sliding hinge; 0 where it may have come to rest.
+  // Speed along its slip of a sliding hinge; 0 where it may have come to rest.
   double ahead(const State& state, const Hinge& h) const {
     return dot(h.rate(state), h.direction(state)) -
            (h.is_ball ? options_.stop_speed : 0);
@@ -243,7 +243,7 @@ void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
       h.rates(state, h.is_ball ? 2 * options_.stop_speed * direction : Vec3(0));
   h.body.unlock(state);
   h.body.setUFromVector(state, u);
-  // Where the solution starts from.
+  // Starts the next solution.
   h.solution = h.rest.slip;
 }
 

@@ -61,7 +61,7 @@ class HingeFriction {
   /// At the start: locks hinges without a rate, as far as they hold.
   void settle(SimTK::State& state) const;
 
-  /// Of the hinge added as the i-th: its last solution while it slides.
+  /// Last solution of the i-th hinge added, while it slides.
   const contact_solution& hinge(int i) const;
   /// Accelerations that friction asked for.
   long evaluations() const;

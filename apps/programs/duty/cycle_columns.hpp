@@ -11,8 +11,8 @@
 
 namespace hinge_duty {
 
-/// What the columns of a cycle's file are called, and where they are: the time,
-/// three of the force, those of the motion.
+/// Names and places of the columns of a cycle's file: the time, three of the
+/// force, those of the motion.
 struct CycleColumns {
   std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
   static constexpr std::size_t motion_at = 4;

@@ -15,10 +15,10 @@ namespace hinge_duty {
 struct JointDuty {
   const cli::Joint& joint;
   contact::JointCycle cycle;
-  std::vector<BodyWear> wear = {};                ///< of both bodies, or none
-  std::vector<contact::WearIn::State> worn = {};  ///< of --cycles
+  std::vector<BodyWear> wear = {};                ///< both bodies', or none
+  std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
   contact::WornSeat worn_seat = {};               ///< after them
-  std::optional<contact::SeatCycle> seat = {};    ///< of --in-seat
+  std::optional<contact::SeatCycle> seat = {};    ///< with --in-seat
 };
 
 }  // namespace hinge_duty

@@ -69,7 +69,7 @@ std::string draw_balls(const JointCycle& cycle,
   }
   const cli::Canvas canvas(title);
   const cli::Box& room = canvas.room();
-  constexpr double scale_width = 7;  // of the colours, their numbers and label
+  constexpr double scale_width = 7;  // colours, their numbers and label
   const double width = (room.width() - scale_width) / 2;
   std::array<cli::Box, 2> boxes;
   double titles = 0;
@@ -112,8 +112,8 @@ std::string draw_balls(const JointCycle& cycle,
   return cli::draw_script(script + "unset multiplot\n", file);
 }
 
-// Where the circle is cut for an axis over it, deg: at the end of a quarter,
-// where the least wears.
+// Angle where the circle is cut for an axis over it, deg: at the end of a
+// quarter, where the least wears.
 double cut_of(const std::vector<BodyWear>& wear) {
   const auto at = [&](double beta_deg) {
     double all = 0;

@@ -49,7 +49,7 @@ std::optional<MeasuredWear> measured_wear(const Options& options) {
                       *options.measured_cycles};
 }
 
-// Those beside --output and --plot.
+// Checks the files beside --output and --plot.
 void check_files(const Options& options) {
   cli::OutputNames names = names_of(options.output);
   for (const auto& [option, file] : {std::pair("--map", &options.map),
@@ -101,7 +101,7 @@ void wear_in(const Options& options, JointDuty& duty) {
   duty.worn_seat = std::move(worn.worn);
 }
 
-// Of coefficients, but of those that wear_in() has had.
+// Warns of coefficients other than those that wear_in() has had.
 void warn_of_coefficients(const Options& options) {
   if (options.wear_seat && !options.cycles) {
     warn_of("--wear-seat", contact::WearMap::coefficient_note(
@@ -113,7 +113,7 @@ void warn_of_coefficients(const Options& options) {
   }
 }
 
-// Of the unworn joint's wear in one cycle.
+// Warns of the unworn joint's wear in one cycle.
 void warn_of_wear(const JointDuty& duty) {
   for (const BodyWear& body : duty.wear) {
     if (!body.k) continue;
@@ -125,7 +125,7 @@ void warn_of_wear(const JointDuty& duty) {
   }
 }
 
-// Where the wear comes through a wall.
+// Warns where the wear comes through a wall.
 void warn_of_walls(const JointDuty& duty) {
   const auto& layers = duty.joint.spec.outer.layers;
   if (duty.worn.empty() || layers.empty()) return;
@@ -154,7 +154,7 @@ BodyWear wear_of(const JointCycle& cycle, JointBody body,
   return wear;
 }
 
-// What is true of the cycle on all joints.
+// Warns of properties of the cycle that all joints share.
 void warn_of_cycle(const JointCycle& cycle) {
   const double closure = cycle.cycle().closure() / degree;
   if (closure > 0.1) {
@@ -276,7 +276,7 @@ void confine(const Options& options, std::vector<JointDuty>& duties) {
   }
 }
 
-// What is to be known before the numbers are used.
+// Warns of all that should be known before the numbers are used.
 void warn(const Options& options, const std::vector<cli::Joint>& joints,
           const std::vector<JointDuty>& duties) {
   warn_of_coefficients(options);

@@ -7,7 +7,7 @@
 
 namespace hinge_duty {
 
-/// What wore off a body that was weighed.
+/// Wear of a body by weighing.
 struct MeasuredWear {
   double volume;                ///< mm^3
   std::optional<double> error;  ///< standard error of it

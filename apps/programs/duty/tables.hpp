@@ -11,7 +11,7 @@
 /// The CSV files beside the summary, with all columns and rows of all joints.
 namespace hinge_duty {
 
-/// What is said of wear, lengths and volumes in mm and mm^3.
+/// Columns of wear, lengths and volumes in mm and mm^3.
 std::vector<contact::Column<contact::WearIn::State>> worn_columns();
 
 /// A row for each block of cycles, and one for the end.

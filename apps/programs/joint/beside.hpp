@@ -16,7 +16,7 @@ class Beside {
  public:
   /// None.
   Beside() = default;
-  /// Those of one joint and table.
+  /// Columns of one joint and table.
   /// @param path   "" for none
   /// @param joint  name of the joint
   /// @param table  "solution", "trace", "outer" or "inner"

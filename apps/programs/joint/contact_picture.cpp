@@ -27,7 +27,7 @@ using Eigen::Vector3d;
 
 constexpr double mega = 1e6;
 
-// Of p, which thin walls may move off the centre; in the direction `to`.
+// Largest p, which thin walls may move off the centre; in the direction `to`.
 Peak largest_pressure(const SlidingContact& contact, double half_angle,
                       const Vector3d& to) {
   Peak peak{0, 0, contact.centre()};
@@ -123,7 +123,7 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
   struct Panel {
     std::string title;
     double largest;
-    std::string over;  // what is drawn over the dots
+    std::string over;  // drawing over the dots
     std::string plot;
   };
   const auto peak_title = [](const char* name, const Peak& peak,

@@ -9,7 +9,7 @@
 
 namespace hinge_joint {
 
-/// What the joint is asked.
+/// Kind of question to the joint.
 enum class Question {
   reaction,  ///< friction under R and Dw
   contact,   ///< friction under R_n n and Dw

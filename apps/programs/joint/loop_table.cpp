@@ -25,7 +25,7 @@ using Eigen::Vector3d;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int step_limit = 1000;
 constexpr int round_limit = 200;
-// Of M from round to round, relative.
+// Change of M from round to round, relative.
 constexpr double outer_tolerance = 1e-12;
 
 // A table of numbers of one joint whose rows come one by one.

@@ -8,7 +8,7 @@
 
 namespace hinge_joint {
 
-/// What became of a file of points.
+/// Result of a file of points.
 struct PointResult {
   Problems problems;
   /// With --summary or --plot.

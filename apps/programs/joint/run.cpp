@@ -38,7 +38,7 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   const Eigen::Vector3d& turn = input.turn;
   if (force.isZero(0) || turn.isZero(0)) return;
   const double axial = std::abs(force.dot(turn.stableNormalized()));
-  // Of what rounding leaves of a force normal to the axis.
+  // Rounding leaves this of a force normal to the axis.
   if (axial <= 1e-12 * force.stableNorm()) return;
   cli::warn("hinge-joint",
             fmt::format("a pin takes no force along its axis: {:.4g} N "
@@ -46,7 +46,7 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
                         axial));
 }
 
-// What is to be said before the work, once nothing is left to refuse.
+// Warns before the work, once nothing is left to refuse.
 void warn_of_states(const Setup& setup, const Inputs& inputs) {
   warn_of_validity("hinge-joint", setup.given);
   warn_of_axial_force(setup, inputs);
@@ -131,7 +131,7 @@ cli::ExitStatus run_points(const Options& options, const Setup& setup) {
                     status);
 }
 
-// What draw_torque() can draw.
+// Refuses inputs that draw_torque() cannot draw.
 void check_plot(const Setup& setup, const Inputs& inputs) {
   if (!inputs.forces() || inputs.size() == 1) {
     cli::refuse_without(
@@ -145,7 +145,7 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
 }
 
-// What draw_contact() can draw, and whether the file can be made.
+// Refuses maps that draw_contact() cannot draw, and files that cannot be made.
 void check_map(const Options& options, const Setup& setup,
                const Inputs& inputs) {
   const std::string& map = options.map;
@@ -164,7 +164,7 @@ void check_rest(const Setup& setup, const Inputs& inputs) {
   }
 }
 
-// What write_summary() can write.
+// Refuses inputs that write_summary() cannot write.
 void check_summary(const Setup& setup, const Inputs& inputs) {
   if (inputs.size() == 1 && setup.joints.size() == 1) return;
   cli::refuse_without("--summary", one_row);

@@ -35,7 +35,7 @@ struct Options {
   std::string alpha;
   std::optional<double> rate;  ///< rad/s
   std::string points;
-  /// Of a pin that ends: sweeps of its tilt in the plane of the reaction, or of
+  /// Sweeps of a pin that ends: of its tilt in the plane of the reaction, or of
   /// the place of the load.
   std::string tilt;
   std::string load_at;
@@ -66,7 +66,7 @@ struct NamedJoint {
   std::string law;
   std::string pressure;
   contact::Joint joint;
-  /// Of the half-angle law exact.
+  /// Approach of the bodies, with the exact half-angle law alone.
   std::optional<cli::JointApproach> approach;
   std::vector<cli::Difference> differences = {};
   /// Whether p v and heat are wanted.

@@ -41,7 +41,7 @@ constexpr Quantity<Answer> found_friction = {
     "friction coefficient of the surface, with which M_t is as measured",
     [](const Answer& a) { return a.coefficient; }};
 
-// What --pv is without: the last three follow from others.
+// Columns that --pv leaves out: the last three follow from others.
 constexpr std::string_view not_of_pv[] = {"pv_total", "heat",
                                           "heat_flux_max_place"};
 

@@ -29,9 +29,9 @@ struct Answer {
   double coefficient;
   /// If NamedJoint::pv.
   contact::SlidingContact::Rating rating;
-  /// Of the half-angle law exact, SI units; NaN of others.
+  /// Approach by the exact half-angle law, SI units; NaN of others.
   contact::ContactApproach approach;
-  /// Of the joint that answered; it must not outlive this.
+  /// Patch of the joint that answered; it must not outlive this.
   std::optional<contact::ContactPatch> patch;
 
   const contact::JointSolution& solution() const { return rest.slip; }

@@ -104,7 +104,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   std::vector<std::string> printed;
   if (!beside.empty()) printed.emplace_back("value_printed");
   cli::Output output(options.output);
-  // What it asks for is there, before work.
+  // Checks the columns asked for before the work.
   const cli::Table table(options, cli::Report(printed).columns());
   begin();
   const Answer a = answer(joint, inputs.question(), inputs[0]);

@@ -17,7 +17,7 @@ struct Problems {
   std::size_t not_converged = 0;
   std::size_t bad_lines = 0;
   std::vector<contact::LargestContact> largest =
-      {};  ///< of each of Setup::joints
+      {};  ///< one for each of Setup::joints
 
   /// @param joint  its number in Setup::joints
   void add(const Answer& answer, std::size_t joint);

@@ -12,7 +12,7 @@
 namespace hinge_joint {
 namespace {
 
-// What the curves of a plot have in common and in what they differ.
+// Labels of the curves of a plot: what all share, and how each differs.
 class Labels {
  public:
   Labels(const Setup& setup, const Inputs& inputs, bool over_angle)
@@ -85,7 +85,7 @@ class Labels {
 
 std::string draw_torque(const Setup& setup, const Inputs& inputs,
                         const std::string& file) {
-  // What a picture of some 1,000 dots across can show.
+  // A picture of some 1,000 dots across can show no more.
   constexpr std::size_t most_points = 500;
   const bool reaction = inputs.question() == Question::reaction;
   const bool over_angle = inputs.angles()->size() > inputs.forces()->size();

@@ -1,4 +1,4 @@
-"""What the tolerances of a fit leave open: a pin bearing H7/g6 of 50 mm."""
+"""Pin bearing of 50 mm over the clearances that the fit H7/g6 allows."""
 
 import libcontact
 import matplotlib.pyplot as plt

@@ -1,4 +1,4 @@
-"""What the pictures of the gallery share."""
+"""Helpers shared by the pictures of the gallery."""
 
 import sys
 from pathlib import Path

@@ -1,4 +1,4 @@
-"""Where a hip's seat and head wear over a gait cycle."""
+"""Wear map of a hip's seat and head over a gait cycle."""
 
 import libcontact
 import matplotlib.pyplot as plt

@@ -82,7 +82,7 @@ class Status(enum.IntEnum):
 
 
 class State(enum.IntEnum):
-    """What the halves of a joint do: what Solution.state has."""
+    """Motion of a joint's two halves: the values of Solution.state."""
 
     SLIDING = 0
     RESTING = 1

@@ -49,7 +49,7 @@ def _refusal(
     arguments: tuple[Any, ...],
     keywords: dict[str, Any],
 ) -> TypeError:
-    """What is wrong with arguments that pybind11 did not take."""
+    """An error that says why pybind11 refused the arguments."""
     try:
         signature = inspect.signature(function)
     except ValueError:

@@ -26,7 +26,7 @@ class Event(NamedTuple):
 
 @dataclass(frozen=True)
 class Outcome:
-    """What has come of a run."""
+    """Results of a run."""
 
     #: Columns of the history by their names, "time_s", "stage.angle_deg", ...;
     #: modes are words.
@@ -169,11 +169,11 @@ class Run(_core.Run):
 
     @property
     def events(self) -> list[Event]:
-        """What has happened so far."""
+        """Events so far."""
         return [Event(*event) for event in self._events]
 
     def outcome(self) -> Outcome:
-        """What has come of it so far. Its history has rows at the case's output
+        """Results so far. Their history has rows at the case's output
         times and events; Case.run() adds one where a run fails."""
         return _outcome(*self._outcome())
 

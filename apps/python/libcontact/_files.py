@@ -1,4 +1,4 @@
-"""What joints and cases have in common: both are a TOML text with settings."""
+"""Base of joints and cases: both are a TOML text with settings."""
 
 import copy
 import difflib
@@ -69,7 +69,7 @@ def walk(tables: Any, key: str) -> tuple[Any, str]:
 
 
 def _absent(key: str, tables: Any, rest: str) -> KeyError:
-    """What there is in the place of a key that is not there."""
+    """An error that names the nearest keys in place of one that is absent."""
     known = list(dotted(tables))
     near = difflib.get_close_matches(rest, known, 1)
     said = f"there is {near[0]}" if near else f"there are {', '.join(known)}"
@@ -165,7 +165,7 @@ class FileText:
     _folder: str
     _settings: type_of_settings
 
-    # Of the class of _core.
+    # Members of the class of _core.
     _toml: str
     _canonical: str
 

@@ -17,7 +17,7 @@ from ._results import html_table
 
 Key = float | str | Mapping[str, object] | Sequence[object] | None
 
-# What a text is in these tables.
+# Key that a mere text in these tables stands for.
 _main_key = {
     "half_angle": "law",
     "pressure": "law",
@@ -207,7 +207,7 @@ class Joint(FileText, _core.Joint):
 
 
 class Wear:
-    """Where a body of a joint wears on a cycle, by Archard's law: the depth is
+    """Wear of one body of a joint on a cycle, by Archard's law: the depth is
     k times the integral of p |v| over the time, k in m^2/N.
 
     Attributes: `points`, unit vectors from the joint's centre in the body's
@@ -268,12 +268,12 @@ class Cycle(_Made, _core.Cycle):
 
     @property
     def mean_heat(self) -> float:
-        """Of friction, W."""
+        """Mean power of friction, W."""
         return self.energy / self.period
 
     @with_known_keywords
     def wear(self, body: str = "body", points: int = 2000) -> Wear:
-        """Where one of the bodies wears.
+        """Wear map of one of the bodies.
 
         body: "body" or "carrier".
         points: how many, each of the same area.
@@ -398,7 +398,7 @@ def load_parameter(
 
 
 def _pressure_for(keys: Mapping[str, Key]) -> str:
-    """What need not be made for a half-angle."""
+    """A pressure law that is cheap to make for a half-angle alone."""
     return "exact" if {"wall", "coating"} & keys.keys() else "cosine"
 
 

@@ -54,7 +54,7 @@ std::string_view number_in(std::string_view text) {
   return text.substr(0, text.find_first_not_of("0123456789"));
 }
 
-// Of another version of the program.
+// Refuses a file of another version of the program.
 [[noreturn]] void refuse_format(std::string_view bytes,
                                 const std::string& name) {
   const auto after = bytes.find(program_format) + program_format.size();

@@ -10,7 +10,7 @@
 namespace hinge_joint {
 namespace {
 
-// Where in point_columns().
+// Places in point_columns().
 constexpr std::size_t reaction = 0;
 constexpr std::size_t normal_force = 1;
 constexpr std::size_t moment = 2;

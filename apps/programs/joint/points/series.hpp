@@ -11,7 +11,7 @@
 
 namespace hinge_joint {
 
-/// What --summary and --plot of --points show of a state.
+/// Number of quantities that --summary and --plot of --points show of a state.
 inline constexpr std::size_t point_numbers = 7;
 
 /// R_N, R_n_N, M_t_N_m, f_M, p_peak_Pa, theta0_deg, and power_W or, at rest,
@@ -48,8 +48,8 @@ class PointSeries {
   const std::string& time_problem() const { return time_problem_; }
   /// From the first row to the last, s; 0 without a time.
   double duration() const;
-  /// Of a number, by the trapezoidal rule over the time; without a duration
-  /// that of the rows.
+  /// Mean of a number, by the trapezoidal rule over the time; without a
+  /// duration that of the rows.
   double mean(std::size_t number) const;
 
  private:
