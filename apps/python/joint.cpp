@@ -104,7 +104,7 @@ void bind_joint(py::module_& m) {
   m.attr("_material_laws") = material_laws();
   m.attr("_joint_keys") = joint_keys();
   m.def("_file_toml", &file_toml);
-  // What is refused as an argument of compiled functions is so anywhere.
+  // Refuses what compiled functions refuse as arguments.
   m.def("_numbers", [](const Numbers& given) { return py::array(given); });
   py::class_<JointSet> joints(m, "_JointSet");
   joints.def_property_readonly(

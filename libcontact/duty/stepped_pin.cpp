@@ -20,8 +20,8 @@ class SteppedPin final : public SteppedJoint {
 
   int places() const override { return 32; }
   int looks() const override { return 36; }
-  // Of half the steps under a load that moves half-angles differ by up to 1
-  // deg; more places change nothing.
+  // Under a load that moves, whole steps change half-angles by up to 1 deg;
+  // more places change nothing.
   double next_step(bool moves) const override {
     return wear_.next_step() * (moves ? 0.5 : 1);
   }

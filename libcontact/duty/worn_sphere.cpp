@@ -247,7 +247,7 @@ WornSphere::Contact WornSphere::press(const Vector3d& load, const Map& gap,
     problem.contact(i, j) = next(i, j);
   }
   contact.pressure = unit * y.cwiseProduct(problem.contact).cwiseMax(0);
-  // Where the grid ends before the sphere does, it must not cut a contact.
+  // A grid that ends before the sphere does must not cut a contact.
   if (cells_.window.to < pi && problem.contact.bottomRows(1).any()) {
     contact.status = Status::out_of_range;
   }

@@ -171,7 +171,7 @@ class SeatTable::Maker {
     }
   }
 
-  // Of a state: about some slip axes.
+  // Error of a state, about some slip axes.
   Check error(const Eigen::Array2d& at, int axes) {
     Exact exact;
     const Eigen::Vector3d force = this->force(at);

@@ -5,7 +5,7 @@
 
 #include "libcontact/seat/table.hpp"
 
-/// What a SeatTable is made of.
+/// Parts of a SeatTable.
 namespace contact {
 namespace detail {
 

@@ -284,8 +284,8 @@ TEST(HostSimbody, HoldsALoop) {
   }
 }
 
-// What C says under the reaction that it causes; C says what C++ and Python say
-// (tests/c, tests/python).
+// The moment is that of C under the reaction that it causes; C agrees with C++
+// and Python (tests/c, tests/python).
 TEST(HostSimbody, MomentIsThatOfC) {
   World w;
   add_pendulum(w);

@@ -139,7 +139,7 @@ TEST(Distribution, MomentsOfAllKinds) {
          std::sqrt(3. / 16));
 }
 
-// What is left above a limit is the mirror of what is left below, to the last
+// The part left above a limit is the mirror of that left below, to the last
 // draw: next to 1 a probability has no such digits.
 TEST(Distribution, HasTailsAboveAsBelow) {
   const std::string normal = "kind = 'normal'\nmean = 0\ndeviation = 1\n";

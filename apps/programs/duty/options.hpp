@@ -35,7 +35,7 @@ struct Options {
   std::string worn_out;  ///< after all cycles
   std::string states;
   std::string in_seat;     ///< file of the contact that is confined to its seat
-  std::string seat_table;  ///< where the table of its contacts is kept
+  std::string seat_table;  ///< file of the kept table of its contacts
   cli::OutputOptions output;
 };
 

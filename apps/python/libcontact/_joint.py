@@ -72,7 +72,7 @@ def _joint_text(keywords: Mapping[str, Key]) -> str:
         size["length"] = 1.0
     missing = {"geometry": size, "materials": _any_materials}
     if not missing.keys() <= tables.keys():
-        # What is there and wrong is said first.
+        # Wrong values come before missing ones.
         Joint._of(toml_text(missing | tables), "", "", ())
     if "materials" not in tables:
         raise _core.Error(
