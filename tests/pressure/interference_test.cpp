@@ -123,8 +123,8 @@ TEST(InterferencePressure, ProfileCarriesTheLoad) {
   }
 }
 
-// Slopes against differences of the pressure, up to the contact that is closed all
-// round; what is tabulated is good to 1e-6 of the peak.
+// Slopes against differences of the pressure, up to the contact that is closed
+// all round; what is tabulated is good to 1e-6 of the peak.
 TEST(InterferencePressure, SlopesAreThoseOfThePressure) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     const auto made = law_of(kind, test::Wall{0.3, 0.4, false}.pair());
