@@ -11,7 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/duty/stepped_wear_in.hpp"
+#include "libcontact/duty/steps/stepped_wear_in.hpp"
 #include "libcontact/duty/wear_check.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/half_angle/worn.hpp"

@@ -27,7 +27,7 @@ struct PublishedForceLaw {
 };
 
 /// For a pin eight laws, for a ball Hertz' one: docs/play.md. First sources are
-/// named; the formulas as collected in docs/references.md#pereira-2011.
+/// named; the formulas as collected in `docs/references.md#pereira-2011`.
 std::vector<PublishedForceLaw> published_force_laws(
     const JointGeometry& geometry, const ElasticPair& pair);
 

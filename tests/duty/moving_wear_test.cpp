@@ -1,5 +1,5 @@
 // Wear under loads that move in the hole: against wear step by step
-// (data/reference/duty/moving_wear.py), and what is exact of it.
+// (scripts/moving_wear.py), and what is exact of it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -9,9 +9,9 @@
 
 #include "duty/worn_pin_clearance.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/steps/worn_circle.hpp"
+#include "libcontact/duty/steps/worn_sphere.hpp"
 #include "libcontact/duty/wear_in.hpp"
-#include "libcontact/duty/worn_circle.hpp"
-#include "libcontact/duty/worn_sphere.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "libcontact/pressure/exact.hpp"

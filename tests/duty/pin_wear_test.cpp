@@ -1,5 +1,5 @@
 // Wear of pins with interference: against a table, and what is exact of it.
-#include "libcontact/duty/pin_wear.hpp"
+#include "libcontact/duty/steps/pin_wear.hpp"
 
 #include <gtest/gtest.h>
 

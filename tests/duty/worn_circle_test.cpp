@@ -1,6 +1,6 @@
 // A pin on points of the circle: against the closed forms of contacts that are
 // closed all round, and exact contacts without wear.
-#include "libcontact/duty/worn_circle.hpp"
+#include "libcontact/duty/steps/worn_circle.hpp"
 
 #include <gtest/gtest.h>
 

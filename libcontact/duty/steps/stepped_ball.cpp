@@ -4,8 +4,8 @@
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/duty/stepped_joint.hpp"
-#include "libcontact/duty/worn_sphere.hpp"
+#include "libcontact/duty/steps/stepped_joint.hpp"
+#include "libcontact/duty/steps/worn_sphere.hpp"
 
 namespace contact::detail {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <Eigen/Core>
 
-#include "libcontact/duty/worn_circle.hpp"
+#include "libcontact/duty/steps/worn_circle.hpp"
 #include "libcontact/pair/layers.hpp"
 
 namespace contact::detail {

@@ -1,4 +1,4 @@
-#include "libcontact/duty/stepped_wear_in.hpp"
+#include "libcontact/duty/steps/stepped_wear_in.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -7,10 +7,10 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
-#include "libcontact/duty/stepped_joint.hpp"
+#include "libcontact/duty/steps/stepped_joint.hpp"
+#include "libcontact/duty/steps/worn_circle.hpp"
+#include "libcontact/duty/steps/worn_sphere.hpp"
 #include "libcontact/duty/wear_check.hpp"
-#include "libcontact/duty/worn_circle.hpp"
-#include "libcontact/duty/worn_sphere.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/worn.hpp"
 

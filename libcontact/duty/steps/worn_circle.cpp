@@ -1,4 +1,4 @@
-#include "libcontact/duty/worn_circle.hpp"
+#include "libcontact/duty/steps/worn_circle.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -1,4 +1,4 @@
-#include "libcontact/duty/seat_path.hpp"
+#include "libcontact/duty/steps/seat_path.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>

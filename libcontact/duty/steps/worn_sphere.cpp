@@ -1,4 +1,4 @@
-#include "libcontact/duty/worn_sphere.hpp"
+#include "libcontact/duty/steps/worn_sphere.hpp"
 
 #include <Eigen/Dense>
 #include <algorithm>

@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "libcontact/duty/seat_path.hpp"
+#include "libcontact/duty/steps/seat_path.hpp"
 #include "libcontact/duty/wear_in.hpp"
 
 namespace contact::detail {

@@ -1,7 +1,7 @@
 #include <numbers>
 
-#include "libcontact/duty/pin_wear.hpp"
-#include "libcontact/duty/stepped_joint.hpp"
+#include "libcontact/duty/steps/pin_wear.hpp"
+#include "libcontact/duty/steps/stepped_joint.hpp"
 
 namespace contact::detail {
 namespace {

@@ -1,4 +1,4 @@
-#include "libcontact/duty/pin_wear.hpp"
+#include "libcontact/duty/steps/pin_wear.hpp"
 
 #include <algorithm>
 #include <cmath>
