@@ -1,12 +1,9 @@
 #include "programs/duty/tables.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <initializer_list>
-#include <iterator>
 #include <string>
-#include <type_traits>
 #include <utility>
 
 #include "cli/stream/report.hpp"
@@ -142,15 +139,8 @@ void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
 
 void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
                    const cli::TableStyle& style) {
-  const auto columns_of_all = [](const auto& table) {
-    std::vector<std::decay_t<decltype(columns_of(table[0])[0])>> all;
-    for (const auto& q : table) {
-      std::ranges::move(columns_of(q), std::back_inserter(all));
-    }
-    return all;
-  };
-  const auto joint = columns_of_all(contact::seat_joint_quantities());
-  const auto state = columns_of_all(contact::seat_quantities());
+  const auto joint = columns_of(contact::seat_joint_quantities());
+  const auto state = columns_of(contact::seat_quantities());
   std::vector<std::string> names = {"time_s", "status"};
   for (const auto& column : joint) names.push_back(column.name);
   for (const auto& column : state) names.push_back(column.name);

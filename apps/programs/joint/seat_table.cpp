@@ -22,11 +22,11 @@ using contact::SeatState;
 // The columns, in their order.
 struct Columns {
   explicit Columns(bool with_rest) {
-    for (const auto& q : contact::seat_joint_quantities()) add(q, joint);
-    for (const auto& q : contact::seat_quantities()) add(q, state);
     if (!with_rest) return;
     for (const std::string_view key : {"utilisation", "direction"}) {
-      add(*find_quantity(contact::rest_quantities(), key), rest);
+      std::ranges::move(
+          columns_of(*find_quantity(contact::rest_quantities(), key)),
+          std::back_inserter(rest));
     }
   }
 
@@ -41,16 +41,11 @@ struct Columns {
     return all;
   }
 
-  std::vector<contact::Column<SeatJointSolution>> joint;
-  std::vector<contact::Column<SeatState>> state;
+  std::vector<contact::Column<SeatJointSolution>> joint =
+      columns_of(contact::seat_joint_quantities());
+  std::vector<contact::Column<SeatState>> state =
+      columns_of(contact::seat_quantities());
   std::vector<contact::Column<RestSolution>> rest;
-
- private:
-  template <class T>
-  static void add(const contact::Quantity<T>& quantity,
-                  std::vector<contact::Column<T>>& to) {
-    std::ranges::move(columns_of(quantity), std::back_inserter(to));
-  }
 };
 
 // The rows of a joint; what is to be said of them.

@@ -21,14 +21,6 @@ using contact::SeatState;
 
 using Columns = std::vector<contact::Column<SeatState>>;
 
-Columns seat_columns() {
-  Columns columns;
-  for (const auto& q : contact::seat_quantities()) {
-    std::ranges::move(columns_of(q), std::back_inserter(columns));
-  }
-  return columns;
-}
-
 // The limits of the materials: the contact is confined here.
 contact::ContactLimits limits_of(const cli::Joint& joint) {
   return {*joint.laws[0].law, joint.pair};
@@ -90,7 +82,7 @@ class Rows {
 
 cli::ExitStatus run_in_seat(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
-  const Columns columns = seat_columns();
+  const Columns columns = columns_of(contact::seat_quantities());
   std::vector<std::string> names = {"load_N", "direction_deg",
                                     "nominal_area_m2", "p_nominal_Pa"};
   for (const auto& column : columns) names.push_back(column.name);
