@@ -79,11 +79,9 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   const double load = force.norm();
   if (!(load > 0 && std::isfinite(load))) return state;
   const double direction = detail::polar_angle(force);
-  const HalfAngleResult half_angle = contact_.half_angle(load);
-  state.is_free = half_angle.status == Status::ok &&
-                  zone_.margin(direction, half_angle.half_angle) >= 0;
-  if (state.is_free) {
-    set_free(half_angle.half_angle, direction, state);
+  if (const auto half_angle = free_half_angle(force)) {
+    state.is_free = true;
+    set_free(*half_angle, direction, state);
     return state;
   }
   if (!zone_.carries(direction)) {
@@ -91,6 +89,16 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
     return state;
   }
   return confined(force, near);
+}
+
+std::optional<double> SeatContact::free_half_angle(
+    const Eigen::Vector3d& force) const {
+  const HalfAngleResult half_angle = contact_.half_angle(force.norm());
+  if (half_angle.status != Status::ok ||
+      !(zone_.margin(detail::polar_angle(force), half_angle.half_angle) >= 0)) {
+    return {};
+  }
+  return half_angle.half_angle;
 }
 
 SeatState SeatContact::confined(const Eigen::Vector3d& force,

@@ -4,6 +4,7 @@
 #include <array>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -169,6 +170,8 @@ class SeatContact {
   friend class SeatTable;
   friend class SeatJoint;
 
+  // Half-angle of a contact that reaches no rim; none of others.
+  std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
   // On the grid, whether a rim is reached or not.
   SeatState confined(const Eigen::Vector3d& force, const SeatState& near) const;
   double unit_force() const;

@@ -164,10 +164,7 @@ double SeatTable::shift_unit(double load) const {
 }
 
 bool SeatTable::is_free(const Eigen::Vector3d& force) const {
-  const HalfAngleResult half_angle =
-      contact_.unbounded().half_angle(force.norm());
-  return half_angle.status == Status::ok &&
-         contact_.zone().margin(polar_angle(force), half_angle.half_angle) >= 0;
+  return contact_.free_half_angle(force).has_value();
 }
 
 SeatTable::Place SeatTable::place(const Eigen::Vector3d& force) const {
