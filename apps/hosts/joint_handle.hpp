@@ -38,15 +38,21 @@ inline JointHandle read_joint(const std::string& file, const std::string& where,
   return joint;
 }
 
-/// The same, of dry friction: of hosts whose solver holds by a largest moment.
+/// Whether there is a moment at all that the joint holds: none of viscous ones.
+inline bool can_rest(const contact_joint* joint) {
+  const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
+  contact_rest rest;
+  must(contact_joint_at_rest(joint, &hold, nullptr, &rest));
+  return !std::isinf(rest.utilisation);
+}
+
+/// A joint of dry friction from its file: of hosts whose solver holds by a
+/// largest moment.
 /// @throws std::runtime_error for a joint that holds nothing, too
 inline JointHandle read_dry_joint(const std::string& file,
                                   const std::string& where, contact_kind kind) {
   JointHandle joint = read_joint(file, where, kind);
-  const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
-  contact_rest rest;
-  must(contact_joint_at_rest(joint.get(), &hold, nullptr, &rest));
-  if (std::isinf(rest.utilisation)) {
+  if (!can_rest(joint.get())) {
     throw std::runtime_error(where + ": " + file + " must have dry friction");
   }
   return joint;

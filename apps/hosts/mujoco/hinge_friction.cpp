@@ -95,6 +95,7 @@ void HingeFriction::weigh(mjData* data) {
   mj_fullM(model_, mass.data(), data->qM);
   inertia_ = mass;
   inertia_.diagonal() += dt * mapped(model_->dof_damping, nv);
+  if (has_damping_) damped_.compute(inertia_);
   VectorXd row(nv);
   for (int i = 0; i < data->nefc; ++i) {
     if (data->efc_state[i] != mjCNSTRSTATE_QUADRATIC) continue;
@@ -123,10 +124,7 @@ void HingeFriction::accelerate(mjData* data, const VectorXd& smooth) {
       mapped(data->qfrc_smooth, nv) + mapped(data->qfrc_constraint, nv);
   auto acceleration = mapped(data->qacc, nv);
   if (has_damping_) {
-    Matrix h(nv, nv);
-    mj_fullM(model_, h.data(), data->qM);
-    h.diagonal() += model_->opt.timestep * mapped(model_->dof_damping, nv);
-    acceleration = h.llt().solve(all);
+    acceleration = damped_.solve(all);
   } else {
     mj_solveM(model_, data, data->qacc, all.data(), 1);
   }

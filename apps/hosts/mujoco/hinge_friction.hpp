@@ -2,6 +2,7 @@
 
 #include <mujoco/mujoco.h>
 
+#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -85,9 +86,10 @@ class HingeFriction {
   bool has_reactions_ = false;
   int turns_ = 0;
   contact_sweeps sweeps_{};
-  Eigen::MatrixXd inertia_;  // H
-  Eigen::MatrixXd weight_;   // W
-  Eigen::VectorXd force_;    // generalized, of friction
+  Eigen::MatrixXd inertia_;             // H
+  Eigen::LLT<Eigen::MatrixXd> damped_;  // of H, where there is damping
+  Eigen::MatrixXd weight_;              // W
+  Eigen::VectorXd force_;               // generalized, of friction
 };
 
 }  // namespace contact_hosts::mujoco

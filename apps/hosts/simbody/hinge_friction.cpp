@@ -61,14 +61,6 @@ struct Hinge {
   }
 };
 
-// Whether there is a moment at all that the joint holds: none of viscous ones.
-bool can_rest(const contact_joint* joint) {
-  const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
-  contact_rest rest;
-  must(contact_joint_at_rest(joint, &hold, nullptr, &rest));
-  return !std::isinf(rest.utilisation);
-}
-
 }  // namespace
 
 class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
