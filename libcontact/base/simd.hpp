@@ -47,8 +47,7 @@ class LaneMask {
                          typename NativeVector<std::int64_t, n>::type>;
 
   CONTACT_LANE explicit LaneMask(Native native) : native_(native) {}
-  CONTACT_LANE explicit LaneMask(bool value) requires(
-      !std::same_as<Native, bool>) {
+  CONTACT_LANE explicit LaneMask(bool value) {
     if constexpr (is_bits) {
       native_ = value ? all_bits : 0;
     } else {
