@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <csignal>
 #include <cstdio>
 #include <string>
 #include <utility>
@@ -263,11 +264,21 @@ TEST(Checkpoint, KilledRunsGoOn) {
       "hinge-separation data/cases/slosh.toml --output o.json --history ";
   const std::string every = " --checkpoint-every 0.05 --checkpoint c.db";
   ASSERT_EQ(folder.run(run + "a.csv" + every).status, 0);
-  for (const char* seconds : {"0.03", "0.05", "0.08", "0.12", "0.2", "0.3"}) {
-    folder.run(std::string("timeout -s KILL ") + seconds + " " + run + "k.csv" +
-               every);
+  // As soon as the file has been seen to change so many times.
+  for (const char* changes : {"1", "2", "5", "10", "20"}) {
+    const ProgramResult killed =
+        folder.run("cp c.db seen\n" + run + "k.csv" + every + " & run=$!\n" +
+                   "left=" + changes +
+                   "\n"
+                   "while [ $left -gt 0 ] && kill -0 $run 2>/dev/null; do\n"
+                   "  cmp -s c.db seen || left=$((left - 1))\n"
+                   "  cp c.db seen\n"
+                   "done\n"
+                   "kill -KILL $run\n"
+                   "wait $run");
+    EXPECT_EQ(killed.status, 128 + SIGKILL) << changes;
     folder.run_well(run + "b.csv --resume c.db");
-    EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv")) << seconds;
+    EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv")) << changes;
   }
 }
 
