@@ -78,6 +78,45 @@ constexpr Quantity<FrictionTriple> of_coefficients[] = {
      [](const FrictionTriple& c) { return c.spinning; }},
 };
 
+// A coefficient among the integrals it is made of.
+constexpr Quantity<FrictionIntegrals> coefficient(
+    std::string_view key, const Quantity<FrictionTriple>& of,
+    double (*get)(const FrictionIntegrals&)) {
+  return {key, of.symbol, of.dimension, of.meaning, get};
+}
+
+using Integrals = FrictionIntegrals;
+
+constexpr Quantity<Integrals> of_integrals[] = {
+    {"normal", "I_normal", Dimension::number,
+     "normal integral, R_n = rho^2 p(0) I_normal",
+     [](const Integrals& i) { return i.normal; }},
+    {"pressure_force", "I_p", Dimension::number,
+     "friction force, weighted with p/p(0)",
+     [](const Integrals& i) { return i.pressure.force; }},
+    {"pressure_sliding", "J_p", Dimension::number,
+     "sliding moment, weighted with p/p(0)",
+     [](const Integrals& i) { return i.pressure.sliding; }},
+    {"pressure_spinning", "K_p", Dimension::number,
+     "spinning moment, weighted with p/p(0)",
+     [](const Integrals& i) { return i.pressure.spinning; }},
+    {"area_force", "I_a", Dimension::number,
+     "friction force, weighted with 1 (adhesion)",
+     [](const Integrals& i) { return i.area.force; }},
+    {"area_sliding", "J_a", Dimension::number,
+     "sliding moment, weighted with 1",
+     [](const Integrals& i) { return i.area.sliding; }},
+    {"area_spinning", "K_a", Dimension::number,
+     "spinning moment, weighted with 1",
+     [](const Integrals& i) { return i.area.spinning; }},
+    coefficient("force", of_coefficients[0],
+                [](const Integrals& i) { return i.coefficient.force; }),
+    coefficient("sliding", of_coefficients[1],
+                [](const Integrals& i) { return i.coefficient.sliding; }),
+    coefficient("spinning", of_coefficients[2],
+                [](const Integrals& i) { return i.coefficient.spinning; }),
+};
+
 bool slides(const SlidingContact::Rating& r) { return r.slides; }
 
 using Rating = SlidingContact::Rating;
@@ -135,6 +174,10 @@ std::span<const Quantity<ContactApproach>> approach_quantities() {
 
 std::span<const Quantity<FrictionTriple>> coefficient_quantities() {
   return of_coefficients;
+}
+
+std::span<const Quantity<FrictionIntegrals>> integral_quantities() {
+  return of_integrals;
 }
 
 std::span<const Quantity<SlidingContact::Rating>> rating_quantities() {

@@ -34,6 +34,8 @@ std::span<const Quantity<ContactPatch>> preload_quantities();
 
 /// Coefficients of pure friction, f = f0, over the contact.
 std::span<const Quantity<FrictionTriple>> coefficient_quantities();
+/// The friction integrals, and those coefficients last.
+std::span<const Quantity<FrictionIntegrals>> integral_quantities();
 
 /// Quantities of a time of a cycle beside its solution.
 std::span<const Quantity<JointCycle::Instant>> instant_quantities();

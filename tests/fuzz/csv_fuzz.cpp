@@ -50,8 +50,9 @@ void check_record(std::string_view line) {
 std::string write(const cli::PointColumns& columns, cli::Format format,
                   hinge_table::PointBlock& block) {
   std::vector<std::string> names = {"theta0_deg", "alpha_deg"};
-  names.insert(names.end(), hinge_table::quantities.begin(),
-               hinge_table::quantities.end());
+  for (const auto& quantity : hinge_table::quantities()) {
+    names.emplace_back(quantity.symbol);
+  }
   const auto riding = cli::distinct_names(columns.riding, names);
   names.insert(names.end(), riding.begin(), riding.end());
   const cli::Table table({format}, names);

@@ -5,8 +5,6 @@
 #include "help/help.hpp"
 #include "programs/table/run.hpp"
 
-namespace {}  // namespace
-
 int main(int argc, char** argv) {
   cli::Program program(
       "Friction integrals and coefficients of a ball joint with dry friction",

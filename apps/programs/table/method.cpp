@@ -24,11 +24,10 @@ using Pressure = std::shared_ptr<const contact::PressureLaw>;
 
 MethodFunction exact(const Pressure& pressure) {
   return [pressure](const Points& points, const Columns& columns) {
-    const auto& [normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z] =
-        columns;
     contact::friction_integrals(
         *pressure, {points.half_angle, points.axis_sin, points.axis_cos},
-        {normal, i_p, j_p, k_p, i_a, j_a, k_a, chi, sigma_y, sigma_z});
+        {columns[0], columns[1], columns[2], columns[3], columns[4], columns[5],
+         columns[6], columns[7], columns[8], columns[9]});
     return std::size_t{0};
   };
 }
@@ -36,18 +35,9 @@ MethodFunction exact(const Pressure& pressure) {
 // Row `i` of the columns.
 void set(const Columns& columns, std::size_t i,
          const contact::FrictionIntegrals& result) {
-  const auto& [normal, p, a, coefficient] = result;
-  const std::array<double, quantities.size()> values = {normal,
-                                                        p.force,
-                                                        p.sliding,
-                                                        p.spinning,
-                                                        a.force,
-                                                        a.sliding,
-                                                        a.spinning,
-                                                        coefficient.force,
-                                                        coefficient.sliding,
-                                                        coefficient.spinning};
-  for (std::size_t j = 0; j < values.size(); ++j) columns[j][i] = values[j];
+  for (std::size_t j = 0; j < columns.size(); ++j) {
+    columns[j][i] = contact::number_of(quantities()[j], result);
+  }
 }
 
 // A method that takes one point at a time.
@@ -93,26 +83,32 @@ Method find_method(const std::string& name, double tolerance,
   const auto viscous = [pressure](double half_angle, contact::SlipAxis axis) {
     return contact::viscous_friction_integrals(*pressure, half_angle, axis);
   };
-  const std::vector<cli::Choice<MethodFunction>> methods = {
-      {"exact", exact(pressure)},
-      {"elliptic", pointwise(contact::elliptic_friction_integrals)},
-#ifdef CONTACT_WITH_REFERENCE
-      {"quadrature", quadrature(tolerance, pressure)},
-#endif
-      {"planar", pointwise(contact::planar_friction_integrals)},
-      {"viscous", pointwise(viscous)},
-      {"cosine", pointwise(contact::cosine_friction_integrals)},
+  struct Row {
+    MethodFunction function;
+    bool any_pressure;
   };
-  MethodFunction function = cli::choice("--method", name, methods);
-  if ((name == "elliptic" || name == "planar" || name == "cosine") &&
-      pressure->name() != papers_pressure) {
+  const std::vector<cli::Choice<Row>> methods = {
+      {"exact", {exact(pressure), true}},
+      {"elliptic", {pointwise(contact::elliptic_friction_integrals), false}},
+#ifdef CONTACT_WITH_REFERENCE
+      {"quadrature", {quadrature(tolerance, pressure), true}},
+#endif
+      {"planar", {pointwise(contact::planar_friction_integrals), false}},
+      {"viscous", {pointwise(viscous), true}},
+      {"cosine", {pointwise(contact::cosine_friction_integrals), false}},
+  };
+  const Row method = cli::choice("--method", name, methods);
+  if (!method.any_pressure && pressure->name() != papers_pressure) {
+    std::vector<std::string_view> others;
+    for (const auto& [other, row] : methods) {
+      if (row.any_pressure) others.push_back(other);
+    }
     cli::refuse_without(
         cli::given("--method", name),
-        fmt::format("the pressure cosine; {} goes with exact, quadrature, "
-                    "viscous",
-                    pressure->name()));
+        fmt::format("the pressure {}; {} goes with {}", papers_pressure,
+                    pressure->name(), fmt::join(others, ", ")));
   }
-  return {std::move(function), named.name, pressure->largest_half_angle()};
+  return {method.function, named.name, pressure->largest_half_angle()};
 }
 
 }  // namespace hinge_table

@@ -1,21 +1,22 @@
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <functional>
 #include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "cli/joint/laws.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 /// The parts of the program hinge-table.
 namespace hinge_table {
 
 /// Columns of a table after theta0_deg and alpha_deg.
-inline constexpr std::array<std::string_view, 10> quantities = {
-    "I_normal", "I_p", "J_p", "K_p",     "I_a",
-    "J_a",      "K_a", "chi", "sigma_Y", "sigma_Z"};
+using Quantity = contact::Quantity<contact::FrictionIntegrals>;
+inline std::span<const Quantity> quantities() {
+  return contact::integral_quantities();
+}
 
 /// Many points: half-angles (rad), sine and cosine of the slip axis angle.
 struct Points {
@@ -25,7 +26,7 @@ struct Points {
 };
 
 /// Results of as many points, for each of the quantities.
-using Columns = std::array<std::span<double>, quantities.size()>;
+using Columns = std::vector<std::span<double>>;
 
 /// A method of the library over many points; returns how many of them missed
 /// the tolerance of an iteration.

@@ -12,7 +12,7 @@ namespace {
 void write_point(const PointBlock& block, std::size_t i, cli::RowWriter& row) {
   row.number(block.theta0_deg()[i]);
   row.number(block.alpha_deg()[i]);
-  for (std::size_t j = 0; j < quantities.size(); ++j) {
+  for (std::size_t j = 0; j < quantities().size(); ++j) {
     write_quantity(block, i, j, row);
   }
 }
@@ -66,10 +66,11 @@ void compute(const Method& method, PointBlock& block) {
     block.axis_sin[i] = sin;
     block.axis_cos[i] = cos;
   }
+  block.results.resize(quantities().size());
   Columns columns;
-  for (std::size_t j = 0; j < columns.size(); ++j) {
-    block.results[j].resize(count);
-    columns[j] = block.results[j];
+  for (std::vector<double>& results : block.results) {
+    results.resize(count);
+    columns.push_back(results);
   }
   block.inaccurate =
       method({block.half_angle, block.axis_sin, block.axis_cos}, columns);
@@ -100,7 +101,7 @@ void write_rows(const cli::PointColumns& columns, const PointBlock& block,
       write_point(block, i, row);
     } else {
       row.text("ERROR");
-      for (std::size_t j = 0; j <= quantities.size(); ++j) row.empty();
+      for (std::size_t j = 0; j <= quantities().size(); ++j) row.empty();
     }
     write_riding(columns, block, i, row);
     row.end();

@@ -30,7 +30,7 @@ struct PointBlock : cli::PointLines {
   std::vector<double> half_angle;
   std::vector<double> axis_sin;
   std::vector<double> axis_cos;
-  std::array<std::vector<double>, quantities.size()> results;
+  std::vector<std::vector<double>> results;  ///< of each quantity
 };
 
 /// Points given by their values.

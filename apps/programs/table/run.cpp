@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <string>
 #include <vector>
 
@@ -29,9 +28,9 @@ using cli::given;
 
 // The quantity of printed tables and pictures.
 std::size_t quantity_index(const std::string& name) {
-  std::array<cli::Choice<std::size_t>, quantities.size()> choices;
-  for (std::size_t i = 0; i < choices.size(); ++i) {
-    choices[i] = {quantities[i], i};
+  std::vector<cli::Choice<std::size_t>> choices;
+  for (std::size_t i = 0; i < quantities().size(); ++i) {
+    choices.push_back({quantities()[i].symbol, i});
   }
   return cli::choice("--quantity", name.empty() ? "chi" : name, choices);
 }
@@ -67,16 +66,23 @@ cli::Joint make_ball(const cli::JointOptions& options) {
   const bool named =
       options.pressures.empty() && name != contact::default_pressure_law;
   if (!materials.empty() && !by_materials && !named) {
+    std::vector<std::string_view> laws;
+    for (const auto* entry : contact::detail::pressure_entries()) {
+      if (entry->about.needs != Needs::nothing) {
+        laws.push_back(entry->about.name);
+      }
+    }
     cli::refuse_without(materials,
-                        "--pressure mixture or exact: all others are the same "
-                        "for all materials");
+                        fmt::format("--pressure {}: all others are the same "
+                                    "for all materials",
+                                    fmt::join(laws, " or ")));
   }
   return ball;
 }
 
 // The name of a quantity; those that depend on the pressure say on which.
 std::string quantity_name(std::size_t quantity, const Method& method) {
-  const std::string_view name = quantities[quantity];
+  const std::string_view name = quantities()[quantity].symbol;
   return name.ends_with("_a") ? std::string(name)
                               : fmt::format("{}_{}", name, method.pressure);
 }
@@ -84,7 +90,7 @@ std::string quantity_name(std::size_t quantity, const Method& method) {
 std::vector<std::string> column_names(const Method& method,
                                       std::vector<std::string> riding) {
   std::vector<std::string> names = {"theta0_deg", "alpha_deg"};
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
+  for (std::size_t i = 0; i < quantities().size(); ++i) {
     names.push_back(quantity_name(i, method));
   }
   riding = cli::distinct_names(std::move(riding), names);
@@ -204,15 +210,16 @@ std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
   const cli::Sweep& family = over_alpha ? grid.theta0 : grid.alpha;
 
   cli::LinePlot plot;
-  plot.title = fmt::format("{}, method {}, pressure {}", quantities[quantity],
-                           options.method, method.pressure);
+  plot.title =
+      fmt::format("{}, method {}, pressure {}", quantities()[quantity].symbol,
+                  options.method, method.pressure);
   if (!joint.empty()) plot.title += ", " + joint;
   const auto& shown =
       *contact::find_quantity(contact::solution_quantities(),
                               over_alpha ? "slip_axis_angle" : "half_angle");
   plot.x = cli::axis_of(shown);
   plot.x.logarithmic = x.is_logarithmic();
-  plot.y.name = quantities[quantity];
+  plot.y.name = quantities()[quantity].symbol;
   plot.family = true;
   for (const double member : cli::spread(family, most_curves)) {
     const std::vector<double> xs = cli::spread(x, most_points);
