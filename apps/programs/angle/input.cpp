@@ -28,8 +28,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Input load_input(const std::string& text, const cli::Joint& joint) {
   if (!joint.has_size) {
     cli::refuse_without("--load",
-                        "--radius and --clearance; a dimensionless joint has "
-                        "--load-parameter and --x");
+                        "--radius and --clearance; for a joint without a size "
+                        "use --load-parameter or --x");
   }
   const bool pin = joint.is_pin();
   const auto unit =
@@ -54,8 +54,8 @@ void check_clearance(const LoadOptions& options, const cli::Joint& joint) {
        {std::pair("--load-parameter", &options.load_parameter),
         {"--x", &options.x}}) {
     if (!given->empty()) {
-      cli::refuse_without(flag,
-                          "a clearance above 0; without one there is --load");
+      cli::refuse_without(
+          flag, "a clearance above 0; for a joint without one use --load");
     }
   }
 }

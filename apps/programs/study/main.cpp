@@ -46,7 +46,7 @@ void add_output(cli::Program& program, Options& o) {
   program.add("Output", {{"--csv", &o.csv, "FILE", "all rows as CSV"},
                          {"--hdf5", &o.hdf5, "FILE", "all rows as HDF5"},
                          {"--report", &o.report, "NAME.html",
-                          "all that is said as a page, with pictures"}});
+                          "the full report as a page, with pictures"}});
   program.add_jobs(o.output);
   program.describe("--output",
                    "the summary, JSON; or the table of --check, --run,\n"

@@ -108,9 +108,9 @@ Method find_method(const std::string& name, double tolerance,
       pressure->name() != papers_pressure) {
     cli::refuse_without(
         cli::given("--method", name),
-        fmt::format("the pressure cosine; {} goes with exact, quadrature, "
-                    "viscous",
-                    pressure->name()));
+        fmt::format(
+            "the pressure cosine; {} goes with exact, quadrature or viscous",
+            pressure->name()));
   }
   return {std::move(function), named.name, pressure->largest_half_angle()};
 }

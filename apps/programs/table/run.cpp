@@ -68,8 +68,8 @@ cli::Joint make_ball(const cli::JointOptions& options) {
       options.pressures.empty() && name != contact::default_pressure_law;
   if (!materials.empty() && !by_materials && !named) {
     cli::refuse_without(materials,
-                        "--pressure mixture or exact: all others are the same "
-                        "for all materials");
+                        "--pressure mixture or exact: the other laws do not "
+                        "depend on the materials");
   }
   return ball;
 }
@@ -269,9 +269,9 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
   }
   const bool two_way = options.output.format >= cli::Format::markdown;
   if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
-    cli::refuse_without(
-        given("--quantity", options.quantity),
-        "--format markdown or latex, or --plot; lists have all quantities");
+    cli::refuse_without(given("--quantity", options.quantity),
+                        "--format markdown or latex, or --plot; csv and json "
+                        "have all quantities");
   }
   if (two_way && !options.output.columns.empty()) {
     cli::refuse_without("--columns",

@@ -115,8 +115,8 @@ starts_at_event = "far"
 )");
   const ProgramResult result = folder.run_well("hinge-separation c.toml");
   EXPECT_EQ(result.err,
-            "hinge-separation: warning: event \"far\" did not come for tip\n"
-            "hinge-separation: warning: event \"after far\" did not come for "
+            "hinge-separation: warning: event \"far\" did not occur for tip\n"
+            "hinge-separation: warning: event \"after far\" did not occur for "
             "tip\n"
             "hinge-separation: warning: force \"late\" did not begin for "
             "core\n"
@@ -168,7 +168,7 @@ TEST(SeparationWarnings, StepsThatAreTooLongAreWarnedOf) {
                exchanged(sample_case("slosh"), "[run]\n",
                          "[run]\nintegrator = \"rk4\"\nstep_s = 0.5\n"));
   const ProgramResult result = folder.run_well("hinge-separation c.toml");
-  EXPECT_TRUE(has_text(result.err, "warning: the energy strays by "));
+  EXPECT_TRUE(has_text(result.err, "warning: the energy balance is off by "));
 }
 
 // The message has the body's name, not its number.
