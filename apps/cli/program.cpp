@@ -179,9 +179,9 @@ void Program::add_output(OutputOptions& options) {
        {"--format", word("--format", options.format, formats), "NAME",
         "csv (default), json, markdown, latex"},
        {"--columns", List{&options.columns}, "NAMES",
-        "of the table, only these and in this order"},
+        "columns of the table, only these and in this order"},
        {"--separator", separator, "CHAR",
-        "of CSV: ; | tab or a comma (default)"},
+        "separator of CSV: ; | tab or a comma (default)"},
        {"--decimal-comma", &options.decimal_comma, "",
         "0,5 for 0.5 in CSV, and ; for the separator"}});
   app_->get_option("--columns")->allow_extra_args(false);

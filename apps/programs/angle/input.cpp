@@ -12,12 +12,13 @@ namespace hinge_angle {
 using contact::Dimension;
 
 void add_load_options(cli::Program& program, LoadOptions& o) {
-  program.add("Load", {{"--load", &o.load, "VALUES",
-                        "N or with a unit; of a pin without a length N/m", "",
-                        "--load-parameter --x"},
-                       {"--load-parameter", &o.load_parameter, "VALUES",
-                        "mu or lambda", "", "--x"},
-                       {"--x", &o.x, "VALUES", "cbrt(mu) or 2 sqrt(lambda)"}});
+  program.add("Load",
+              {{"--load", &o.load, "VALUES",
+                "load in N or with a unit; N/m of a pin without a length", "",
+                "--load-parameter --x"},
+               {"--load-parameter", &o.load_parameter, "VALUES", "mu or lambda",
+                "", "--x"},
+               {"--x", &o.x, "VALUES", "cbrt(mu) or 2 sqrt(lambda)"}});
 }
 
 namespace {
