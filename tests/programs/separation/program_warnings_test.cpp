@@ -123,11 +123,11 @@ starts_at_event = "far"
             "hinge-separation: warning: force \"spring\" pulls tip back after "
             "its release, from t = 1.1 s: it is longer than free_length; "
             "ends_at_event ends it, a pusher only pushes\n");
-  const json missed = json::parse(result.out)["events_that_did_not_come"];
+  const json missed = json::parse(result.out)["missed_events"];
   ASSERT_EQ(missed.size(), 2U);
   EXPECT_EQ(missed[0], (json{{"event", "far"}, {"bodies", {"tip"}}}));
   EXPECT_TRUE(
-      run_json(folder, "data/cases/soyuz.toml")["events_that_did_not_come"]
+      run_json(folder, "data/cases/soyuz.toml")["missed_events"]
           .empty());
 }
 
