@@ -121,8 +121,8 @@ class Curve {
 
 std::string note_of(const FrictionStress::Table& table) {
   if (table.curve == FrictionStress::Table::Curve::spline) return {};
-  return "friction from a table with straight lines between its points, which "
-         "costs up to some 1e-3 of it";
+  return "friction from a table with straight lines between its points is off "
+         "by up to some 1e-3";
 }
 
 // Curves that leave what is physical between good points.

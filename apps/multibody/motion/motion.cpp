@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const char* reason(CoupledStatus status) {
   switch (status) {
     case CoupledStatus::not_converged:
-      return "the friction moments and the reactions do not settle";
+      return "the friction moments and the reactions do not converge";
     case CoupledStatus::no_solution:
       return "no friction moments were found that fit the reactions they cause";
     case CoupledStatus::several_solutions:

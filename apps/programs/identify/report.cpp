@@ -210,10 +210,10 @@ std::vector<std::string> warnings(const FrictionFit& fit,
         std::pair{"direction", &fit.direction_trend},
         std::pair{"rate", &fit.rate_trend}}) {
     if (shows(*trend)) {
-      all.push_back(fmt::format(
-          "residuals have a trend over the {}, {:.3g} -+ {:.2g} sigma: the "
-          "friction law leaves something out",
-          name, trend->value, trend->standard_error));
+      all.push_back(
+          fmt::format("residuals have a trend over the {}, {:.3g} -+ {:.2g} "
+                      "sigma: the friction law misses a dependence",
+                      name, trend->value, trend->standard_error));
     }
   }
   return all;
