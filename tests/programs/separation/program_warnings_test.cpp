@@ -127,8 +127,7 @@ starts_at_event = "far"
   ASSERT_EQ(missed.size(), 2U);
   EXPECT_EQ(missed[0], (json{{"event", "far"}, {"bodies", {"tip"}}}));
   EXPECT_TRUE(
-      run_json(folder, "data/cases/soyuz.toml")["missed_events"]
-          .empty());
+      run_json(folder, "data/cases/soyuz.toml")["missed_events"].empty());
 }
 
 TEST(SeparationWarnings, OverlapAndEarlyEndAreReported) {
