@@ -35,11 +35,11 @@ class Fit {
     }
   };
   static constexpr Classes holes = {
-      "EFGH", "", "E, F, G or H with a grade from 5 to 9, such as H7"};
+      "EFGH", "", "E, F, G or H with a grade from 5 to 9, as H7"};
   static constexpr Classes shafts = {
       "defgh", "k5 k6 k7 m6 n6 p6 r6 s6 ",
       "d, e, f, g or h with a grade from 5 to 9, k5, k6, k7, m6, n6, p6, r6 or "
-      "s6, such as g6"};
+      "s6, as g6"};
 
   enum class Clearance { minimum, mean, maximum };
 
