@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# The page libcontact/docs/speed.md, from the benchmarks:
-#   scripts/speed_page.sh BUILD_DIR [REPETITIONS] >libcontact/docs/speed.md
+# The pages libcontact/docs/speed.md and speed_motion.md, from the benchmarks:
+#   scripts/speed_page.sh BUILD_DIR [REPETITIONS]
 # builds and runs them, repetitions (21) interleaved at random, and puts the
-# least time of each into scripts/speed_page.md.in: {NAME} is a benchmark's
-# time in ns, {NAME#COUNTER} a counter of it, {X : Y} a ratio of two of those or
-# of a number and one of them; "-" is what could not be measured.
+# least time of each into scripts/PAGE.md.in: {NAME} is a benchmark's time in ns,
+# {NAME#COUNTER} a counter of it, {X : Y} a ratio of two of those or of a number
+# and one of them; "-" stands for times that could not be measured.
 set -euo pipefail
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then
   sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
@@ -20,7 +20,7 @@ trap 'rm -f "$results"' EXIT
 # the page names.
 measure() { # PROGRAM
   local names
-  names=$(grep -oE "[{ ]$1/[^ #}]+" scripts/speed_page.md.in |
+  names=$(grep -ohE "[{ ]$1/[^ #}]+" scripts/speed*.md.in |
     sed "s,^.$1/,," | sort -u | paste -sd '|')
   cmake --build "$build" --target "$1_bench" >&2
   "$build/bench/$1_bench" --benchmark_filter="^($names)\$" \
@@ -44,50 +44,55 @@ for program in friction pressure half_angle conforming joint duty multibody sepa
   measure $program
 done
 
-awk -v repetitions="$repetitions" \
-  -v date="$(date +%Y-%m-%d)" \
-  -v processor="$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)" \
-  -v compiler="$("$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' \
-    "$build/CMakeCache.txt")" --version | head -1)" '
-  # Significant digits; as many decimals below 1.
-  function show(x, digits, unit) {
-    for (unit = 1; unit * 10 ^ digits <= x; unit *= 10) {}
-    if (unit > 1) return sprintf("%.0f", int(x / unit + 0.5) * unit)
-    for (unit = 1; unit <= x; unit *= 10) --digits
-    return sprintf("%." digits "f", x)
-  }
-  function value(name) {
-    if (name ~ /^[0-9.e-]+$/) return name + 0
-    if (name !~ /#/) name = name "#ns"
-    return name in least ? least[name] : "-"
-  }
-  function expanded(name, pair) {
-    if (name in word) return word[name]
-    if (split(name, pair, " : ") == 1) {
-      pair[2] = value(name)
-      if (pair[2] == "-" || name ~ /#/ && pair[2] == int(pair[2])) return pair[2]
-      return show(pair[2], 3)
+write_page() { # PAGE
+  awk -v repetitions="$repetitions" \
+    -v date="$(date +%Y-%m-%d)" \
+    -v processor="$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)" \
+    -v compiler="$("$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' \
+      "$build/CMakeCache.txt")" --version | head -1)" '
+    # Significant digits; as many decimals below 1.
+    function show(x, digits, unit) {
+      for (unit = 1; unit * 10 ^ digits <= x; unit *= 10) {}
+      if (unit > 1) return sprintf("%.0f", int(x / unit + 0.5) * unit)
+      for (unit = 1; unit <= x; unit *= 10) --digits
+      return sprintf("%." digits "f", x)
     }
-    if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
-    return show(value(pair[1]) / value(pair[2]), 2)
-  }
-  BEGIN {
-    word["repetitions"] = repetitions
-    word["date"] = date
-    word["processor"] = processor
-    word["compiler"] = compiler
-  }
-  FNR == NR {
-    if (!($1 in least) || $2 < least[$1]) least[$1] = $2
-    next
-  }
-  {
-    rest = $0
-    line = ""
-    while (match(rest, /[{][^}]*[}]/)) {
-      line = line substr(rest, 1, RSTART - 1) \
-        expanded(substr(rest, RSTART + 1, RLENGTH - 2))
-      rest = substr(rest, RSTART + RLENGTH)
+    function value(name) {
+      if (name ~ /^[0-9.e-]+$/) return name + 0
+      if (name !~ /#/) name = name "#ns"
+      return name in least ? least[name] : "-"
     }
-    print line rest
-  }' "$results" scripts/speed_page.md.in
+    function expanded(name, pair) {
+      if (name in word) return word[name]
+      if (split(name, pair, " : ") == 1) {
+        pair[2] = value(name)
+        if (pair[2] == "-" || name ~ /#/ && pair[2] == int(pair[2])) return pair[2]
+        return show(pair[2], 3)
+      }
+      if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
+      return show(value(pair[1]) / value(pair[2]), 2)
+    }
+    BEGIN {
+      word["repetitions"] = repetitions
+      word["date"] = date
+      word["processor"] = processor
+      word["compiler"] = compiler
+    }
+    FNR == NR {
+      if (!($1 in least) || $2 < least[$1]) least[$1] = $2
+      next
+    }
+    {
+      rest = $0
+      line = ""
+      while (match(rest, /[{][^}]*[}]/)) {
+        line = line substr(rest, 1, RSTART - 1) \
+          expanded(substr(rest, RSTART + 1, RLENGTH - 2))
+        rest = substr(rest, RSTART + RLENGTH)
+      }
+      print line rest
+    }' "$results" "scripts/$1.md.in" >"libcontact/docs/$1.md"
+}
+
+write_page speed
+write_page speed_motion

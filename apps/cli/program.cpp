@@ -65,7 +65,7 @@ void refuse_empty(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!text.empty()) continue;
-      refuse(option->get_name(), text, "a value, or the option left out");
+      refuse(option->get_name(), text, "a value, not empty");
     }
   }
 }
@@ -77,7 +77,7 @@ void note_thousands(const CLI::App& app) {
       if (!looks_like_thousands(text)) continue;
       note(app.get_name(),
            given(option->get_name(), text) +
-               " is a list of numbers: thousands have no commas here");
+               " is a list of numbers: thousands are written without commas");
     }
   }
 }
@@ -179,9 +179,9 @@ void Program::add_output(OutputOptions& options) {
        {"--format", word("--format", options.format, formats), "NAME",
         "csv (default), json, markdown, latex"},
        {"--columns", List{&options.columns}, "NAMES",
-        "of the table, only these and in this order"},
+        "columns of the table, only these and in this order"},
        {"--separator", separator, "CHAR",
-        "of CSV: ; | tab or a comma (default)"},
+        "separator of CSV: ; | tab or a comma (default)"},
        {"--decimal-comma", &options.decimal_comma, "",
         "0,5 for 0.5 in CSV, and ; for the separator"}});
   app_->get_option("--columns")->allow_extra_args(false);
@@ -259,8 +259,9 @@ int Program::run(int argc, char** argv, std::string_view help,
     note_thousands(*app_);
     return status;
   } catch (const CLI::ExtrasError&) {  // its text has them backwards
-    complain(name(), fmt::format("not expected: {} (see {} --help)",
-                                 fmt::join(app_->remaining(), " "), name()));
+    complain(name(),
+             fmt::format("unexpected on the command line: {} (see {} --help)",
+                         fmt::join(app_->remaining(), " "), name()));
   } catch (const CLI::ParseError& error) {
     complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
   } catch (const std::exception& error) {

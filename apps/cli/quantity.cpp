@@ -100,7 +100,7 @@ void refuse_some_units(std::string_view option, std::string_view text) {
     without = without || (is_blank(part) && *number != 0);
   }
   if (with && without) {
-    refuse(option, text, "with a unit at every number, or at none");
+    refuse(option, text, "numbers that all have a unit, or all have none");
   }
 }
 

@@ -75,8 +75,8 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   warn(rows.make_one_period(), frames_of_maker);
   if (!rows.period) {
     throw contact::Error(contact::detail::needs(
-        "times with uneven steps",
-        "period: the time from the first row to its return"));
+        "a cycle with uneven time steps",
+        "period, the time from the first row to its return"));
   }
   std::unique_ptr<Cycle> cycle;
   contact::LargestContact largest;

@@ -25,7 +25,7 @@ class MomentSets {
     }
     if (solution.rows.empty() && solution.arrays) {
       throw contact::Error(contact::detail::must_be(
-          "solution", "what solve() has returned, and not unpickled"));
+          "solution", "a result of solve() that was not unpickled"));
     }
     for (std::size_t i = 0; i < numbers_.size(); ++i)
       numbers_[i] = static_cast<double>(i);

@@ -44,7 +44,7 @@ py::object numbers_of(py::handle given) {
   if (is_plain(given)) return py::reinterpret_borrow<py::object>(given);
   if (is_masked(given)) {
     throw py::type_error(contact::detail::must_be(
-        "a masked array", "filled or compressed: its mask is not looked at"));
+        "a masked array", "filled or compressed: its mask would be ignored"));
   }
   py::array array = natural(given);
   if (std::string_view("fiub").find(array.dtype().kind()) ==
@@ -152,7 +152,7 @@ std::vector<std::string> detail::chosen_names(const Fields& names,
                                               const Out& out) {
   if (names && out) {
     throw contact::Error(contact::detail::must_be(
-        "fields", "left out beside out, which names them"));
+        "fields", "left out: out names the quantities"));
   }
   if (names) {
     if (const auto* one = std::get_if<std::string>(&*names)) return {*one};

@@ -132,8 +132,9 @@ void Study::refuse_repeated_keys() const {
     for (std::size_t other = 0; other < i; ++other) {
       if (!is_repeated({all[other], all[i]})) continue;
       plan_.dispersions[i].table.must_be(
-          "key", fmt::format("another key than \"{}\", by whatever name",
-                             plan_.dispersions[other].key));
+          "key",
+          fmt::format("another key than \"{}\": both names are of one key",
+                      plan_.dispersions[other].key));
     }
   }
 }
@@ -152,8 +153,8 @@ std::vector<std::string> Study::matching(const std::string& pattern,
     table.fail(key, unreached[0] + " in the nominal run");
   }
   for (const std::string& why : unreached) {
-    nominal_.warnings.push_back(
-        fmt::format("\"{}\" is without what is not reached: {}", pattern, why));
+    nominal_.warnings.push_back(fmt::format(
+        "\"{}\" has no number in the nominal run: {}", pattern, why));
   }
   if (!found.empty()) return found;
   // All of them would fill a page.

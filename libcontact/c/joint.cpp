@@ -205,12 +205,11 @@ contact_status contact_joint_approach(const contact_joint* joint,
         delta = value.approach;
         slope = value.stiffness;
         if (normal_force > 0 && !std::isnan(half_angle) && std::isnan(delta)) {
-          return contact_report(CONTACT_OUT_OF_RANGE,
-                                "contact_joint_approach: joint must be one "
-                                "that has an approach: of "
-                                "the half-angle law \"exact\", loaded through "
-                                "its centre, no pin in "
-                                "an infinite hole");
+          return contact_report(
+              CONTACT_OUT_OF_RANGE,
+              "contact_joint_approach: joint must have an approach: the "
+              "half-angle law \"exact\", a load through its centre, and no pin "
+              "in an infinite hole");
         }
         return status_of({delta, slope}, "contact_joint_approach: normal_force",
                          normal_force, "above 0 and in the range of the laws");

@@ -78,10 +78,10 @@ contact_status contact_joint_edge(const contact_joint* joint,
           contact_edge& to = given(edge, "contact_joint_edge: edge");
           to.power = set.support(rate);
           Vector3d::Map(to.moment) = set.moment(rate);
-          return contact::c::status_if(
-              !std::isnan(to.power + to.moment[0]),
-              "contact_joint_edge: angular_velocity",
-              "finite and not 0, and friction not fall with the speed");
+          return contact::c::status_if(!std::isnan(to.power + to.moment[0]),
+                                       "contact_joint_edge: angular_velocity",
+                                       "finite and not 0, with friction that "
+                                       "does not fall with the speed");
         });
       },
       edge);
@@ -100,7 +100,7 @@ contact_status contact_joint_held(const contact_joint* joint,
           Vector3d::Map(to.nearest) = set.project(m);
           return contact::c::status_if(
               !std::isnan(to.utilisation), "contact_joint_held: moment",
-              "finite, and friction not fall with the speed");
+              "finite, with friction that does not fall with the speed");
         });
       },
       held);

@@ -37,7 +37,7 @@ std::string WearMap::depth_note(double depth, const JointGeometry& geometry) {
   if (!(depth > share * geometry.radius())) return {};
   return detail::message(
       "wear {:.4g} mm deep is more than a tenth of the radius, {:.4g} mm: the "
-      "bodies no longer fit, and nothing here knows their contact",
+      "surfaces no longer conform, and their contact is outside the theory",
       1e3 * depth, 1e3 * geometry.radius());
 }
 

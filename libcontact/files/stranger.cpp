@@ -111,7 +111,8 @@ void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
       note(value, unknown("key", joined(path, printable(key)),
                           meant_by(key, *table, known), names));
     } else if (read != nullptr && !read->contains(&value)) {
-      note(value, must_be(named(joined(path, key), value), "left out here"));
+      note(value, must_be(named(joined(path, key), value),
+                          "left out: it has no effect here"));
     } else if (!(*found)->inside.empty()) {
       // A table in the place of a value is refused when that is read.
       look_for(value, (*found)->inside, joined(path, key));

@@ -40,8 +40,7 @@ void HalfAngleLaw::require_closing_load() const {
   throw Error(detail::needs(
       to_string(kind_) + " joint with interference",
       "a load through the centre, and bodies that can be pressed together all "
-      "round: an incompressible layer or body between rigid ones has no place "
-      "to go"));
+      "round, not an incompressible layer or body between rigid ones"));
 }
 
 const std::vector<std::string>& half_angle_law_names() {

@@ -339,12 +339,12 @@ FrictionFit identify_friction(const JointContact& joint,
         "friction of the joint", "dry");
   check(!data.empty(), "measured moments", "at least one");
   check(options.level > 0 && options.level < 1,
-        detail::message("level = {}", options.level), "inside (0, 1)");
+        detail::message("level = {}", options.level), "above 0 and below 1");
   for (std::size_t i = 0; i < data.size(); ++i) {
     check(is_good(data[i], joint.has_interference()),
           detail::message("measured moment {}", i + 1),
-          "finite, of a reaction and a rate that are not 0, with sigma above "
-          "0");
+          "finite, with a reaction and an angular velocity other than 0 and "
+          "sigma above 0");
   }
   return Identification(joint, data, options).fit();
 }

@@ -49,7 +49,7 @@ struct IdentifyOptions {
   bool huber = false;
   /// Intervals by refitting too, see Estimate::profile. Not with huber.
   bool profile = false;
-  /// Probability of the intervals, inside (0, 1).
+  /// Probability of the intervals, above 0 and below 1.
   double level = 0.95;
 };
 

@@ -176,8 +176,8 @@ std::vector<std::string> JointContact::validity_notes() const {
   if (interference_pressure() > softer) {
     notes.push_back(detail::message(
         "interference pressure {:.4g} MPa exceeds Young's modulus of the "
-        "softer body, {:.4g} MPa: a layer that is nearly incompressible has no "
-        "place to go",
+        "softer body, {:.4g} MPa: a nearly incompressible layer cannot be "
+        "pressed together",
         interference_pressure() / 1e6, softer / 1e6));
   }
   if (stress() && !stress()->note().empty()) notes.push_back(stress()->note());
@@ -187,8 +187,8 @@ std::vector<std::string> JointContact::validity_notes() const {
 std::string JointContact::rest_refusal() const {
   if (!stress() || stress()->over_speed() != FrictionStress::OverSpeed::falls)
     return {};
-  return "friction that does not fall with the speed: else a joint sticks and "
-         "slips, and the moments that it holds are no convex set";
+  return "friction that does not fall with the speed: otherwise the joint "
+         "sticks and slips, and the moments that it holds form no convex set";
 }
 
 namespace {

@@ -40,7 +40,7 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
                   "above 0 m and finite");
   detail::require(std::abs(radial_clearance) < radius, place,
                   "radial_clearance", radial_clearance,
-                  detail::message("less in size than the radius {} m", radius));
+                  detail::message("above {} and below {} m", -radius, radius));
   if (kind == JointKind::pin) {
     detail::require(length > 0 && std::isfinite(length), place, "length",
                     length, "above 0 m and finite");

@@ -121,8 +121,8 @@ class Curve {
 
 std::string note_of(const FrictionStress::Table& table) {
   if (table.curve == FrictionStress::Table::Curve::spline) return {};
-  return "friction from a table with straight lines between its points, which "
-         "costs up to some 1e-3 of it";
+  return "friction from a table with straight lines between its points is off "
+         "by up to some 1e-3";
 }
 
 // Curves that leave what is physical between good points.
@@ -145,7 +145,7 @@ FrictionStress FrictionStress::of_pressure(const Table& table) {
     if (f < 0) refuse_curve(place, "0 or above");
     const double stress = std::exp(x) * f;
     if (stress < last * (1 - rounding)) {
-      refuse_curve(place, "so that p f does not fall with p");
+      refuse_curve(place, "one whose friction stress p f does not fall with p");
     }
     last = stress;
   });
@@ -172,7 +172,7 @@ FrictionStress FrictionStress::of_hersey(const Table& table) {
     if (f < 0) refuse_curve(place, "0 or above");
     const double slope = f * std::exp(-x);
     if (slope > last * (1 + rounding)) {
-      refuse_curve(place, "so that p f does not fall with p");
+      refuse_curve(place, "one whose friction stress p f does not fall with p");
     }
     falls = falls || f < last_f * (1 - rounding);
     last = slope;

@@ -52,8 +52,8 @@ ForceSeries series_of(const JointSpec& joint) {
   }
   if (joint.loading.is_back()) {
     throw Error(detail::needs(name,
-                              "loading = centre: that of a body that is "
-                              "pressed from behind has no approach"));
+                              "loading = centre: a body that is pressed from "
+                              "behind has no approach"));
   }
   const ContactConditions conditions = joint.conditions();
   if (conditions.walls) {
@@ -68,10 +68,10 @@ ForceSeries series_of(const JointSpec& joint) {
   } else if (kind == JointKind::ball) {
     return series_of<BallContact>(kind, joint.pair(), unknowns);
   }
-  throw Error(detail::needs(
-      name,
-      "a wall with a backing other than an infinite body: an infinite "
-      "hole gives way without end"));
+  throw Error(
+      detail::needs(name,
+                    "a wall with a backing other than an infinite body: in an "
+                    "infinite hole the displacement has no limit"));
 }
 
 // The bits of a double at which the cells of octaves begin.

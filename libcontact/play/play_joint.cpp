@@ -318,8 +318,8 @@ std::vector<std::string> PlayJoint::notes(const PlayMotion& motion) const {
       motion.velocity.norm() > largest_share * turning) {
     notes.push_back(detail::message(
         "a half-angle of {:.4g} deg and a centre that moves at {:.3g} times "
-        "the speed of the turning surface: friction is for narrower contacts, "
-        "or below 0.1 times",
+        "the speed of the turning surface: friction holds for narrower "
+        "contacts, or below 0.1 times",
         law_.half_angle(delta) / degree, motion.velocity.norm() / turning));
   }
   return notes;

@@ -101,7 +101,7 @@ struct RoundedRim {
 /// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
 /// socket, for any elastic pair and any walls, under any load. The bodies go on
 /// beyond the rims as they do in the laws without rims; only the contact ends
-/// there. What that leaves out, 1 to 18 %, says docs/seats.md, with the method.
+/// there. What that leaves out, 1 to 18 %, says docs/seats.md.
 ///
 /// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
 /// act on the seat, shifts are those of the ball's centre.

@@ -60,7 +60,7 @@ struct SeatRestSolution {
 /// If the contact of the seat without end stays inside the rims, Joint answers
 /// with the laws `exact`, to the last bit. Friction is dry or viscous.
 ///
-/// Accuracy (seat/joint_test.cpp, against a program of its own): docs/seats.md.
+/// Accuracy (seat/joint_test.cpp, by another program): docs/seat_methods.md.
 class SeatJoint {
  public:
   /// @throws Error without a seat that ends or friction, for a friction stress,

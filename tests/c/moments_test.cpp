@@ -93,11 +93,11 @@ TEST(CMoments, SayWhichArgumentIsWrong) {
   expect_failure(contact_joint_edge(ball.get(), &s, zero, &edge),
                  CONTACT_OUT_OF_RANGE,
                  "contact_joint_edge: angular_velocity must be finite and not "
-                 "0, and friction not fall with the speed");
+                 "0, with friction that does not fall with the speed");
   expect_failure(contact_joint_held(ball.get(), &s, wrong, &held),
                  CONTACT_OUT_OF_RANGE,
-                 "contact_joint_held: moment must be finite, and friction not "
-                 "fall with the speed");
+                 "contact_joint_held: moment must be finite, with friction "
+                 "that does not fall with the speed");
   expect_failure(contact_joint_held(pin.get(), &s, zero, &held),
                  CONTACT_BAD_INPUT,
                  "contact_joint_held: joint must be a ball joint");

@@ -262,15 +262,15 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
           "contact_run_event: i = 99 must be below " +
               std::to_string(contact_run_event_count(run.get())));
   refuses(contact_run_restore(run.get(), "old", 3),
-          "the saved state: not a checkpoint of hinge-separation");
+          "the saved state: the file must be a checkpoint of hinge-separation");
   const contact_setting shorter = {"run.end_time_s", "2"};
   const CRun short_run = c_run(turn, &shorter, 1);
   void* bytes = nullptr;
   std::size_t size = 0;
   ASSERT_EQ(contact_run_save(short_run.get(), &bytes, &size), CONTACT_OK);
   refuses(contact_run_restore(run.get(), bytes, size),
-          "the saved state: a checkpoint of a run of another case file, other "
-          "joints or other options");
+          "the saved state: the checkpoint must be one of this case file, "
+          "these joints and these options");
   contact_free(bytes);
   EXPECT_EQ(contact_run_time(run.get()), 1);  // as before all this
 }
@@ -294,10 +294,10 @@ TEST(CStatus, OutOfRangeGivesNan) {
   is_out(contact_joint_pressure(joint.get(), nan, 0, &x),
          "contact_joint_pressure: normal_force = nan must be in the range of "
          "the laws");
-  is_out(contact_joint_approach(fitted.get(), 100, &x, &y),
-         "contact_joint_approach: joint must be one that has an approach: of "
-         "the half-angle law \"exact\", loaded through its centre, no pin in "
-         "an infinite hole");
+  is_out(
+      contact_joint_approach(fitted.get(), 100, &x, &y),
+      "contact_joint_approach: joint must have an approach: the half-angle law "
+      "\"exact\", a load through its centre, and no pin in an infinite hole");
   EXPECT_TRUE(std::isnan(x) && std::isnan(y));
   is_out(contact_joint_approach(joint.get(), 0, &x, &y),
          "contact_joint_approach: normal_force = 0 must be above 0 and in the "

@@ -428,8 +428,9 @@ TEST(Quantity, MessagesNameTheUnits) {
   EXPECT_EQ(message("20kN", Dimension::force), "--x 20kN must be 0 to 10000 N");
   EXPECT_EQ(message("1N", Dimension::number),
             "--x 1N must be a number, 0 to 10000 N");
-  EXPECT_ERROR(cli::parse_vector("--v", "1,2kN,0", "in N", Dimension::force),
-               "--v 1,2kN,0 must be with a unit at every number, or at none");
+  EXPECT_ERROR(
+      cli::parse_vector("--v", "1,2kN,0", "in N", Dimension::force),
+      "--v 1,2kN,0 must be numbers that all have a unit, or all have none");
   EXPECT_EQ(cli::parse_vector("--v", "1kN,2N,0", "in N", Dimension::force),
             (std::array<double, 3>{1000, 2, 0}));
 }
@@ -473,9 +474,10 @@ TEST(Sweep, NumbersWithUnits) {
   ASSERT_EQ(lengths.size(), 11U);
   for (int i = 0; i <= 10; ++i) EXPECT_EQ(lengths[i], i / 1e4);
   for (const auto& [text, rule] :
-       {std::pair{"1:10:1kN", "with a unit at every number, or at none"},
-        std::pair{"1,2,5kN", "with a unit at every number, or at none"},
-        std::pair{"1kN:2:log3", "with a unit at every number, or at none"},
+       {std::pair{"1:10:1kN", "numbers that all have a unit, or all have none"},
+        std::pair{"1,2,5kN", "numbers that all have a unit, or all have none"},
+        std::pair{"1kN:2:log3",
+                  "numbers that all have a unit, or all have none"},
         std::pair{"-1kN", "0 to inf N"}}) {
     const std::string message = error_message([&, t = text] { forces(t); });
     EXPECT_TRUE(message.ends_with(rule)) << message;

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -138,6 +139,27 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   }
   EXPECT_GT(rows.size(), 50u);
   EXPECT_EQ(cited, rows);
+}
+
+// Longer pages are lists to look things up in.
+TEST(Pages, FitOnThreeScreens) {
+  const std::map<std::string, std::string> longer = {
+      {"CHANGELOG.md", "every version's changes"},
+      {"libcontact/NOTATION.md", "every symbol, in one place to compare"}};
+  for (const fs::path& page : pages()) {
+    if (longer.contains(fs::relative(page, root).string())) continue;
+    const std::string text = contents(page);
+    EXPECT_LE(std::ranges::count(text, '\n'), 150) << page;
+  }
+}
+
+// The first words below the title say who reads on: "For developers: ...".
+TEST(Pages, SayForWhomTheyAre) {
+  for (const fs::path& page : pages()) {
+    if (page == root / "README.md" || page == root / "CHANGELOG.md") continue;
+    const std::string text = contents(page);
+    EXPECT_TRUE(text.substr(text.find('\n')).starts_with("\n\nFor ")) << page;
+  }
 }
 
 TEST(Pages, HaveOneVersion) {

@@ -899,7 +899,8 @@ TEST(JointFile, MessagesNameTheOriginOfSettings) {
             "j.toml with geometry.radius_mm = -50: geometry.radius_mm = -50 "
             "must be above 0");
   EXPECT_EQ(said({{"geometry.length_mm", "3", "--length 3mm"}}),
-            "--length 3mm: geometry.length_mm = 3 must be left out here");
+            "--length 3mm: geometry.length_mm = 3 must be left out: it has no "
+            "effect here");
 }
 
 TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {

@@ -52,7 +52,7 @@ struct World {
   }
 };
 
-/// The pendulum of docs/simulator.md.
+/// The pendulum of docs/pendulum.md.
 const std::string pendulum =
     "<body><joint name='hip' type='ball'/><inertial mass='5' pos='0 0 -.4' "
     "diaginertia='.1 .1 .02'/></body>";
@@ -98,7 +98,7 @@ double time_to_rest(World& world, HingeFriction& friction) {
 }
 
 // The page's program, whose step is of first order too, says 43.61 s; both come
-// within 0.02 s of it as the step is halved (docs/simulator.md).
+// within 0.02 s of it as the step is halved (docs/pendulum.md).
 TEST(HostMujoco, PendulumRestsAndStaysToTheLastBit) {
   World world(pendulum);
   HingeFriction friction(world.model);

@@ -59,7 +59,7 @@ struct World {
   double rate() const { return state.getU().normInf(); }
 };
 
-/// The pendulum of docs/simulator.md.
+/// The pendulum of docs/pendulum.md.
 void add_pendulum(World& w) {
   w.weigh({0, 0, -9.81});
   const Body::Rigid body(

@@ -473,11 +473,12 @@ TEST(Identify, BadInput) {
             "friction of the joint must be dry");
   EXPECT_EQ(message(joint, {.parameters = {f0, f0}}),
             "parameters to fit must be at least one, each once");
-  EXPECT_EQ(message(joint, {.level = 1}), "level = 1 must be inside (0, 1)");
+  EXPECT_EQ(message(joint, {.level = 1}),
+            "level = 1 must be above 0 and below 1");
   data[3].sigma = -1;
   EXPECT_EQ(message(joint),
-            "measured moment 4 must be finite, of a reaction and a rate that "
-            "are not 0, with sigma above 0");
+            "measured moment 4 must be finite, with a reaction and an angular "
+            "velocity other than 0 and sigma above 0");
   data.resize(2);
   EXPECT_EQ(message(joint),
             "2 measured numbers must be more than the 2 parameters to fit");

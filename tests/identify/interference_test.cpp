@@ -169,8 +169,8 @@ TEST(IdentifyInterference, NeedsItForStatesWithoutLoad) {
               identify_friction(lined(JointKind::pin, 20e-6, FrictionLaw(0)),
                                 data, {});
             }),
-            "measured moment 1 must be finite, of a reaction and a rate that "
-            "are not 0, with sigma above 0");
+            "measured moment 1 must be finite, with a reaction and an angular "
+            "velocity other than 0 and sigma above 0");
 }
 
 }  // namespace

@@ -411,13 +411,12 @@ TEST(FrictionStress, Messages) {
             "the point before it");
   EXPECT_EQ(of_pressure({1e6, 2e6}, {0.3, 0.1}),
             "friction over pressure: the curve through the coefficients must "
-            "be so that p f does not fall with p");
+            "be one whose friction stress p f does not fall with p");
   EXPECT_EQ(of_pressure({1e6, 2e6, 3e6}, {0.1, -0.1, 0.1}),
             "friction over pressure: coefficient = -0.1 must be 0 or above");
-  EXPECT_ERROR(
-      FrictionStress::of_hersey({{1e-9, 2e-9}, {0.1, 0.3}}),
-      "friction over v/p: the curve through the coefficients must be so "
-      "that p f does not fall with p");
+  EXPECT_ERROR(FrictionStress::of_hersey({{1e-9, 2e-9}, {0.1, 0.3}}),
+               "friction over v/p: the curve through the coefficients must be "
+               "one whose friction stress p f does not fall with p");
   EXPECT_ERROR(FrictionStress::power(0.1, 1e6, 1.5),
                "power friction: exponent = 1.5 must be 0 to 1");
   EXPECT_ERROR(FrictionStress::stribeck(0.1, 0.1, 0),

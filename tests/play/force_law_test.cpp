@@ -242,12 +242,12 @@ TEST(ForceLawContract, RefusesJointsWithoutApproach) {
   pin.outer = Material{207e9, 0.3};
   EXPECT_EQ(test::error_message([&] { ForceLaw{pin}; }),
             "pin joint with play requires a wall with a backing other than an "
-            "infinite body: an infinite hole gives way without end");
+            "infinite body: in an infinite hole the displacement has no limit");
   JointSpec ball = test::steel_ball();
   ball.loading = InnerLoading::back(0.2);
   EXPECT_EQ(test::error_message([&] { ForceLaw{ball}; }),
-            "ball joint with play requires loading = centre: that of a body "
-            "that is pressed from behind has no approach");
+            "ball joint with play requires loading = centre: a body that is "
+            "pressed from behind has no approach");
 }
 
 }  // namespace

@@ -150,8 +150,8 @@ TEST_F(EveryJoint, DutyAndIdentifyTakeIt) {
       const auto refused = folder_.run(identify);
       EXPECT_EQ(refused.status, 2) << joint.name;
       EXPECT_EQ(refused.err,
-                "hinge-identify: --fit f0,A requires dry friction: the joint's "
-                "is not\n");
+                "hinge-identify: --fit f0,A requires dry friction; that of the "
+                "joint is not dry\n");
     }
   }
 }
@@ -195,7 +195,7 @@ TEST_F(EveryJoint, CasesTakeIt) {
       const auto refused = folder_.run("hinge-separation case.toml");
       EXPECT_EQ(refused.status, 2) << joint.name;
       EXPECT_TRUE(has_text(refused.err,
-                           "with a law of its own joints are for "
+                           "joints with another friction law are for "
                            "hinge-joint and hinge-duty"));
       continue;
     }

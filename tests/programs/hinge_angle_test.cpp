@@ -679,8 +679,8 @@ TEST(HingeAngle, OfClearanceZeroIsTheLimit) {
   EXPECT_EQ(inverse.status, 1);
   EXPECT_EQ(csv_column(csv_rows(inverse.out), "load_exact_N_per_m")[0], "");
   EXPECT_EQ(folder.run(pin + "--x 1").err,
-            "hinge-angle: --x requires a clearance above 0; without one there "
-            "is --load\n");
+            "hinge-angle: --x requires a clearance above 0; for a joint "
+            "without one use --load\n");
 }
 
 }  // namespace

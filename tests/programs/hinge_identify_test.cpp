@@ -107,7 +107,7 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
                         "load more, or take f0_effective\n"));
   EXPECT_THAT(says(set("wide_outliers")),
               HasSubstr("4 of 40 residuals are beyond 5 standard errors by "
-                        "their median; --huber keeps them off\n"));
+                        "their median; --huber reduces their weight\n"));
   EXPECT_THAT(says(set("wide_outliers") + "--huber"),
               Not(HasSubstr("residuals")));
   EXPECT_THAT(says(wide + "--fit f0,A,clearance"),
@@ -116,7 +116,7 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
   EXPECT_THAT(says("printf 'R_N,b_deg,torque_N_m\\n1e3,90,2\\n4e3,90,9\\n"
                    "1e4,90,26\\n2e4,90,55\\n' | " +
                    rig + "--data - --sigma-rel 0.01"),
-              HasSubstr("A is held at 0: the data would have it below; "
+              HasSubstr("A is held at 0: the data ask for a negative value; "
                         "intervals of the others take it for known and are "
                         "too short, those of --profile are not\n"));
 }
@@ -144,7 +144,7 @@ TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
   EXPECT_EQ(csv_column(rows, "profile_high").at(1), "");
   EXPECT_THAT(result.err,
               HasSubstr("hinge-identify: warning: --profile: the high end of "
-                        "A not found, as fits of the others run out of their "
+                        "A not found: fits of the other parameters leave their "
                         "range or do not converge\n"));
 }
 

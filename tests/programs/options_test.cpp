@@ -80,7 +80,7 @@ TEST(NumberOptions, ThousandsThatAreLists) {
     EXPECT_TRUE(has_text(said(angle, loads),
                          std::string("hinge-angle: note: --load ") + loads +
                              " is a list of numbers: "
-                             "thousands have no commas here\n"));
+                             "thousands are written without commas\n"));
   }
   EXPECT_TRUE(has_text(said(joint, "2,500"), "note: --reaction 2,500 is"));
   for (const char* loads :

@@ -266,8 +266,7 @@ class Saved(Test):
         run = libcontact.Run(stages)
         run.advance_to(1)
         saved = run.save()
-        strange = ("the saved state: a checkpoint of a run of another case "
-                   "file, other joints or other options")
+        strange = ("the saved state: the checkpoint must be one of this case file, these joints and these options")
         friction = "body[1].hinge.joint[1].friction.coefficient"
         for other in (
             libcontact.Run(stages, clearance=False),
@@ -278,7 +277,7 @@ class Saved(Test):
             self.assertEqual(other.time, 0)
         self.assertEqual(
             message_of(run.restore, b""),
-            "the saved state: not a checkpoint of hinge-separation")
+            "the saved state: the file must be a checkpoint of hinge-separation")
         damaged = saved[:1000] + bytes([saved[1000] ^ 1]) + saved[1001:]
         self.assertRegex(
             message_of(run.restore, damaged), "^the saved state: damaged: ")
@@ -287,7 +286,7 @@ class Saved(Test):
         forged = first + b"\n" + 300_000 * b"\x81"
         self.assertEqual(
             message_of(run.restore, forged + b"%08x" % zlib.crc32(forged)),
-            "the saved state: not a checkpoint of hinge-separation")
+            "the saved state: the file must be a checkpoint of hinge-separation")
         time, later = (b"dtime\xfa" + struct.pack(">f", t) for t in (1, 99))
         self.assertIn(time, saved)
         forged = saved[:-8].replace(time, later)

@@ -292,10 +292,11 @@ TEST(ForgedBytes, OfManyLevelsAreRefused) {
                             "\xbf", "\x7f", "\x5f", "\x9a\x7f\xff\xff\xff"}) {
     std::string content;
     for (int i = 0; i < 300'000; ++i) content += level;
-    EXPECT_EQ(said(content),
-              "the saved state: not a checkpoint of hinge-separation");
+    EXPECT_EQ(
+        said(content),
+        "the saved state: the file must be a checkpoint of hinge-separation");
   }
-  const std::string name = "the saved state: not a checkpoint";
+  const std::string name = "the saved state: the file must be a checkpoint";
   for (const std::string& content :
        {std::string(), std::string("\xff"), std::string("\x1b"),
         std::string("\x9b\xff\xff\xff\xff\xff\xff\xff\xff"),

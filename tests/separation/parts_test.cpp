@@ -290,7 +290,8 @@ TEST_F(CheckpointFile, DamageMakesNoOtherState) {
 
 // A saved run has its rows in it, and none beside it.
 TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
-  const std::string stranger = file_ + ": not a checkpoint of hinge-separation";
+  const std::string stranger =
+      file_ + ": the file must be a checkpoint of hinge-separation";
   const auto execute = [this](const std::string& sql) {
     cli::Database(file_, cli::Database::Use::write).run(sql);
   };
@@ -355,8 +356,9 @@ TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
 
 TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("nonsense"),
-            file_ + ": not a checkpoint of hinge-separation");
-  EXPECT_EQ(message_of(""), file_ + ": not a checkpoint of hinge-separation");
+            file_ + ": the file must be a checkpoint of hinge-separation");
+  EXPECT_EQ(message_of(""),
+            file_ + ": the file must be a checkpoint of hinge-separation");
   EXPECT_EQ(message_of("\xa1\x66"
                        "formathinge-separation checkpoint 4"),
             file_ +
@@ -366,8 +368,8 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(error_message(
                 [this] { separation::read_checkpoint(file_, "another run"); }),
             file_ +
-                ": a checkpoint of a run of another case file, other joints "
-                "or other options");
+                ": the checkpoint must be one of this case file, these joints "
+                "and these options");
 }
 
 }  // namespace

@@ -153,10 +153,11 @@ TEST(SavedBytes, OfOthersAndDamagedOnesAreRefused) {
     return error_message([&] { separation::saved_state(from, identity); });
   };
   EXPECT_EQ(message(bytes, "other"),
-            "the saved state: a checkpoint of a run of another case file, "
-            "other joints or other options");
-  EXPECT_EQ(message("some text", "own"),
-            "the saved state: not a checkpoint of hinge-separation");
+            "the saved state: the checkpoint must be one of this case file, "
+            "these joints and these options");
+  EXPECT_EQ(
+      message("some text", "own"),
+      "the saved state: the file must be a checkpoint of hinge-separation");
   for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 50) {
     std::string damaged = bytes;
     damaged[i] = static_cast<char>(damaged[i] ^ 0x10);

@@ -535,10 +535,10 @@ TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
   };
   EXPECT_EQ(message("body[arm].mass_kg", "body[1].mass_kg"),
             ":10: dispersion[2].key = \"body[1].mass_kg\" must be another key "
-            "than \"body[arm].mass_kg\", by whatever name");
+            "than \"body[arm].mass_kg\": both names are of one key");
   EXPECT_EQ(message("body[1].mass_kg", "body[1].mass_t"),
             ":10: dispersion[2].key = \"body[1].mass_t\" must be another key "
-            "than \"body[1].mass_kg\", by whatever name");
+            "than \"body[1].mass_kg\": both names are of one key");
   EXPECT_EQ(message("body[1].mass_kg", "body[2].mass_kg"), "(no error)");
 }
 

@@ -47,11 +47,11 @@ constexpr Dimension as_temperature = Dimension::temperature;
 
 constexpr KeyOption key_options[] = {
     {"--radius", "geometry.radius", as_length, 1, JointUse::contact, "LENGTH",
-     "of the ball or pin",
+     "radius of the ball or pin",
      "--pair; --clearance, --diametral-clearance or --interference",
      "--diameter --hole"},
     {"--diameter", "geometry.diameter", as_length, 2, JointUse::contact,
-     "LENGTH", "in place of --radius; of a fit the nominal size",
+     "LENGTH", "diameter, in place of --radius; nominal size of a fit",
      "--pair; --clearance, --diametral-clearance, --interference, or --hole "
      "and "
      "--shaft"},
@@ -60,39 +60,41 @@ constexpr KeyOption key_options[] = {
      "--pair; --radius or --diameter",
      "--diametral-clearance --hole --interference"},
     {"--diametral-clearance", "geometry.diametral_clearance", as_length, 2,
-     JointUse::contact, "LENGTH", "of the diameters",
+     JointUse::contact, "LENGTH", "difference of the diameters",
      "--pair; --radius or --diameter", "--hole --interference"},
     {"--interference", "geometry.radial_interference", as_length, 1,
      JointUse::contact, "LENGTH",
-     "in place of a clearance: of the radii, a positive number",
+     "in place of a clearance: overlap of the radii, positive",
      "--pair; --radius or --diameter", "--hole"},
     {"--hole", "geometry.hole", as_text, 0, JointUse::contact, "NAME",
-     "in place of a clearance: a fit by ISO 286, as H7",
+     "in place of a clearance: a fit by ISO 286, such as H7",
      "--pair; --shaft; --diameter"},
     {"--shaft", "geometry.shaft", as_text, 0, JointUse::contact, "NAME",
-     "of the ball or pin in that hole, as g6", "--pair; --hole"},
+     "the ball or pin in that hole, such as g6", "--pair; --hole"},
     {"--fit-clearance", "geometry.clearance", as_text, 0, JointUse::contact,
-     "NAME", "of a fit: minimum, mean (default) or maximum", "--pair; --hole"},
+     "NAME", "clearance of a fit: minimum, mean (default) or maximum",
+     "--pair; --hole"},
     {"--length", "geometry.length", as_length, 2, JointUse::contact, "LENGTH",
-     "of a pin", "--radius or --diameter"},
+     "length of a pin", "--radius or --diameter"},
     {"--temperature", "temperature", as_temperature, 0, JointUse::contact,
-     "TEMPERATURE", "of both bodies, C, of materials that expand",
+     "TEMPERATURE", "temperature of both bodies, C; their materials expand",
      "--radius or --diameter", "--inner-temperature --outer-temperature"},
     {"--inner-temperature", "inner_temperature", as_temperature, 0,
-     JointUse::contact, "TEMPERATURE", "of the ball or pin",
+     JointUse::contact, "TEMPERATURE", "temperature of the ball or pin",
      "--radius or --diameter; --outer-temperature"},
     {"--outer-temperature", "outer_temperature", as_temperature, 0,
-     JointUse::contact, "TEMPERATURE", "of the seat or hole",
+     JointUse::contact, "TEMPERATURE", "temperature of the seat or hole",
      "--radius or --diameter; --inner-temperature"},
     {"--reference-temperature", "reference_temperature", as_temperature, 0,
-     JointUse::contact, "TEMPERATURE", "of the clearance; default 20 C",
+     JointUse::contact, "TEMPERATURE",
+     "temperature at which the clearance is given; default 20 C",
      "--temperature or --inner-temperature"},
     {"--inner-body", "inner_body", as_text, 0, JointUse::friction, "NAME",
      "body with the ball or pin: carrier (default) or body"},
     {"--wall", wall_key, as_length, 2, JointUse::pressure, "LENGTH",
      "thickness of the seat or hole; default: no end", "--backing"},
     {"--backing", "wall.backing", as_text, 0, JointUse::pressure, "NAME|FILE",
-     "behind the wall: rigid, held or a material", "--wall"}};
+     "the body behind the wall: rigid, held or a material", "--wall"}};
 
 // The key of a joint file that an option is.
 contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
@@ -301,7 +303,7 @@ void add_joint_options(Program& program, JointOptions& o) {
                          "ball, pin, or a joint file; files more than once", "",
                          "", true},
        {"--loading", &o.loading, "NAME",
-        "of the ball or pin: centre (default) or back:PSI"}});
+        "force on the ball or pin: centre (default) or back:PSI"}});
   if (!pressure) {
     program.add("Joint", {{"--set", &o.settings, "KEY=VALUES",
                            "a key of the joint file and its values, a list or "
@@ -316,9 +318,11 @@ void add_fileless_joint_options(Program& program, JointOptions& o) {
     rows.push_back({"--modulus-ratio", &o.modulus_ratio, "NUMBER",
                     "E1/E2, 0 to inf", "", "--pair"});
     rows.push_back({"--poisson1", &o.poisson1, "NUMBER",
-                    "of the ball or pin; default 0.3", "--modulus-ratio"});
+                    "Poisson's ratio of the ball or pin; default 0.3",
+                    "--modulus-ratio"});
     rows.push_back({"--poisson2", &o.poisson2, "NUMBER",
-                    "of the seat or hole; default 0.3", "--modulus-ratio"});
+                    "Poisson's ratio of the seat or hole; default 0.3",
+                    "--modulus-ratio"});
   }
   for (const KeyOption& row : key_options) {
     if (o.use < row.use) continue;

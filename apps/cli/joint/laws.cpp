@@ -30,7 +30,7 @@ std::vector<std::string> law_names(std::string_view option,
   if (std::find(asked.begin(), asked.end(), "all") == asked.end()) return asked;
   if (asked.size() == 1) return all;
   const std::string text = fmt::format("{}", fmt::join(asked, ","));
-  refuse(option, text, "all alone, or names");
+  refuse(option, text, "\"all\" alone, or names of laws");
 }
 
 // Laws that "all" stands for under these conditions.

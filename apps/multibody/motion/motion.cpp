@@ -22,7 +22,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 const char* reason(CoupledStatus status) {
   switch (status) {
     case CoupledStatus::not_converged:
-      return "the friction moments and the reactions do not settle";
+      return "the friction moments and the reactions do not converge";
     case CoupledStatus::no_solution:
       return "no friction moments were found that fit the reactions they cause";
     case CoupledStatus::several_solutions:
@@ -32,7 +32,7 @@ const char* reason(CoupledStatus status) {
     case CoupledStatus::no_contact:
       return "a contact has no value";
     case CoupledStatus::ok:
-      return "steps as short as can be do not meet the tolerance";
+      return "the shortest steps do not meet the tolerance";
   }
   return "";
 }
@@ -252,8 +252,9 @@ Stop Motion::advance_to(double time) {
     }
     if (steps >= options_.step_limit) {
       set_failure({}, stepper_->end());
-      failure_->reason = fmt::format("at {} s: {} steps were not enough",
-                                     stepper_->end(), options_.step_limit);
+      failure_->reason =
+          fmt::format("at {} s: the limit of {} steps is reached",
+                      stepper_->end(), options_.step_limit);
       break;
     }
     if (halt_ && halt_()) {

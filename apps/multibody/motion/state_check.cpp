@@ -83,7 +83,8 @@ void check_quaternion(const MotionState& state, int at) {
   for (int i = at; i < at + 4; ++i) square += std::pow(state.numbers[i], 2);
   const double length = std::sqrt(square);
   require(length > 1 / longest && length < longest, "numbers",
-          static_cast<std::size_t>(at), length, "of a quaternion of length 1");
+          static_cast<std::size_t>(at), length,
+          "a part of a quaternion of length 1");
 }
 
 void check_finite(const char* name, const std::vector<double>& numbers) {

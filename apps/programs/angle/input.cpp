@@ -12,12 +12,13 @@ namespace hinge_angle {
 using contact::Dimension;
 
 void add_load_options(cli::Program& program, LoadOptions& o) {
-  program.add("Load", {{"--load", &o.load, "VALUES",
-                        "N or with a unit; of a pin without a length N/m", "",
-                        "--load-parameter --x"},
-                       {"--load-parameter", &o.load_parameter, "VALUES",
-                        "mu or lambda", "", "--x"},
-                       {"--x", &o.x, "VALUES", "cbrt(mu) or 2 sqrt(lambda)"}});
+  program.add("Load",
+              {{"--load", &o.load, "VALUES",
+                "load in N or with a unit; N/m of a pin without a length", "",
+                "--load-parameter --x"},
+               {"--load-parameter", &o.load_parameter, "VALUES", "mu or lambda",
+                "", "--x"},
+               {"--x", &o.x, "VALUES", "cbrt(mu) or 2 sqrt(lambda)"}});
 }
 
 namespace {
@@ -28,8 +29,8 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 Input load_input(const std::string& text, const cli::Joint& joint) {
   if (!joint.has_size) {
     cli::refuse_without("--load",
-                        "--radius and --clearance; a dimensionless joint has "
-                        "--load-parameter and --x");
+                        "--radius and --clearance; for a joint without a size "
+                        "use --load-parameter or --x");
   }
   const bool pin = joint.is_pin();
   const auto unit =
@@ -54,8 +55,8 @@ void check_clearance(const LoadOptions& options, const cli::Joint& joint) {
        {std::pair("--load-parameter", &options.load_parameter),
         {"--x", &options.x}}) {
     if (!given->empty()) {
-      cli::refuse_without(flag,
-                          "a clearance above 0; without one there is --load");
+      cli::refuse_without(
+          flag, "a clearance above 0; for a joint without one use --load");
     }
   }
 }

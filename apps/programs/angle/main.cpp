@@ -12,23 +12,22 @@ using hinge_angle::Options;
 void add_options(cli::Program& program, Options& o) {
   add_joint_options(program, o.joint);
   add_load_options(program, o.load);
-  program.add("Load",
-              {{"--inverse", &o.inverse, "", "from half-angles to loads",
-                "--theta0", "--load --load-parameter --x"},
-               {"--theta0", &o.load.theta0, "ANGLES",
-                "half-angles, deg, 0 to 180", "--inverse"}});
+  program.add("Load", {{"--inverse", &o.inverse, "", "loads from half-angles",
+                        "--theta0", "--load --load-parameter --x"},
+                       {"--theta0", &o.load.theta0, "ANGLES",
+                        "half-angles, deg, 0 to 180", "--inverse"}});
   add_law_options(program, o.joint, cli::Laws::several, cli::Laws::one);
   add_play_options(program, o.play);
-  program.add("Law",
-              {{"--compare", &o.compare, "",
-                "how far each law is from exact over the range of the load", "",
-                "--inverse --pressure --jobs"},
-               {"--tolerance",
-                cli::number("--tolerance", o.tolerance,
-                            contact::Dimension::number, {0, 100, "%"}),
-                "PERCENT",
-                "percent of theta0 that --compare takes for good; default 0.1",
-                "--compare"}});
+  program.add(
+      "Law",
+      {{"--compare", &o.compare, "",
+        "how far each law is from exact over the range of the load", "",
+        "--inverse --pressure --jobs"},
+       {"--tolerance",
+        cli::number("--tolerance", o.tolerance, contact::Dimension::number,
+                    {0, 100, "%"}),
+        "PERCENT", "percent of theta0 that --compare accepts; default 0.1",
+        "--compare"}});
   program.add_output(o.output);
   program.add_jobs(o.output);
   add_fileless_joint_options(program, o.joint);

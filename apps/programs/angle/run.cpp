@@ -122,10 +122,10 @@ cli::Joint compared_joint(cli::JointOptions options) {
   const contact::ContactConditions conditions = joint.spec.conditions();
   if (conditions.loading.is_back() || conditions.walls ||
       conditions.clearance != contact::Clearance::positive) {
-    cli::refuse_beside(
-        "--compare", to_string(conditions) +
-                         ": its laws are of a force at the centre, an infinite "
-                         "outer body and a clearance");
+    cli::refuse_beside("--compare",
+                       to_string(conditions) +
+                           ": it compares laws for a force at the centre, an "
+                           "infinite outer body and a clearance above 0");
   }
   return joint;
 }

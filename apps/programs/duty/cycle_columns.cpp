@@ -125,9 +125,10 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
   }
   const auto angles = std::span(columns.names).subspan(CycleColumns::motion_at);
   if (columns.is_angles && !is_pin && options.euler.empty()) {
-    cli::refuse_without(fmt::format("{}: the angles {}", columns.header.place,
-                                    fmt::join(angles, ", ")),
-                        "--euler: the sequence of their axes, such as zxy");
+    cli::refuse_without(
+        fmt::format("{}: motion by the angles {}", columns.header.place,
+                    fmt::join(angles, ", ")),
+        "--euler, the sequence of their axes, such as zxy");
   }
   for (std::size_t i = 0; i < columns.names.size(); ++i) {
     columns.needed.push_back(

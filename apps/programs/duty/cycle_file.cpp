@@ -57,8 +57,8 @@ void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
   const std::string note = rows.make_one_period();
   if (!note.empty()) cli::warn("hinge-duty", name + ": " + note);
   if (!rows.period) {
-    cli::refuse_without(name + ": times with uneven steps",
-                        "--period: the time from the first row to its return");
+    cli::refuse_without(name + ": a cycle with uneven time steps",
+                        "--period, the time from the first row to its return");
   }
   const double span = rows.times.back() - rows.times.front();
   if (*rows.period > span) return;

@@ -20,16 +20,16 @@ void add_cycle(cli::Program& program, Options& o) {
       {{"--cycle", &o.cycle, "FILE",
         "CSV file, - for standard input; or table of OpenSim, .sto or .mot", "",
         "", true},
-       {"--period", &o.period, "TIME", "of the cycle, s"},
+       {"--period", &o.period, "TIME", "period of the cycle, s"},
        {"--euler", &o.euler, "SEQUENCE", "axes of the angles, such as zxy"},
        {"--force-columns", &o.force_columns, "NAMES",
-        "of .sto, .mot: columns of R_x, R_y, R_z, N, with commas"},
+        "columns of R_x, R_y, R_z, N, of .sto, .mot, with commas"},
        {"--angle-columns", &o.angle_columns, "NAMES",
-        "of .sto, .mot: columns of the angles, as inDegrees says"},
+        "columns of the angles of .sto, .mot, as inDegrees says"},
        {"--force-on", cli::word("--force-on", o.force_on, bodies), "BODY",
-        "that the forces act on: body (default) or carrier"},
+        "the body that the forces act on: body (default) or carrier"},
        {"--force-in", cli::word("--force-in", o.force_in, bodies), "BODY",
-        "in whose axes they are: body or carrier (default)"}});
+        "axes of the forces: body or carrier (default)"}});
 }
 
 void add_wear(cli::Program& program, Options& o) {
@@ -46,12 +46,12 @@ void add_wear(cli::Program& program, Options& o) {
         "NUMBER", "k of the ball or pin, mm^3/(N m)"},
        {"--measured-volume",
         any("--measured-volume", o.measured_volume, "mm^3"), "NUMBER",
-        "that wore off one body, mm^3, for its k", "--measured-cycles"},
+        "volume that wore off one body, mm^3, for its k", "--measured-cycles"},
        {"--measured-error", any("--measured-error", o.measured_error, "mm^3"),
         "NUMBER", "its standard error, mm^3", "--measured-volume"},
        {"--measured-cycles",
         any("--measured-cycles", o.measured_cycles, "", 1, 1e15), "N",
-        "in which it wore off", "--measured-volume"},
+        "number of cycles in which it wore off", "--measured-volume"},
        {"--map", &o.map, "FILE", "CSV file of the wear of both bodies"},
        {"--map-plot", &o.map_plot, "FILE",
         "picture of the wear of both bodies: .svg, .png or .pdf"},
@@ -88,8 +88,8 @@ int main(int argc, char** argv) {
        {"--in-seat", &options.in_seat, "FILE",
         "the same of a contact that is confined to the [seat] of its ball"},
        {"--seat-table", &options.seat_table, "FILE",
-        "where the table of contacts is kept that --in-seat makes where many "
-        "reach a rim: read if it is there, else made and written",
+        "table of contacts that --in-seat makes where many reach a rim: read "
+        "if it is there, else made and written",
         "--in-seat"}});
   add_fileless_joint_options(program, options.joint);
   return program.run(argc, argv, help,

@@ -133,8 +133,8 @@ void warn_of_walls(const JointDuty& duty) {
   const double penetration = duty.worn.back().penetration;
   if (penetration < thickness / 2) return;
   warn_of(duty.joint,
-          fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are gone; "
-                      "the contact is that of the whole layer",
+          fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are worn "
+                      "off; the contact is computed with the whole layer",
                       penetration * 1e3, thickness * 1e3));
 }
 

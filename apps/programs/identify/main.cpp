@@ -32,7 +32,8 @@ void add_fit(cli::Program& program, Options& o) {
   program.add(
       "Fit",
       {{"--fit", &o.fit, "LIST", "some of f0, A, clearance; default f0,A"},
-       {"--huber", &o.huber, "", "keep wrong data off", "", "--profile"},
+       {"--huber", &o.huber, "",
+        "reduce the weight of wrong data (Huber's loss)", "", "--profile"},
        {"--profile", &o.profile, "", "intervals by refitting too"},
        {"--level",
         cli::number("--level", o.level, Dimension::number, {0.5, 0.9999, ""}),

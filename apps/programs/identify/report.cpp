@@ -92,13 +92,13 @@ void add_unknown_ends(const FrictionFit& fit, std::vector<std::string>& to) {
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     const auto& [low, high] = fit.estimates[i].profile;
     if (!std::isnan(low) && !std::isnan(high)) continue;
-    to.push_back(fmt::format(
-        "--profile: {} of {} not found, as fits of the others run out of their "
-        "range or do not converge",
-        !std::isnan(high)  ? "the low end"
-        : !std::isnan(low) ? "the high end"
-                           : "both ends",
-        of(fit.parameters[i]).name));
+    to.push_back(
+        fmt::format("--profile: {} of {} not found: fits of the other "
+                    "parameters leave their range or do not converge",
+                    !std::isnan(high)  ? "the low end"
+                    : !std::isnan(low) ? "the high end"
+                                       : "both ends",
+                    of(fit.parameters[i]).name));
   }
 }
 
@@ -180,7 +180,7 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     if (!fit.estimates[i].at_bound) continue;
     std::string text =
-        fmt::format("{} is held at 0: the data would have it below",
+        fmt::format("{} is held at 0: the data ask for a negative value",
                     of(fit.parameters[i]).name);
     if (fit.parameters.size() > 1) {
       text += "; intervals of the others take it for known and are too short";
@@ -202,7 +202,7 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   if (const auto count = outliers(fit); count > 0 && !options.huber) {
     all.push_back(
         fmt::format("{} of {} residuals are beyond 5 standard errors "
-                    "by their median; --huber keeps them off",
+                    "by their median; --huber reduces their weight",
                     count, fit.residual.size()));
   }
   for (const auto& [name, trend] :
@@ -210,10 +210,10 @@ std::vector<std::string> warnings(const FrictionFit& fit,
         std::pair{"direction", &fit.direction_trend},
         std::pair{"rate", &fit.rate_trend}}) {
     if (shows(*trend)) {
-      all.push_back(fmt::format(
-          "residuals have a trend over the {}, {:.3g} -+ {:.2g} sigma: the "
-          "friction law leaves something out",
-          name, trend->value, trend->standard_error));
+      all.push_back(
+          fmt::format("residuals have a trend over the {}, {:.3g} -+ {:.2g} "
+                      "sigma: the friction law misses a dependence",
+                      name, trend->value, trend->standard_error));
     }
   }
   return all;

@@ -27,7 +27,7 @@ std::vector<FrictionParameter> read_fit(const std::string& text) {
   for (const std::string_view word : cli::split(text, ",")) {
     const FrictionParameter parameter = cli::choice("--fit", word, parameters);
     if (std::ranges::count(all, parameter) > 0) {
-      cli::refuse("--fit", text, "names, each once");
+      cli::refuse("--fit", text, "parameters that are each named once");
     }
     all.push_back(parameter);
   }
@@ -58,7 +58,7 @@ contact::FrictionModel given_friction(
   const std::string fit = "--fit " + options.fit;
   const contact::FrictionLaw law =
       dry_friction(options.friction, joint.spec.friction, fit,
-                   "dry friction: the joint's is not");
+                   "dry friction; that of the joint is not dry");
   if (!f0 && !joint.spec.friction && !options.friction.coefficient) {
     cli::refuse_without(fit, "--friction: the joint has none");
   }

@@ -89,7 +89,7 @@ Beside::Beside(const std::string& path, std::string_view joint,
   }
   if (columns_.empty()) {
     throw contact::Error(fmt::format(
-        "--beside {}: nothing for joint \"{}\", table {}", path, joint, table));
+        "--beside {}: no rows for joint \"{}\", table {}", path, joint, table));
   }
 }
 

@@ -112,8 +112,8 @@ void warn_of(const contact::FixedPointResult& result) {
                 ? fmt::format("the inner loop has not converged in {} steps: "
                               "|f/tan g - 1| is still {:.1e}",
                               result.steps, result.residual)
-                : fmt::format("the inner loop fails after step {}: its g is "
-                              "above b, so that (4.2) has no a",
+                : fmt::format("the inner loop fails after step {}: g is above "
+                              "b, and (4.2) then has no solution a",
                               result.steps));
 }
 

@@ -101,13 +101,13 @@ void add_tilt(cli::Program& program, Options& o) {
   program.add(
       "Tilt",
       {{"--tilt", &o.tilt, "ANGLES",
-        "of a pin that ends, in the plane of the reaction, deg, -10 to 10",
+        "tilt of a pin that ends in the plane of the reaction, deg, -10 to 10",
         "--reaction", tilt_excludes},
        {"--twist",
         cli::number("--twist", o.twist, Dimension::angle, {-10, 10, "deg"}),
         "ANGLE", "tilt across that plane, deg; default 0", "--tilt"},
        {"--load-at", &o.load_at, "VALUES",
-        "where the reaction acts along a pin, m from its middle", "--reaction",
+        "place of the reaction along a pin, m from its middle", "--reaction",
         others}});
 }
 
@@ -134,7 +134,7 @@ void add_loops(cli::Program& program, Options& o) {
         "X,Y,Z", "outer loop: change of R, N per N m of M", "",
         "--summary --plot --jobs --pv --map"},
        {"--joints", cli::count("--joints", o.joints, 1, 1000), "N",
-        "M is that of so many joints; default 1", "--outer"},
+        "number of joints whose moments add up to M; default 1", "--outer"},
        {"--braking",
         cli::number("--braking", o.braking, Dimension::number,
                     {-1e100, 1e100, "deg/s^2 per N m"}),
@@ -150,7 +150,7 @@ void add_output(cli::Program& program, Options& o) {
       {{"--summary", &o.summary, "",
         "a line for each quantity instead of a column", "", "--jobs"},
        {"--pv", &o.pv, "",
-        "with p v and heat over the contact, slip_coefficient"},
+        "more columns: p v and heat over the contact, slip_coefficient"},
        {"--map", &o.map, "FILE",
         "picture of p, p v and slip over the contact of one state"},
        {"--beside", &o.beside, "FILE", "CSV file of numbers to compare"}});

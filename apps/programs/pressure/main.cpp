@@ -13,12 +13,13 @@ void add_options(cli::Program& program, Options& o) {
   add_joint_options(program, o.joint);
   hinge_angle::add_load_options(program, o.load);
   add_law_options(program, o.joint, cli::Laws::one, cli::Laws::several);
-  program.add("Seat",
-              {{"--direction", &o.direction, "ANGLES",
-                "of the load from the axis of a seat that ends, deg, 0 to 180",
-                "--load",
-                "--load-parameter --x --summary --points --plot --law "
-                "--pressure"}});
+  program.add(
+      "Seat",
+      {{"--direction", &o.direction, "ANGLES",
+        "angle of the load from the axis of a seat that ends, deg, 0 to 180",
+        "--load",
+        "--load-parameter --x --summary --points --plot --law "
+        "--pressure"}});
   program.add("Profile",
               {{"--summary", &o.summary, "",
                 "peak, mean, area and S in place of profiles", "", "--points"},

@@ -24,7 +24,7 @@ void add_run(cli::Program& program, Options& o) {
         "full, ideal or traditional; default: the case's"},
        {"--end-time",
         cli::number("--end-time", o.end_time, Dimension::number, times),
-        "SECONDS", "of the motion; default: the case's"},
+        "SECONDS", "end of the motion; default: the case's"},
        {"--set", &o.settings, "KEY=VALUE",
         "another value of a key of the case or of a file of its\n"
         "joints; more than once for several"},
@@ -32,17 +32,18 @@ void add_run(cli::Program& program, Options& o) {
         "half-angle law of all joints; default: the joints'"},
        {"--pressure", &o.pressure_law, "NAME",
         "pressure law of all joints; default: the joints'"},
-       {"--no-clearance", &o.no_clearance, "", "do not work out distances"},
+       {"--no-clearance", &o.no_clearance, "", "compute no distances"},
        {"--checkpoint", &o.checkpoint, "FILE",
-        "file to write on the way, for --resume"},
+        "checkpoint to write during the run, for --resume"},
        {"--checkpoint-every",
         cli::number("--checkpoint-every", o.checkpoint_every, Dimension::time,
                     times),
-        "TIME", "so much of the motion, in s or with a unit", "--checkpoint"},
-       {"--resume", &o.resume, "FILE", "checkpoint to go on from"},
+        "TIME", "motion between checkpoints, in s or with a unit",
+        "--checkpoint"},
+       {"--resume", &o.resume, "FILE", "checkpoint to continue from"},
        {"--step-limit",
         cli::count("--step-limit", o.step_limit, 1, 2'000'000'000), "N",
-        "stop after as many steps, with what there is"},
+        "stop after so many steps, with the results so far"},
        {"--time-limit",
         cli::number("--time-limit", o.time_limit, Dimension::time,
                     {1e-3, 1e9, "s"}),
@@ -62,8 +63,8 @@ void add_output(cli::Program& program, Options& o) {
         "--replay"}});
   program.add_output(o.output);
   program.describe("--format",
-                   "of --compare: csv (default), json, markdown,\nlatex; the "
-                   "summary is JSON");
+                   "table of --compare: csv (default), json, markdown,\nlatex; "
+                   "the summary is JSON");
 }
 
 }  // namespace

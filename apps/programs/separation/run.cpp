@@ -73,9 +73,9 @@ Case case_of(const Options& o) {
   c.end_time = o.end_time;
   const double most = most_rows * c.output_step;
   if (c.end_time > most) {
-    cli::refuse(
-        "--end-time", fmt::format("{:.6g}", c.end_time),
-        fmt::format("up to {:.6g} s: {:g} rows at most", most, most_rows));
+    cli::refuse("--end-time", fmt::format("{:.6g}", c.end_time),
+                fmt::format("at most {:.6g} s: a history has {:g} rows at most",
+                            most, most_rows));
   }
   return c;
 }
@@ -95,7 +95,7 @@ void check_case(const Options& o, const Case& c) {
   if (o.checkpoint_every > c.end_time) {
     throw contact::Error(must_be(
         fmt::format("--checkpoint-every {:.6g}", o.checkpoint_every),
-        fmt::format("up to {:.6g} s, the end of the case", c.end_time)));
+        fmt::format("at most {:.6g} s, the end of the case", c.end_time)));
   }
   if (!o.output.plot.empty() &&
       picture_names(c, !o.no_clearance, o.output.plot).empty()) {

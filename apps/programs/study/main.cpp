@@ -16,14 +16,14 @@ constexpr const char* tables = "--rows --merge --csv --hdf5 --plot --report";
 
 void add_study(cli::Program& program, Options& o) {
   program.add("Study", {{"--runs", cli::count("--runs", o.runs, 1, 100'000'000),
-                         "N", "instead of the file's"},
+                         "N", "in place of the file's"},
                         {"--seed", cli::count("--seed", o.seed, 0, most), "N",
-                         "instead of the file's"},
+                         "in place of the file's"},
                         {"--rows", &o.rows, "A:B",
-                         "computes these only, into the journal", "",
+                         "compute these rows only, into the journal", "",
                          "--csv --hdf5 --plot --output --report"},
                         {"--journal", &o.journal, "FILE",
-                         "of rows that are done; default NAME.journal"},
+                         "journal of finished rows; default NAME.journal"},
                         {"--merge", cli::List{&o.merge, 0}, "FILES",
                          "journals whose rows are taken"}});
 }
@@ -36,9 +36,9 @@ void add_instead(cli::Program& program, Options& o) {
                {"--parts", cli::count("--parts", o.parts, 1, 100'000'000), "N",
                 "ranges of so many rows, for --rows", "", tables},
                {"--run", cli::count("--run", o.run, 0, most), "N",
-                "this run again; 0 is the nominal one", "", tables},
-               {"--history", &o.history, "FILE", "of --run: .csv, .h5 or .hdf5",
-                "--run"}});
+                "repeat this run; 0 is the nominal one", "", tables},
+               {"--history", &o.history, "FILE",
+                "history of --run: .csv, .h5 or .hdf5", "--run"}});
 }
 
 void add_output(cli::Program& program, Options& o) {
@@ -46,12 +46,12 @@ void add_output(cli::Program& program, Options& o) {
   program.add("Output", {{"--csv", &o.csv, "FILE", "all rows as CSV"},
                          {"--hdf5", &o.hdf5, "FILE", "all rows as HDF5"},
                          {"--report", &o.report, "NAME.html",
-                          "all that is said as a page, with pictures"}});
+                          "the full report as a page, with pictures"}});
   program.add_jobs(o.output);
   program.describe("--output",
                    "the summary, JSON; or the table of --check, --run,\n"
                    "--quantities");
-  program.describe("--format", "of these tables");
+  program.describe("--format", "format of these tables");
   program.describe("--plot",
                    "pictures NAME_1.svg ... of each requirement,\n"
                    "NAME_ranking, NAME_clearance, NAME_angles");

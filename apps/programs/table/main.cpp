@@ -20,9 +20,9 @@ int main(int argc, char** argv) {
        {"--method", &o.method, "NAME",
         "exact (default), elliptic, quadrature, planar, viscous, cosine"},
        {"--tolerance", &o.tolerance, "NUMBER",
-        "of --method quadrature, relative; default 1e-10"},
+        "relative tolerance of --method quadrature; default 1e-10"},
        {"--quantity", &o.quantity, "NAME",
-        "of a grid in markdown, latex and pictures; default chi"}});
+        "quantity of a grid in markdown, latex and pictures; default chi"}});
   add_joint_options(program, o.joint);
   add_law_options(program, o.joint, cli::Laws::one, cli::Laws::one);
   program.add_output(o.output);

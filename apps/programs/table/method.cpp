@@ -106,7 +106,7 @@ Method find_method(const std::string& name, double tolerance,
     cli::refuse_without(
         cli::given("--method", name),
         fmt::format("the pressure {}; {} goes with {}", papers_pressure,
-                    pressure->name(), fmt::join(others, ", ")));
+                    pressure->name(), fmt::join(others, " or ")));
   }
   return {method.function, named.name, pressure->largest_half_angle()};
 }

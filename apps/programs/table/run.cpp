@@ -73,8 +73,8 @@ cli::Joint make_ball(const cli::JointOptions& options) {
       }
     }
     cli::refuse_without(materials,
-                        fmt::format("--pressure {}: all others are the same "
-                                    "for all materials",
+                        fmt::format("--pressure {}: the other laws do not "
+                                    "depend on the materials",
                                     fmt::join(laws, " or ")));
   }
   return ball;
@@ -276,9 +276,9 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
   }
   const bool two_way = options.output.format >= cli::Format::markdown;
   if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
-    cli::refuse_without(
-        given("--quantity", options.quantity),
-        "--format markdown or latex, or --plot; lists have all quantities");
+    cli::refuse_without(given("--quantity", options.quantity),
+                        "--format markdown or latex, or --plot; csv and json "
+                        "have all quantities");
   }
   if (two_way && !options.output.columns.empty()) {
     cli::refuse_without("--columns",

@@ -56,8 +56,8 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   }
   if (std::holds_alternative<contact::FrictionStress>(*joint.friction)) {
     table.needs(
-        "[friction] with coefficient and adhesion, or viscous: with a law of "
-        "its own joints are for hinge-joint and hinge-duty");
+        "[friction] with coefficient and adhesion, or viscous: joints with "
+        "another friction law are for hinge-joint and hinge-duty");
   }
   return joint;
 }

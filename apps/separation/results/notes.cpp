@@ -37,7 +37,7 @@ void add_faults(const Case& c, const Outcome& outcome, Texts& texts) {
 // Events that are in the file for nothing, and forces.
 void add_missed(const Case& c, const Outcome& outcome, Texts& texts) {
   for (const Missed& missed : missed_events(c, outcome)) {
-    texts.push_back(fmt::format("event \"{}\" did not come for {}",
+    texts.push_back(fmt::format("event \"{}\" did not occur for {}",
                                 missed.event, fmt::join(missed.bodies, ", ")));
   }
   for (const std::string& idle : idle_forces(
@@ -55,8 +55,8 @@ void add_drift(const Case& c, const Outcome& outcome, Texts& texts) {
     return;
   }
   texts.push_back(fmt::format(
-      "the energy strays by {:.2g} J, {:.2g} of its largest "
-      "part: shorter steps or smaller tolerances",
+      "the energy balance is off by {:.2g} J, {:.2g} of its largest part: use "
+      "shorter steps or smaller tolerances",
       memory.largest_drift, memory.largest_drift / memory.largest_energy));
 }
 

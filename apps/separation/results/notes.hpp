@@ -21,7 +21,7 @@ std::vector<std::string> contact_notes(const Case& c,
 /// contact::ContactLimits::peak_pressure(); none without joints.
 std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory);
-/// Unintended results of a run: events that did not come, forces without
+/// Unintended results of a run: events that did not occur, forces without
 /// effect, contacts beyond the theory, overlaps, a drifting energy.
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);
 

@@ -103,12 +103,13 @@ void check_identity(const json& j, const std::string& identity,
                     const std::string& name) {
   if (j.at("identity") == identity) return;
   throw contact::Error(name +
-                       ": a checkpoint of a run of another case file, other "
-                       "joints or other options");
+                       ": the checkpoint must be one of this case file, these "
+                       "joints and these options");
 }
 
 void refuse_stranger(const std::string& name) {
-  throw contact::Error(name + ": not a checkpoint of hinge-separation");
+  throw contact::Error(name +
+                       ": the file must be a checkpoint of hinge-separation");
 }
 
 std::string identity_of(const Case& c, const RunOptions& options) {

@@ -151,7 +151,7 @@ void check_notes(const std::vector<Note>& notes, const Case& c,
     if (can_be_noted(note, c)) continue;
     throw contact::Error(
         must_be("state.notes.what = " + contact::detail::printable(note.what),
-                "something that may happen to a body of the case"));
+                "an event that a body of the case can have"));
   }
 }
 

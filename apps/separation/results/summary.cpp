@@ -125,9 +125,9 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
     j["events"].push_back(
         {{"time_s", note.time}, {"body", note.body}, {"what", note.what}});
   }
-  j["events_that_did_not_come"] = ordered_json::array();
+  j["missed_events"] = ordered_json::array();
   for (const Missed& missed : missed_events(c, outcome)) {
-    j["events_that_did_not_come"].push_back(
+    j["missed_events"].push_back(
         {{"event", missed.event}, {"bodies", missed.bodies}});
   }
   j["bodies"] = ordered_json::array();

@@ -138,7 +138,7 @@ std::vector<Unreached> unreached(const Case& c,
     for (const std::string& body : bodies) {
       result.push_back(
           {event_time(event, body),
-           fmt::format("event \"{}\" does not come for {}", event, body)});
+           fmt::format("event \"{}\" does not occur for {}", event, body)});
     }
   }
   return result;

@@ -105,8 +105,8 @@ LayeredBody coated_body(const TomlTable& joint, double radius,
     thickness += coatings.back().thickness;
     if (thickness >= radius) {
       table.must_be("thickness",
-                    detail::message("less: all coatings together are below the "
-                                    "radius of {:g} m",
+                    detail::message("a thickness with which all coatings "
+                                    "together are below the radius of {:g} m",
                                     radius));
     }
   }

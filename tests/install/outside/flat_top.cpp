@@ -1,4 +1,4 @@
-// The hip of README.md with a pressure of one's own, with a flat top.
+// The hip of docs/first_steps.md with a pressure of one's own, with a flat top.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>

@@ -1,4 +1,4 @@
-// The pendulum on a ball joint of docs/simulator.md, moved by the library that
+// The pendulum on a ball joint of docs/pendulum.md, moved by the library that
 // finds rest and slip itself: it swings, spins, stops, holds.
 #include <cmath>
 #include <cstdio>

@@ -18,8 +18,8 @@ void expect_another_case(const ProgramResult& result,
                          const std::string& checkpoint) {
   EXPECT_EQ(result.status, 2);
   EXPECT_EQ(result.err, "hinge-separation: " + checkpoint +
-                            ": a checkpoint of a run of another case file, "
-                            "other joints or other options\n");
+                            ": the checkpoint must be one of this case file, "
+                            "these joints and these options\n");
 }
 
 TEST(Checkpoint, ResumedRunIsTheSame) {
@@ -66,7 +66,7 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
   expect_another_case(other, "c.db");
   folder.write("bad.db", "nonsense");
   EXPECT_EQ(folder.run(run + "--resume bad.db").err,
-            "hinge-separation: bad.db: not a checkpoint of "
+            "hinge-separation: bad.db: the file must be a checkpoint of "
             "hinge-separation\n");
 }
 
@@ -251,7 +251,7 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
                 .run(run + "--checkpoint mine.txt --checkpoint-every 1 "
                            "--output x.json")
                 .err,
-            "hinge-separation: mine.txt: not a checkpoint of "
+            "hinge-separation: mine.txt: the file must be a checkpoint of "
             "hinge-separation\n");
   EXPECT_EQ(folder.read("mine.txt"), "mine");
 }

@@ -115,20 +115,19 @@ starts_at_event = "far"
 )");
   const ProgramResult result = folder.run_well("hinge-separation c.toml");
   EXPECT_EQ(result.err,
-            "hinge-separation: warning: event \"far\" did not come for tip\n"
-            "hinge-separation: warning: event \"after far\" did not come for "
+            "hinge-separation: warning: event \"far\" did not occur for tip\n"
+            "hinge-separation: warning: event \"after far\" did not occur for "
             "tip\n"
             "hinge-separation: warning: force \"late\" did not begin for "
             "core\n"
             "hinge-separation: warning: force \"spring\" pulls tip back after "
             "its release, from t = 1.1 s: it is longer than free_length; "
             "ends_at_event ends it, a pusher only pushes\n");
-  const json missed = json::parse(result.out)["events_that_did_not_come"];
+  const json missed = json::parse(result.out)["missed_events"];
   ASSERT_EQ(missed.size(), 2U);
   EXPECT_EQ(missed[0], (json{{"event", "far"}, {"bodies", {"tip"}}}));
   EXPECT_TRUE(
-      run_json(folder, "data/cases/soyuz.toml")["events_that_did_not_come"]
-          .empty());
+      run_json(folder, "data/cases/soyuz.toml")["missed_events"].empty());
 }
 
 TEST(SeparationWarnings, OverlapAndEarlyEndAreReported) {
@@ -168,7 +167,7 @@ TEST(SeparationWarnings, StepsThatAreTooLongAreWarnedOf) {
                exchanged(sample_case("slosh"), "[run]\n",
                          "[run]\nintegrator = \"rk4\"\nstep_s = 0.5\n"));
   const ProgramResult result = folder.run_well("hinge-separation c.toml");
-  EXPECT_TRUE(has_text(result.err, "warning: the energy strays by "));
+  EXPECT_TRUE(has_text(result.err, "warning: the energy balance is off by "));
 }
 
 // The message has the body's name, not its number.

@@ -167,10 +167,11 @@ start = { angular_velocity_deg_per_s = [0, 90, 0] }
   const Outcome outcome = separation::run_case(c);
   const auto faults = separation::replay_faults({c, {{"", &outcome}}, {}, ""});
   ASSERT_EQ(faults.size(), 2U);
-  EXPECT_EQ(faults[0], "without shapes, shown as axes: a, wheel, top");
+  EXPECT_EQ(faults[0],
+            "bodies without shapes are shown as axes: a, wheel, top");
   EXPECT_EQ(faults[1],
             "top turns by up to 1.6 rad between two rows, which the replay has "
-            "to guess: a shorter output_step");
+            "to guess: use a shorter output_step");
   const auto kept = separation::replay_rows(outcome.memory.rows, 1);
   const BodyPath wheel(c, outcome.memory.rows, kept, 1);
   // 0.07 of 10 turns.

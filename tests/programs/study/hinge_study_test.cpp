@@ -501,7 +501,7 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
     return page.substr(from, page.find("\"case\":", from) - from);
   };
   const std::string found = warnings("d.html");
-  for (const char* words : {"did not come for stage", "stage overlap from"}) {
+  for (const char* words : {"did not occur for stage", "stage overlap from"}) {
     EXPECT_TRUE(has_text(found, words));
   }
   EXPECT_EQ(warnings("r_run2.html"), found);

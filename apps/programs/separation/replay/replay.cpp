@@ -29,7 +29,7 @@ std::vector<std::string> replay_faults(const Replay& replay) {
     names.push_back(fmt::format("{} more", more));
   }
   if (!names.empty()) {
-    faults.push_back(fmt::format("without shapes, shown as axes: {}",
+    faults.push_back(fmt::format("bodies without shapes are shown as axes: {}",
                                  fmt::join(names, ", ")));
   }
   const Take take = takes_of(replay, 1).front();
@@ -40,8 +40,7 @@ std::vector<std::string> replay_faults(const Replay& replay) {
     if (!(turn > far)) continue;
     faults.push_back(
         fmt::format("{} turns by up to {:.2g} rad between two rows, which the "
-                    "replay has to "
-                    "guess: a shorter output_step",
+                    "replay has to guess: use a shorter output_step",
                     replay.c.rigid_body(i).name, turn));
   }
   return faults;

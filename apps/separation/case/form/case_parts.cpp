@@ -130,9 +130,9 @@ std::optional<Lock> read_lock(const TomlTable& body, const Vector3d& com,
     const double scale = lock.body_point.norm() + hinge.body_point.norm();
     // Rounding of the points' entries and of the axis.
     if (!(arm.cross(axis).norm() > 1e-12 * scale)) {
-      table->must_be("body_point",
-                     "a point off the hinge's axis: on it a lock holds "
-                     "nothing");
+      table->must_be(
+          "body_point",
+          "a point off the hinge's axis: on the axis a lock holds nothing");
     }
   }
   return lock;
