@@ -320,8 +320,8 @@ TEST(Table, ColumnsInTheOrderAskedFor) {
       "[,\n{\"d\":\"1.5\",\"b;c\":0.5},\n{\"d\":\"u;v\",\"b;c\":\"-inf\"}");
   EXPECT_EQ(row_text({.format = Format::markdown, .columns = {"b;c"}}),
             "|    b;c |\n| -----: |\n| 0.5000 |\n|   -inf |\n");
-  EXPECT_EQ(error_message([] { row_text({.columns = {"b;d"}}); }),
-            "unknown column \"b;d\": did you mean \"b;c\"?");
+  EXPECT_ERROR(row_text({.columns = {"b;d"}}),
+               "unknown column \"b;d\": did you mean \"b;c\"?");
   EXPECT_ERROR(row_text({.columns = {"xyz"}}),
                "unknown column \"xyz\" (a, b;c, d)");
 }
@@ -442,8 +442,8 @@ TEST(Quantity, IsAKeyOfAFile) {
   EXPECT_EQ(key("2 in").value, "2");
   EXPECT_EQ(key("2 in").origin, "--x 2 in");
   EXPECT_EQ(key("0.05").key, "geometry.radius_m");
-  EXPECT_EQ(error_message([&] { key("2ft"); }),
-            "--x 2ft must be a number in m, mm, um, cm, in or km");
+  EXPECT_ERROR(key("2ft"),
+               "--x 2ft must be a number in m, mm, um, cm, in or km");
 }
 
 TEST(Quantity, DimensionOfAUnit) {

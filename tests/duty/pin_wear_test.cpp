@@ -6,7 +6,6 @@
 #include <cmath>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "duty/worn_pin_clearance.hpp"
@@ -289,9 +288,9 @@ TEST(WearInPressed, IsOfPins) {
       JointGeometry::ball(pair.radius(), -2e-5), pair.surfaces(),
       FrictionLaw(0.1), std::make_shared<ExactLaw>(kind, pair),
       std::make_shared<ExactPressure>(kind, pair), {.walls = pair});
-  EXPECT_EQ(error_message([&] { wear_in(steady(1000), ball, {1e-17}, 10); }),
-            "wear without clearance or with interference requires a pin: a "
-            "ball slides faster at its equator, so that it loses its shape");
+  EXPECT_ERROR(wear_in(steady(1000), ball, {1e-17}, 10),
+               "wear without clearance or with interference requires a pin: a "
+               "ball slides faster at its equator, so that it loses its shape");
 }
 
 }  // namespace

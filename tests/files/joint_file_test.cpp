@@ -225,10 +225,9 @@ TEST(JointFile, PlaneStressOfPins) {
   const JointSpec plate = read("plane_state = \"stress\"", wall);
   EXPECT_EQ(plate.outer.layers[0].material, stress.outer.surface());
   EXPECT_NEAR(compliance(plate.outer.backing.material()) * 3e9, 1, rounding);
-  EXPECT_EQ(error_message(
-                [&] { read("plane_state = \"stress\"\ntemperature_C = 40"); }),
-            "plate.toml:1: plane_state = \"stress\" conflicts with "
-            "temperature_C (line 2)");
+  EXPECT_ERROR(read("plane_state = \"stress\"\ntemperature_C = 40"),
+               "plate.toml:1: plane_state = \"stress\" conflicts with "
+               "temperature_C (line 2)");
 }
 
 TEST(JointFile, SeatsThatEnd) {
@@ -244,12 +243,13 @@ TEST(JointFile, SeatsThatEnd) {
   const JointSpec turned =
       parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\naxis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
-  EXPECT_EQ(
-      error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
+  EXPECT_ERROR(
+      seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
       "23)");
-  EXPECT_EQ(error_message([&] { seat("cup_deg = 80\naxis = [0, 0, 0]"); }),
-            "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
+  EXPECT_ERROR(
+      seat("cup_deg = 80\naxis = [0, 0, 0]"),
+      "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
 }
 
 TEST(JointFile, Walls) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <string>
 
@@ -338,15 +337,14 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
   joint.outer = Material{1e9, 0.4};
   for (const char* law : {"fitted", "tanh", "hertz"}) {
     joint.half_angle_law = law;
-    EXPECT_EQ(test::error_message([&] { joint.contact(); }),
-              "half-angle law " + std::string(law) +
-                  " must be exact with interference");
+    EXPECT_ERROR(joint.contact(), "half-angle law " + std::string(law) +
+                                      " must be exact with interference");
   }
   joint.half_angle_law = "";
   EXPECT_EQ(joint.half_angle_law_name(), "exact");
   joint.pressure_law = "cosine";
-  EXPECT_EQ(test::error_message([&] { joint.contact(); }),
-            "pressure law cosine must be exact with interference");
+  EXPECT_ERROR(joint.contact(),
+               "pressure law cosine must be exact with interference");
   // Made by hand, and without clearance.
   const JointContact hertz = [] {
     JointSpec open = spec_of(JointKind::ball, 20e-6);
@@ -355,23 +353,23 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
     open.pressure_law = "worn";
     return open.contact();
   }();
-  EXPECT_EQ(test::error_message([&] { hertz.with_clearance(-1e-6); }),
-            "half-angle law hertz must be exact with interference");
-  EXPECT_EQ(
-      test::error_message([&] { hertz.with_clearance(0); }),
+  EXPECT_ERROR(hertz.with_clearance(-1e-6),
+               "half-angle law hertz must be exact with interference");
+  EXPECT_ERROR(
+      hertz.with_clearance(0),
       "half-angle law hertz must be arctan, tanh, blend, paper, fitted or "
       "exact with no clearance");
   joint.geometry = JointGeometry::ball(0.02, 0);
   joint.pressure_law = "worn";
-  EXPECT_EQ(
-      test::error_message([&] { joint.contact(); }),
+  EXPECT_ERROR(
+      joint.contact(),
       "pressure law worn must be cosine, sqrt_tan, sqrt_theta, mixture or "
       "exact with no clearance");
   joint.geometry = JointGeometry::ball(0.02, -20e-6);
-  EXPECT_EQ(test::error_message(
-                [&] { published_force_laws(joint.geometry, joint.pair()); }),
-            "published force laws requires a radial_clearance above 0 m, not "
-            "-2e-05: the half-angle law exact alone knows joints without");
+  EXPECT_ERROR(
+      published_force_laws(joint.geometry, joint.pair()),
+      "published force laws requires a radial_clearance above 0 m, not "
+      "-2e-05: the half-angle law exact alone knows joints without");
   joint.pressure_law = "";
   joint.outer = LayeredBody({{0.004, Material{1e9, 0.5}}}, Backing::rigid());
   joint.inner = LayeredBody({}, Backing::rigid());
@@ -379,9 +377,9 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
               joint.contact();
             }).find("an incompressible layer or body between rigid ones"),
             std::string::npos);
-  EXPECT_EQ(test::error_message(
-                [] { spec_of(JointKind::pin, -20e-6).contact().worn(1); }),
-            "a worn joint requires a radial_clearance above 0 m, not -2e-05");
+  EXPECT_ERROR(
+      spec_of(JointKind::pin, -20e-6).contact().worn(1),
+      "a worn joint requires a radial_clearance above 0 m, not -2e-05");
 }
 
 }  // namespace

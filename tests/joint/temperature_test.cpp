@@ -128,11 +128,10 @@ TEST(Temperature, NotesWhereItIsNoLongerLinear) {
 }
 
 TEST(Temperature, RefusesWhatCannotBe) {
-  EXPECT_EQ(error_message([] { bush().at({.inner = 20, .outer = 300}); }),
-            "temperatures: inner = 20 must be 100 to 2000 K");
-  EXPECT_EQ(
-      error_message([] { bush().at({.inner = 300, .outer = std::nan("")}); }),
-      "temperatures: outer = nan must be 100 to 2000 K");
+  EXPECT_ERROR(bush().at({.inner = 20, .outer = 300}),
+               "temperatures: inner = 20 must be 100 to 2000 K");
+  EXPECT_ERROR(bush().at({.inner = 300, .outer = std::nan("")}),
+               "temperatures: outer = nan must be 100 to 2000 K");
 }
 
 }  // namespace

@@ -145,9 +145,9 @@ TEST(ThermalGrowth, AsksForCoefficientsOnlyWhereItIsWarmer) {
                        AxialGrowth::free);
   };
   EXPECT_EQ(growth(0), 0);
-  EXPECT_EQ(error_message([&] { growth(10); }),
-            "a temperature requires thermal_expansion of the wall layer 2 "
-            "liner");
+  EXPECT_ERROR(growth(10),
+               "a temperature requires thermal_expansion of the wall layer 2 "
+               "liner");
 }
 
 }  // namespace

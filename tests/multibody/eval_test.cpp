@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "multibody_oracle/case_file.hpp"
 #include "support/program.hpp"

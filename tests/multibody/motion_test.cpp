@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "multibody/motion/motion.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>

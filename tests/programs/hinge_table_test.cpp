@@ -1,7 +1,6 @@
 // The program hinge-table, run as its users run it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>

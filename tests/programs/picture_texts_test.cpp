@@ -1,7 +1,6 @@
 // Every picture that help, pages and the demonstration show, and those that
 // readers found cut: no text leaves the canvas, none lies over another one.
 // Sizes of texts are those by which pictures are laid out.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -1,6 +1,5 @@
 // Parts of hinge-separation against independent routes: inertia of solids,
 // peaks, checkpoints.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>

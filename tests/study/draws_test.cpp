@@ -193,10 +193,8 @@ TEST_F(DrawnKeys, ThatChangeTheBodiesReadTheCaseAnew) {
   }
   const study::Plan p = plan(of, {count, {"body[b].mass_kg", 0, false, true}});
   const study::SeparationModel model(p);
-  EXPECT_EQ(
-      error_message([&] {
-        model.case_of(std::vector<double>{4, 1, 1.1, 1.2});
-      }),
+  EXPECT_ERROR(
+      model.case_of(std::vector<double>{4, 1, 1.1, 1.2}),
       "body[1].pattern.count requires no draws of other keys for each copy");
 }
 
