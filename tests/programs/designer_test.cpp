@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "support/program.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -200,27 +201,17 @@ TEST_F(Designer, ApproachAndStiffness) {
 // The same of whole motions: a wheel of 20 kg on a pin of 1 mm by 1 mm.
 TEST_F(Designer, WarningsOfJointsOfMotions) {
   folder_.write("case.toml", R"(
-name = "wheel"
-gravity_m_per_s2 = [0, 0, -10]
+name = "wheel"; gravity_m_per_s2 = [0, 0, -10]
 run = { end_time_s = 0.1, output_step_s = 0.1 }
-[carrier]
-name = "ground"
-fixed = true
-[[body]]
-name = "wheel"
-mass_kg = 20
-principal_inertia_kg_m2 = [2, 3, 3]
+[carrier]; name = "ground"; fixed = true
+[[body]]; name = "wheel"; mass_kg = 20; principal_inertia_kg_m2 = [2, 3, 3]
 start = { rate_deg_per_s = 200 }
-[body.hinge]
-kind = "axis"
-axis = [0, 1, 0]
-[[body.hinge.joint]]
-name = "tiny"
-kind = "pin"
+[body.hinge]; kind = "axis"; axis = [0, 1, 0]
+[[body.hinge.joint]]; name = "tiny"; kind = "pin"
 geometry = { radius_mm = 1, radial_clearance_um = 1, length_mm = 1 }
 friction = { coefficient = 0.1 }
 materials = { inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }, outer = { youngs_modulus_GPa = 1, poissons_ratio = 0.4, limit_pressure_MPa = 40 } }
-)");
+)"_toml);
   const ProgramResult result =
       run("hinge-separation case.toml --output out.json");
   EXPECT_TRUE(has_text(result.err, "joint tiny: peak pressure"));

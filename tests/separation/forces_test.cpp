@@ -19,10 +19,12 @@
 #include "separation/simulation/force_watch.hpp"
 #include "separation/simulation/simulation.hpp"
 #include "support/error_message.hpp"
+#include "support/toml_text.hpp"
 
 namespace {
 
 using contact::test::error_message;
+using contact::test::operator""_toml;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyForce;
@@ -38,22 +40,13 @@ struct Forces {
 Forces forces_of(const std::string& force, double time,
                  const Vector3d& velocity = Vector3d::Zero()) {
   const separation::Case c = separation::parse_case(R"(
-name = "forces"
-run = { end_time_s = 1 }
-[carrier]
-name = "core"
-mass_kg = 10
-principal_inertia_kg_m2 = [1, 1, 1]
-[[body]]
-name = "tip"
-mass_kg = 2
-com_m = [1, 0, 0]
+name = "forces"; run = { end_time_s = 1 }
+[carrier]; name = "core"; mass_kg = 10; principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "tip"; mass_kg = 2; com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [1, 1, 1]
 hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [10, 0, 0] }
-[[force]]
-name = "f"
-body = "tip"
-)" + force,
+[[force]]; name = "f"; body = "tip"
+)"_toml + force,
                                                     "forces.toml");
   BodyMotion carrier{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                      Vector3d::Zero()};
@@ -252,25 +245,12 @@ TEST(Pusher, DoesNotBeginBehindItsStroke) {
     for (const double stroke : {0.2, 0.5}) {
       const separation::Case c =
           separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
-[[body]]
-name = "b"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "b"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
 hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [0, 9, 0] }
-[[event]]
-name = "go"
-time_s = 0.5
-breaks = "hinge"
-bodies = ["b"]
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [0.7, 0, 0]
-direction = [1, 0, 0]
-first_force_N = 40
-)" + begin + fmt::format("stroke_m = {}\n", stroke),
+[[event]]; name = "go"; time_s = 0.5; breaks = "hinge"; bodies = ["b"]
+[[force]]; name = "pusher"; kind = "pusher"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [0.7, 0, 0]; direction = [1, 0, 0]; first_force_N = 40
+)"_toml + begin + fmt::format("stroke_m = {}\n", stroke),
                                  "p.toml");
       separation::Simulation motion(c, separation::FrictionChoice::full);
       while (motion.advance_to(2) == separation::Simulation::Stop::event) {
@@ -292,15 +272,9 @@ TEST(Pusher, IsBehindByMoreThanAThousandthOfItsStroke) {
   for (const auto& [behind, fault] : {std::pair(0.9e-3, 0), {1.1e-3, 1}}) {
     const separation::Case c =
         separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "a"
-point_m = [0, 0, 0]
-direction = [1, 0, 0]
-first_force_N = 40
-stroke_m = 0.5
-)" + fmt::format("carrier_point_m = [{}, 0, 0]\n", 1 + behind * 0.5),
+[[force]]; name = "pusher"; kind = "pusher"; body = "a"; point_m = [0, 0, 0]
+direction = [1, 0, 0]; first_force_N = 40; stroke_m = 0.5
+)"_toml + fmt::format("carrier_point_m = [{}, 0, 0]\n", 1 + behind * 0.5),
                                "p.toml");
     const separation::Simulation motion(c, separation::FrictionChoice::full);
     const separation::ForceInstant at{c, 1, motion.sample().motions(), 0, 0, 0};
@@ -331,15 +305,9 @@ TEST(Damper, OfTwoBodiesDecaysExponentially) {
   constexpr double mu = m1 * m2 / (m1 + m2);
   const separation::Case two = separation::parse_case(
       ground + ball_text("a", m1, 1, u0) + ball_text("b", m2, 0, 0) + R"(
-[[force]]
-name = "damper"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-other_body = "b"
-other_point_m = [0.25, 0, 0]
-damping_N_s_per_m = 1.5
-)",
+[[force]]; name = "damper"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+other_body = "b"; other_point_m = [0.25, 0, 0]; damping_N_s_per_m = 1.5
+)"_toml,
       "d.toml");
   separation::Simulation motion(two, separation::FrictionChoice::full);
   const double begin = motion.sample().energy().balance();
@@ -368,22 +336,11 @@ TEST(Damper, HasItsLogarithmicDecrement) {
   const double w = std::sqrt(k / m - b * b);
   const separation::Case one =
       separation::parse_case(ground + ball_text("a", m, 1 + x0, 0) + R"(
-[[force]]
-name = "spring"
-kind = "spring"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [0, 0, 0]
-stiffness_N_per_m = 800
-free_length_m = 1
-[[force]]
-name = "damper"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [-0.5, 0, 0]
-damping_N_s_per_m = 8
-)",
+[[force]]; name = "spring"; kind = "spring"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [0, 0, 0]; stiffness_N_per_m = 800; free_length_m = 1
+[[force]]; name = "damper"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [-0.5, 0, 0]; damping_N_s_per_m = 8
+)"_toml,
                              "d.toml");
   separation::Simulation motion(one, separation::FrictionChoice::full);
   const double begin = motion.sample().energy().balance();
@@ -452,16 +409,12 @@ TEST(Damper, NeedsTwoEnds) {
 }
 
 TEST(Damper, OfNoLengthIsWarnedOf) {
-  const separation::Case c =
-      separation::parse_case(ground + ball_text("a", 1, 2, 1) + R"([[force]]
-name = "f"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [2, 0, 0]
-damping_N_s_per_m = 1
-)",
-                             "d.toml");
+  const separation::Case c = separation::parse_case(
+      ground + ball_text("a", 1, 2, 1) +
+          R"([[force]]; name = "f"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [2, 0, 0]; damping_N_s_per_m = 1
+)"_toml,
+      "d.toml");
   const separation::Simulation motion(c, separation::FrictionChoice::full);
   std::vector<separation::ForceRecord> records(1);
   separation::look_at_forces(motion, records);

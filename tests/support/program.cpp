@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -119,6 +120,25 @@ std::vector<std::string> csv_column(
     column.push_back(rows[i].at(found - header.begin()));
   }
   return column;
+}
+
+const std::vector<double>& CsvTable::operator[](
+    const std::string& column) const {
+  auto& numbers = numbers_[column];
+  if (!numbers.empty()) return numbers;
+  for (const std::string& cell : texts(column)) {
+    char* end = nullptr;
+    const double number = std::strtod(cell.c_str(), &end);
+    numbers.push_back(cell.empty() || *end != '\0' ? NAN : number);
+  }
+  return numbers;
+}
+
+std::size_t CsvTable::row_of(const std::string& quantity) const {
+  const auto names = texts("quantity");
+  const auto found = std::find(names.begin(), names.end(), quantity);
+  if (found == names.end()) throw Error("no quantity " + quantity);
+  return static_cast<std::size_t>(found - names.begin()) + 1;
 }
 
 }  // namespace contact::test

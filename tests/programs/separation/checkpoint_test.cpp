@@ -276,32 +276,21 @@ TEST(Checkpoint, KilledRunsGoOn) {
 TEST(Checkpoint, GoesOnInTheMiddleOfASlowOnset) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
-name = "onset"
-gravity_m_per_s2 = [0, -9.81, 0]
+name = "onset"; gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20, output_step_s = 1, absolute_tolerance = 1e-14 }
-)" + carrier_at_rest("base") +
+)"_toml + carrier_at_rest("base") +
                              R"(
-[[body]]
-name = "station"
-mass_kg = 50
+[[body]]; name = "station"; mass_kg = 50
 principal_inertia_kg_m2 = [1e9, 1e9, 1e9]
-[body.hinge]
-kind = "ball"
-carrier_point_m = [0, 0, 0]
-[[body.hinge.joint]]
-name = "ball"
-kind = "ball"
+[body.hinge]; kind = "ball"; carrier_point_m = [0, 0, 0]
+[[body.hinge.joint]]; name = "ball"; kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 50 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.3 }
-[[force]]
-name = "torque"
-body = "station"
-kind = "applied"
-time_s = [0, 20]
-moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
-)");
+[[force]]; name = "torque"; body = "station"; kind = "applied"
+time_s = [0, 20]; moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
+)"_toml);
   const std::string run = "hinge-separation c.toml ";
   ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
   ASSERT_EQ(folder
@@ -330,17 +319,10 @@ class RunsThatCannotGetOn : public testing::Test {
  protected:
   RunsThatCannotGetOn() {
     const std::string text = pushed_case(0, 0, R"(ends_at_s = 0.2
-[[force]]
-name = "damper"
-body = "s"
-kind = "spring"
-point_m = [-0.2, 0, 0]
-carrier_point_m = [0.5, 0, 0]
-stiffness_N_per_m = 0
-free_length_m = 0.3
-damping_N_s_per_m = 1e8
-starts_at_s = 0.5
-)");
+[[force]]; name = "damper"; body = "s"; kind = "spring"; point_m = [-0.2, 0, 0]
+carrier_point_m = [0.5, 0, 0]; stiffness_N_per_m = 0; free_length_m = 0.3
+damping_N_s_per_m = 1e8; starts_at_s = 0.5
+)"_toml);
     folder_.write("c.toml",
                   exchanged(text, "end_time_s = 2",
                             "end_time_s = 1000\noutput_step_s = 0.25"));

@@ -138,22 +138,17 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
 TEST(HingeSeparation, CasesWithoutHingesRun) {
   const ProgramFolder folder;
   const std::string carrier = R"(
-name = "alone"
-run = { end_time_s = 1 }
-[carrier]
-name = "core"
-density_kg_per_m3 = 1000
+name = "alone"; run = { end_time_s = 1 }
+[carrier]; name = "core"; density_kg_per_m3 = 1000
 start = { velocity_m_per_s = [0, 1, 0] }
 shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
-)";
+)"_toml;
   folder.write("alone.toml", carrier);
   folder.write("free.toml", carrier + R"(
-[[body]]
-name = "stone"
-density_kg_per_m3 = 1000
+[[body]]; name = "stone"; density_kg_per_m3 = 1000
 start = { position_m = [0, 3, 0] }
 shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
-)");
+)"_toml);
   for (const std::string name : {"alone", "free"}) {
     const std::string run = "hinge-separation " + name + ".toml ";
     const ProgramResult first =
