@@ -97,7 +97,7 @@ TEST(MultibodyEval, RefusesWithTheFilesNameAndNoResult) {
   json file = good();
   const ProgramFolder folder;
   folder.write("c.json", file.dump());
-  EXPECT_EQ(folder.run("multibody-eval c.json").status, 0);
+  folder.run_well("multibody-eval c.json");
   file["carrier"]["active_forces"] = {1, 2, 3};
   folder.write("c.json", file.dump());
   const ProgramResult result =

@@ -98,9 +98,7 @@ void expect_readable(const std::string& svg, const std::string& of) {
 // Runs it and looks at all pictures that it leaves.
 void expect_good_pictures(const std::string& command) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   folder.run_well(command + " >table");
   int pictures = 0;
   for (const std::string& file : folder.files()) {

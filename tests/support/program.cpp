@@ -54,6 +54,13 @@ ProgramResult ProgramFolder::run_well(const std::string& command) const {
   return result;
 }
 
+void ProgramFolder::run_ill(const std::string& command, int status,
+                            const std::string& said) const {
+  const ProgramResult result = run(command);
+  EXPECT_EQ(result.status, status) << command;
+  EXPECT_EQ(result.err, said) << command;
+}
+
 void ProgramFolder::write(const std::string& name,
                           std::string_view text) const {
   std::ofstream(path_ / name) << text;

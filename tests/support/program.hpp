@@ -74,6 +74,9 @@ class ProgramFolder {
   ProgramResult run(const std::string& command) const;
   /// The same of one whose status has to be 0.
   ProgramResult run_well(const std::string& command) const;
+  /// The same of one that ends with another status and says this.
+  void run_ill(const std::string& command, int status,
+               const std::string& said) const;
   /// Standard output of run_well().
   CsvTable table(const std::string& command) const {
     return CsvTable(run_well(command).out);

@@ -30,11 +30,8 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
     const std::string run = "hinge-separation data/cases/" + name + ".toml ";
     const std::string checkpoint =
         std::string(" --checkpoint-every ") + every + " --checkpoint ";
-    ASSERT_EQ(folder
-                  .run(run + "--history a.csv --events ae.csv --output a.json" +
-                       checkpoint + "c.db")
-                  .status,
-              0);
+    folder.run_well(run + "--history a.csv --events ae.csv --output a.json" +
+                    checkpoint + "c.db");
     folder.run_well(run +
                     "--history b.csv --events be.csv --output b.json "
                     "--resume c.db" +
@@ -48,7 +45,7 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
     b.erase("counts");
     EXPECT_EQ(a, b) << name;
     // Without a checkpoint: other steps, the same motion to their tolerance.
-    ASSERT_EQ(folder.run(run + "--history s.csv").status, 0);
+    folder.run_well(run + "--history s.csv");
     const History with(folder.read("a.csv"));
     const History without(folder.read("s.csv"));
     ASSERT_EQ(with.size(), without.size()) << name;
@@ -129,11 +126,9 @@ TEST(Checkpoint, CheckpointsAreOfWhatTheCaseSays) {
     return folder.run("hinge-separation c.toml --history b.csv --resume c.db");
   };
   folder.write("c.toml", text);
-  ASSERT_EQ(folder
-                .run("hinge-separation c.toml --history a.csv --checkpoint "
-                     "c.db --checkpoint-every 1.5")
-                .status,
-            0);
+  folder.run_well(
+      "hinge-separation c.toml --history a.csv --checkpoint "
+      "c.db --checkpoint-every 1.5");
   for (const std::string& same :
        {"# by hand\n\n" + text,
         exchanged(text, "mass_kg = 10", "  mass_kg=1.0e1 #"),
@@ -157,9 +152,8 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   text.replace(begin, end - begin, "file = \"ball.toml\"\n");
   folder.write("c.toml", text);
   const std::string run = "hinge-separation c.toml --output o.json ";
-  ASSERT_EQ(folder.run(run + "--checkpoint c.db --checkpoint-every 1").status,
-            0);
-  EXPECT_EQ(folder.run(run + "--resume c.db").status, 0);
+  folder.run_well(run + "--checkpoint c.db --checkpoint-every 1");
+  folder.run_well(run + "--resume c.db");
   const std::string ball = exchanged(folder.read("ball.toml"),
                                      "coefficient = 0.2", "coefficient = 0.3");
   folder.write("ball.toml", ball);
@@ -177,7 +171,7 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   folder.run_well(run +
                   "--checkpoint w.db "
                   "--checkpoint-every 1");
-  EXPECT_EQ(folder.run(run + "--resume w.db").status, 0);
+  folder.run_well(run + "--resume w.db");
   for (const auto& [thickness, backing] :
        {std::pair("4", "rigid"), std::pair("3", "held")}) {
     with_wall(thickness, backing);
@@ -192,11 +186,8 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   const ProgramFolder folder;
   const std::string run = "hinge-separation data/cases/slosh.toml ";
   const auto checkpoints = [&](const char* name, const char* every) {
-    EXPECT_EQ(folder
-                  .run(run + "--output o.json --history h.csv --checkpoint " +
-                       name + " --checkpoint-every " + every)
-                  .status,
-              0);
+    folder.run_well(run + "--output o.json --history h.csv --checkpoint " +
+                    name + " --checkpoint-every " + every);
   };
   // 0.3 s is no multiple of the output step of 0.05 s in doubles.
   checkpoints("c.db", "0.3");
@@ -239,10 +230,10 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, "hinge-separation: m.db: " + expected + '\n');
   };
-  EXPECT_EQ(folder.run("mv m.db moved.db").status, 0);
+  folder.run_well("mv m.db moved.db");
   EXPECT_EQ(resumed("moved.db").status, 0);
   refused("cannot open: No such file or directory");
-  EXPECT_EQ(folder.run("mkdir m.db").status, 0);
+  folder.run_well("mkdir m.db");
   refused("cannot open: Is a directory");
   // Something else is not overwritten.
   folder.write("mine.txt", "mine");
@@ -262,7 +253,7 @@ TEST(Checkpoint, KilledRunsGoOn) {
   const std::string run =
       "hinge-separation data/cases/slosh.toml --output o.json --history ";
   const std::string every = " --checkpoint-every 0.05 --checkpoint c.db";
-  ASSERT_EQ(folder.run(run + "a.csv" + every).status, 0);
+  folder.run_well(run + "a.csv" + every);
   for (const char* seconds : {"0.03", "0.05", "0.08", "0.12", "0.2", "0.3"}) {
     folder.run(std::string("timeout -s KILL ") + seconds + " " + run + "k.csv" +
                every);
@@ -292,20 +283,16 @@ friction = { coefficient = 0.3 }
 time_s = [0, 20]; moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
 )"_toml);
   const std::string run = "hinge-separation c.toml ";
-  ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
-  ASSERT_EQ(folder
-                .run(run + "--history a.csv --output a.json --checkpoint "
-                           "c.db --checkpoint-every 12")
-                .status,
-            0);
-  ASSERT_EQ(
-      folder.run(run + "--history b.csv --output b.json --resume c.db").status,
-      0);
+  folder.run_well(run + "--history s.csv --output s.json");
+  folder.run_well(run +
+                  "--history a.csv --output a.json --checkpoint "
+                  "c.db --checkpoint-every 12");
+  folder.run_well(run + "--history b.csv --output b.json --resume c.db");
   EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv"));
   const History without(folder.read("s.csv"));
   const History with(folder.read("a.csv"));
-  EXPECT_EQ(with.words("station.mode")[5], "resting");
-  EXPECT_EQ(with.words("station.mode")[12], "sliding");
+  EXPECT_EQ(with.texts("station.mode")[5], "resting");
+  EXPECT_EQ(with.texts("station.mode")[12], "sliding");
   for (const char* column : {"station.wx_rad_per_s", "station.wz_rad_per_s"}) {
     const double last = without[column].back();
     EXPECT_NEAR(with[column].back(), last, 1e-8 * std::abs(last)) << column;
@@ -398,19 +385,18 @@ TEST(Checkpoint, HasOneWriterAtATime) {
       "hinge-separation data/cases/slosh.toml --checkpoint-every 0.5 "
       "--output /dev/null --checkpoint ";
   const auto expect_locked_out = [&](const std::string& name) {
-    const ProgramResult refused = folder.run("flock c.db " + run + name);
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err, "hinge-separation: " + name +
-                               ": another program writes to this "
-                               "checkpoint\n");
+    folder.run_ill("flock c.db " + run + name, 2,
+                   "hinge-separation: " + name +
+                       ": another program writes to this "
+                       "checkpoint\n");
   };
   expect_locked_out("c.db");
   // Remains of a program that was killed at its beginning lock nobody out.
   EXPECT_EQ(folder.read("c.db"), "");
-  EXPECT_EQ(folder.run(run + "c.db && ln -s c.db link.db").status, 0);
+  folder.run_well(run + "c.db && ln -s c.db link.db");
   expect_locked_out("link.db");
   // However they meet.
-  EXPECT_EQ(folder.run(run + "d.db & " + run + "d.db & wait").status, 0);
+  folder.run_well(run + "d.db & " + run + "d.db & wait");
   folder.run_well(
       "hinge-separation data/cases/slosh.toml --output o.json --resume d.db");
 }

@@ -3,11 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "cli/number.hpp"
 #include "support/program.hpp"
@@ -19,25 +16,11 @@ namespace contact::test {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// A time history; no value is NaN.
-class History {
+/// A time history, whose vectors have rows from 0.
+class History : public CsvTable {
  public:
-  explicit History(const std::string& csv) : rows_(csv_rows(csv)) {}
+  using CsvTable::CsvTable;
 
-  std::size_t size() const { return rows_.size() - 1; }
-  const std::vector<std::string>& columns() const { return rows_.front(); }
-  std::vector<std::string> words(const std::string& name) const {
-    return csv_column(rows_, name);
-  }
-  const std::vector<double>& operator[](const std::string& name) const {
-    auto& column = numbers_[name];
-    if (column.empty()) {
-      for (const std::string& cell : words(name)) {
-        column.push_back(cli::parse_number(cell).value_or(NAN));
-      }
-    }
-    return column;
-  }
   Vector3d vector(const std::string& body, const char* x, const char* y,
                   const char* z, std::size_t row) const {
     return {(*this)[body + x][row], (*this)[body + y][row],
@@ -59,18 +42,12 @@ class History {
         vector(body, ".wx_rad_per_s", ".wy_rad_per_s", ".wz_rad_per_s", row);
     return q * inertia.cwiseProduct(w);
   }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-  mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
 /// Output of a run that goes well.
 inline json run_json(const ProgramFolder& folder,
                      const std::string& arguments) {
-  const ProgramResult result = folder.run("hinge-separation " + arguments);
-  EXPECT_EQ(result.status, 0) << arguments << '\n' << result.err;
-  return json::parse(result.out);
+  return json::parse(folder.run_well("hinge-separation " + arguments).out);
 }
 
 /// A text with another one in the place of what is found first.

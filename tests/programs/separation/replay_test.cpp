@@ -377,11 +377,9 @@ TEST(Replay, WithoutItsLibrariesAPageIsRefusedBeforeTheRun) {
             "(three/three.min.js is missing): apt install libjs-three "
             "libjs-dygraphs\n");
   EXPECT_TRUE(folder.files().empty());
-  EXPECT_EQ(folder
-                .run("XDG_DATA_DIRS=/nowhere hinge-separation "
-                     "data/cases/soyuz.toml --replay a.glb")
-                .status,
-            0);
+  folder.run_well(
+      "XDG_DATA_DIRS=/nowhere hinge-separation "
+      "data/cases/soyuz.toml --replay a.glb");
 }
 
 }  // namespace
