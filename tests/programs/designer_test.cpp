@@ -19,7 +19,7 @@ class Designer : public testing::Test {
     return folder_.run_well(command);
   }
   double value(const std::string& command, const std::string& column) const {
-    return std::stod(csv_column(csv_rows(run(command).out), column)[0]);
+    return folder_.table(command).at(column);
   }
   bool warns(const std::string& command, const std::string& of) const {
     return run(command).err.find(of) != std::string::npos;
@@ -175,26 +175,23 @@ TEST_F(Designer, ApproachAndStiffness) {
         {"hinge-joint --normal-force ", " --alpha 30"}}) {
     SCOPED_TRACE(program);
     const auto of = [&, program = program](const std::string& load,
-                                           const std::string& joint,
-                                           const char* column) {
-      const auto rows = csv_rows(run(program + load + " --joint " + joint).out);
-      return csv_column(rows, column)[0];
+                                           const std::string& joint) {
+      return folder_.table(program + load + " --joint " + joint);
     };
-    const auto expect = [&](const std::string& load, const std::string& joint,
-                            double approach, double stiffness, double digit) {
-      EXPECT_NEAR(std::stod(of(load, joint, "approach_m")), approach, 5e-8);
-      EXPECT_NEAR(std::stod(of(load, joint, "stiffness_N_per_m")), stiffness,
-                  digit);
+    const auto expect = [](const CsvTable& table, double approach,
+                           double stiffness, double digit) {
+      EXPECT_NEAR(table.at("approach_m"), approach, 5e-8);
+      EXPECT_NEAR(table.at("stiffness_N_per_m"), stiffness, digit);
     };
-    expect("2000", hip + ".toml" + ball, 45.7e-6, 7.03e7, 5e4);
-    expect("2000", hip + "_infinite.toml --law exact" + ball, 89.6e-6, 3.00e7,
-           5e4);
-    expect("60kN", "bush.toml", 20.5e-6, 0.03 * 1.39e11, 1.5e7);
+    expect(of("2000", hip + ".toml" + ball), 45.7e-6, 7.03e7, 5e4);
+    expect(of("2000", hip + "_infinite.toml --law exact" + ball), 89.6e-6,
+           3.00e7, 5e4);
+    expect(of("60kN", "bush.toml"), 20.5e-6, 0.03 * 1.39e11, 1.5e7);
     // Without load, and of a pin in an infinite hole.
-    EXPECT_EQ(of("0", hip + ".toml" + ball, "approach_m"), "");
-    const std::string hole = "data/joints/pin_joint.toml --law exact";
-    EXPECT_EQ(of("50kN", hole, "approach_m"), "");
-    EXPECT_EQ(of("50kN", hole, "stiffness_N_per_m"), "");
+    EXPECT_EQ(of("0", hip + ".toml" + ball).text("approach_m"), "");
+    const CsvTable hole = of("50kN", "data/joints/pin_joint.toml --law exact");
+    EXPECT_EQ(hole.text("approach_m"), "");
+    EXPECT_EQ(hole.text("stiffness_N_per_m"), "");
   }
 }
 

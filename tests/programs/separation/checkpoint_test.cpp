@@ -21,6 +21,18 @@ void expect_another_case(const ProgramResult& result,
                             "other joints or other options\n");
 }
 
+// Histories, events and summaries of two runs, "a" and "b"; byte by byte, and
+// too long to be printed.
+void expect_same_results(const ProgramFolder& folder, const std::string& what) {
+  EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << what;
+  EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << what;
+  json a = json::parse(folder.read("a.json"));
+  json b = json::parse(folder.read("b.json"));
+  a.erase("counts");
+  b.erase("counts");
+  EXPECT_EQ(a, b) << what;
+}
+
 TEST(Checkpoint, ResumedRunIsTheSame) {
   const ProgramFolder folder;
   // The last checkpoint is gone on from: wheels that slide and rest, arms that
@@ -36,14 +48,7 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
                     "--history b.csv --events be.csv --output b.json "
                     "--resume c.db" +
                     checkpoint + "d.db");
-    // Byte by byte; too long to be printed.
-    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
-    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
-    json a = json::parse(folder.read("a.json"));
-    json b = json::parse(folder.read("b.json"));
-    a.erase("counts");
-    b.erase("counts");
-    EXPECT_EQ(a, b) << name;
+    expect_same_results(folder, name);
     // Without a checkpoint: other steps, the same motion to their tolerance.
     folder.run_well(run + "--history s.csv");
     const History with(folder.read("a.csv"));
@@ -56,29 +61,25 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
   compare("platform", "2", "arm_2.friction_work_J");
   compare("soyuz", "5", "booster_1.x_m");
 
-  const std::string run = "hinge-separation data/cases/soyuz.toml ";
-  const ProgramResult other =
-      folder.run("hinge-separation data/cases/slosh.toml --resume c.db");
-  expect_another_case(other, "c.db");
+  expect_another_case(
+      folder.run("hinge-separation data/cases/slosh.toml --resume c.db"),
+      "c.db");
   folder.write("bad.db", "nonsense");
-  EXPECT_EQ(folder.run(run + "--resume bad.db").err,
-            "hinge-separation: bad.db: not a checkpoint of "
-            "hinge-separation\n");
+  EXPECT_EQ(
+      folder.run("hinge-separation data/cases/soyuz.toml --resume bad.db").err,
+      "hinge-separation: bad.db: not a checkpoint of "
+      "hinge-separation\n");
 }
 
 // Prolonged or cut short on resuming: as if the end had been so from the start.
 TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   const ProgramFolder folder;
-  const auto run = [&](const std::string& more) {
-    return folder.run("hinge-separation data/cases/platform.toml " + more);
-  };
-  const std::string every = " --checkpoint-every 2 --checkpoint ";
+  const std::string run = "hinge-separation data/cases/platform.toml ";
   const auto at_once = [&](const std::string& end) {
-    ASSERT_EQ(
-        run("--history a.csv --events ae.csv --output a.json --end-time " +
-            end + every + "a.db")
-            .status,
-        0);
+    folder.run_well(run +
+                    "--history a.csv --events ae.csv --output a.json "
+                    "--checkpoint-every 2 --checkpoint a.db --end-time " +
+                    end);
   };
   at_once("8");
   std::rename((folder.path() / "a.db").c_str(),
@@ -86,30 +87,21 @@ TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   // 9.03 s is no output time.
   for (const std::string end : {"12", "9.03", "8"}) {
     at_once(end);
-    const ProgramResult resumed =
-        run("--history b.csv --events be.csv --output b.json "
-            "--resume c.db --end-time " +
-            end);
-    ASSERT_EQ(resumed.status, 0) << resumed.err;
-    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
-    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << end;
-    json a = json::parse(folder.read("a.json"));
-    json b = json::parse(folder.read("b.json"));
-    EXPECT_EQ(b["end_time_s"], cli::parse_number(end).value());
-    a.erase("counts");
-    b.erase("counts");
-    EXPECT_EQ(a, b) << end;
+    folder.run_well(run +
+                    "--history b.csv --events be.csv --output b.json "
+                    "--resume c.db --end-time " +
+                    end);
+    expect_same_results(folder, end);
+    EXPECT_EQ(json::parse(folder.read("b.json"))["end_time_s"],
+              cli::parse_number(end).value());
   }
-  const ProgramResult early = run("--resume c.db --end-time 7.9");
-  EXPECT_EQ(early.status, 2);
-  EXPECT_EQ(early.err,
-            "hinge-separation: c.db: a checkpoint at t = 8 s requires "
-            "--end-time of 8 s or above: this run ends at 7.9 s\n");
+  folder.run_ill(run + "--resume c.db --end-time 7.9", 2,
+                 "hinge-separation: c.db: a checkpoint at t = 8 s requires "
+                 "--end-time of 8 s or above: this run ends at 7.9 s\n");
   // The row of an end that is no output time stays.
-  ASSERT_EQ(
-      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db").status,
-      0);
-  ASSERT_EQ(run("--resume d.db --end-time 12 --history d.csv").status, 0);
+  folder.run_well(run +
+                  "--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db");
+  folder.run_well(run + "--resume d.db --end-time 12 --history d.csv");
   at_once("12");
   const History d(folder.read("d.csv"));
   const History a(folder.read("a.csv"));
