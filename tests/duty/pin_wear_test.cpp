@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "duty/worn_pin_clearance.hpp"
@@ -16,6 +15,7 @@
 #include "libcontact/pressure/exact.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
 namespace contact::test {
@@ -23,8 +23,6 @@ namespace {
 
 using detail::PinWear;
 using detail::WornCircle;
-
-constexpr double pi = std::numbers::pi;
 
 LayeredPair pair_of(const ReferenceTable::Row& row) {
   return {row.value("rho"), Material{row.value("pin_E"), row.value("pin_nu")},

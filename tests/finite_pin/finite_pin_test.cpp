@@ -5,25 +5,20 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "libcontact/base/units.hpp"
 #include "play/reference_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::error_message;
-using contact::test::ReferenceTable;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Relief relief_of(const ReferenceTable::Row& row) {
   const std::string& kind = row.text("crown");
@@ -316,3 +311,4 @@ TEST(FinitePin, SaysWhereItEnds) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,22 +12,17 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // ExactLaw of joints without clearance and with interference.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::detail::BallGap;
-using contact::detail::PinGap;
-using contact::detail::SignedContact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
+using detail::BallGap;
+using detail::PinGap;
+using detail::SignedContact;
 
 bool has_layers(const LayeredPair& pair) {
   return std::isfinite(pair.relative_thickness());
@@ -217,3 +210,4 @@ TEST(Interference, OtherLawsAndLoadingsKnowNone) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/units.hpp"
@@ -11,18 +10,15 @@
 #include "libcontact/play/published_forces.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // Joints without clearance and with interference.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
-
-constexpr double pi = std::numbers::pi;
 
 JointSpec spec_of(JointKind kind, double clearance,
                   const FrictionModel& friction = FrictionLaw(0.1)) {
@@ -383,3 +379,4 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -2,7 +2,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "libcontact/files/joint_file.hpp"
@@ -13,7 +12,6 @@
 namespace contact::test {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const Material steel{2.1e11, 0.3, "steel", infinity, 11.5e-6};
 const Material bronze{1.1e11, 0.34, "bronze", infinity, 18e-6};
 const Material liner{5e8, 0.46, "liner", infinity, 135e-6};

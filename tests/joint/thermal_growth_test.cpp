@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "support/accuracy_report.hpp"
@@ -17,8 +16,6 @@ namespace {
 
 using detail::free_growth;
 using Side = detail::LayerCompliance::Side;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Material material(double modulus, double nu, double expansion) {
   return {modulus, nu, "", infinity, expansion};

@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -18,18 +16,12 @@
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 
 // The force law of joints with clearance against independent solutions at
 // given penetrations, against the library's own solver, and its identities.
+namespace contact::test {
 namespace {
-
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-using contact::test::relative_error;
-
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ForceLawAccuracy, IsTheReferenceAtGivenPenetrations) {
   const ReferenceTable table("play/force_law.csv");
@@ -252,3 +244,4 @@ TEST(ForceLawContract, RefusesJointsWithoutApproach) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -13,18 +12,14 @@
 #include "libcontact/friction/models.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // ExactPressure of contacts that interference keeps closed over most of the
 // circle or sphere, and their friction.
+namespace contact::test {
 namespace {
-
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double pi = std::numbers::pi;
 
 std::unique_ptr<const ExactPressure> law_of(JointKind kind,
                                             const LayeredPair& pair) {
@@ -199,3 +194,4 @@ TEST(InterferencePressure, HasNoneForALoadThroughTheBack) {
 }
 
 }  // namespace
+}  // namespace contact::test
