@@ -35,7 +35,7 @@ std::unique_ptr<const ExactLaw> law_of(JointKind kind,
              : std::make_unique<const ExactLaw>(kind, pair.surfaces());
 }
 
-void compare_with_rows(const std::string& file, JointKind kind) {
+void compare_with_rows(JointKind kind) {
   const bool is_pin = kind == JointKind::pin;
   // Through the table: 1e-7 for homogeneous bodies and walls from 0.1 radii,
   // 5e-6 for thinner ones.
@@ -46,7 +46,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   // Rows of one pair of bodies stand together.
   std::optional<LayeredPair> last;
   std::unique_ptr<const HalfAngleLaw> shared;
-  for (const ReferenceTable::Row row : ReferenceTable(file)) {
+  for (const ReferenceTable::Row row :
+       ReferenceTable("preload/preload_" + to_string(kind) + ".csv")) {
     const LayeredPair pair = test::reference_pair(row);
     if (!last || !(pair == *last)) {
       shared = law_of(kind, pair);
@@ -86,12 +87,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   }
 }
 
-TEST(Interference, IsThatOfTheReferencePins) {
-  compare_with_rows("preload/preload_pin.csv", JointKind::pin);
-}
-
-TEST(Interference, IsThatOfTheReferenceBalls) {
-  compare_with_rows("preload/preload_ball.csv", JointKind::ball);
+TEST(Interference, IsThatOfTheReference) {
+  for (const JointKind kind : kinds) compare_with_rows(kind);
 }
 
 // Homogeneous pairs and walls, thick, thin and free outside.

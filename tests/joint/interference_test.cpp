@@ -31,7 +31,7 @@ JointSpec spec_of(JointKind kind, double clearance,
           .friction = friction};
 }
 
-void compare_with_rows(const std::string& file, JointKind kind) {
+void compare_with_rows(JointKind kind) {
   const bool is_ball = kind == JointKind::ball;
   AccuracyReport angle("theta0", 1e-7);
   // With walls and below 120 deg the table of all joints serves: 1e-6.
@@ -40,7 +40,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   AccuracyReport shift("shift", 1e-6);
   AccuracyReport friction("chi, sigma_Y, sigma_Z", 2e-6);
   SharedLaws laws;  // rows of one pair of bodies stand together
-  for (const ReferenceTable::Row row : ReferenceTable(file)) {
+  for (const ReferenceTable::Row row :
+       ReferenceTable("preload/preload_" + to_string(kind) + ".csv")) {
     const LayeredPair pair = test::reference_pair(row);
     const double rho = row.value("rho");
     const double eps = row.value("clearance");
@@ -92,12 +93,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   if (!is_ball) friction.may_be_empty();
 }
 
-TEST(InterferenceJoint, IsThatOfTheReferencePins) {
-  compare_with_rows("preload/preload_pin.csv", JointKind::pin);
-}
-
-TEST(InterferenceJoint, IsThatOfTheReferenceBalls) {
-  compare_with_rows("preload/preload_ball.csv", JointKind::ball);
+TEST(InterferenceJoint, IsThatOfTheReference) {
+  for (const JointKind kind : kinds) compare_with_rows(kind);
 }
 
 // Without load: pin rho l (2 pi rho p_0 f0 + 2 pi rho A), ball
