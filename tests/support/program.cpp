@@ -74,6 +74,12 @@ bool ProgramFolder::has(const std::string& name) const {
   return fs::exists(path_ / name);
 }
 
+bool ProgramFolder::has_page_libraries() const {
+  const std::string scripts = "ls /usr/share/javascript/";
+  return run(scripts + "three/three.min.js").status == 0 &&
+         run(scripts + "dygraphs/dygraph.min.js").status == 0;
+}
+
 std::vector<std::string> ProgramFolder::files() const {
   std::vector<std::string> names;
   for (const auto& entry : fs::directory_iterator(path_)) {

@@ -87,6 +87,8 @@ class ProgramFolder {
   std::string read(const std::string& name) const;
   bool has(const std::string& name) const;
   bool has_gnuplot() const { return run("command -v gnuplot").status == 0; }
+  /// three.js and dygraphs, which pages of replays need.
+  bool has_page_libraries() const;
   /// Names of the files that are there, hidden ones too, without "data".
   std::vector<std::string> files() const;
 

@@ -334,16 +334,8 @@ json data_of(const std::string& page) {
   return json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-bool has_libraries() {
-  return ProgramFolder()
-             .run(
-                 "ls /usr/share/javascript/three/three.min.js "
-                 "/usr/share/javascript/dygraphs/dygraph.min.js")
-             .status == 0;
-}
-
 TEST(Replay, PagesThatWouldBeTooLongHaveFewerRows) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!ProgramFolder().has_page_libraries()) GTEST_SKIP() << "libjs-three";
   const Case c = case_of("soyuz");
   const Outcome outcome = separation::run_case(c);
   const separation::PageParts parts("a.html");

@@ -422,16 +422,8 @@ const std::string turns =
     "[[dispersion]]\nkey = 'body[stage].mass_t'\nrelative = true\n"
     "kind = 'uniform'\nlow = 0.9\nhigh = 1.1\n";
 
-bool has_libraries() {
-  return ProgramFolder()
-             .run(
-                 "ls /usr/share/javascript/three/three.min.js "
-                 "/usr/share/javascript/dygraphs/dygraph.min.js")
-             .status == 0;
-}
-
 TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!folder_.has_page_libraries()) GTEST_SKIP() << "libjs-three";
   folder_.write("c.toml", turns);
   run("c.toml --report 'a \"#b.html'");
   const std::string page = folder_.read("a \"#b.html");
@@ -456,7 +448,7 @@ TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
 
 // The stage is let go after the end, and passes through the carrier before.
 TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!folder_.has_page_libraries()) GTEST_SKIP() << "libjs-three";
   std::ifstream file(CONTACT_DATA_DIR "/cases/two_stage_turn.toml");
   std::string text(std::istreambuf_iterator<char>(file), {});
   for (const auto& [old, now] :
