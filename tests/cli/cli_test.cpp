@@ -517,18 +517,16 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
 
 TEST(Table, DistinctNames) {
   EXPECT_EQ(cli::distinct_names({"a", "chi", "a"}, {"chi", "chi_in"}),
-            (std::vector<std::string>{"a", "chi_in2", "a_in"}));
+            (Texts{"a", "chi_in2", "a_in"}));
   EXPECT_EQ(cli::distinct_names({"", "a_in2", "a", "a", "", "a", "a"}, {""}),
-            (std::vector<std::string>{"_in", "a_in2", "a", "a_in", "_in2",
-                                      "a_in3", "a_in4"}));
+            (Texts{"_in", "a_in2", "a", "a_in", "_in2", "a_in3", "a_in4"}));
 }
 
 // Spreadsheets end lines in empty columns. Names that are searched for one by
 // one, or grow with every column, take minutes and gigabytes for these.
 TEST(Table, ManyEqualNamesStayShort) {
   constexpr std::size_t count = 200'000;
-  const std::vector<std::string> names =
-      cli::distinct_names(std::vector<std::string>(count), {});
+  const std::vector<std::string> names = cli::distinct_names(Texts(count), {});
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), count);
   for (const std::string& name : names) ASSERT_LE(name.size(), 9U);
 }

@@ -373,8 +373,7 @@ TEST(HingeAngle, InverseBeyondTheLimitHasNoValue) {
   EXPECT_EQ(first_line(result.out),
             "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_by_exact_over_"
             "nominal");
-  EXPECT_EQ(csv_rows(result.out)[2],
-            (std::vector<std::string>{"86", "", "", ""}));
+  EXPECT_EQ(csv_rows(result.out)[2], (Texts{"86", "", "", ""}));
   EXPECT_TRUE(has_text(result.err, "law tanh: no value for 1 of 2 rows"));
 }
 
@@ -567,7 +566,7 @@ TEST(HingeAngle, Plots) {
   folder.run_well(
       "hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
       "10:5000:log50 --law hertz,arctan,tanh --plot hip.svg --output hip.csv");
-  EXPECT_EQ(folder.files(), (std::vector<std::string>{"hip.csv", "hip.svg"}));
+  EXPECT_EQ(folder.files(), (Texts{"hip.csv", "hip.svg"}));
   const std::string picture = folder.read("hip.svg");
   for (const char* text : {"hertz", "arctan", "tanh", "normal force Rₙ, N",
                            "half-angle of the contact θ₀, deg", "</svg>"}) {
@@ -595,7 +594,7 @@ TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
   const CsvTable table =
       folder.table("hinge-angle" + pressed + "--load 0,1kN,6kN");
   EXPECT_EQ(table.texts("contact_state"),
-            (std::vector<std::string>{"closed", "closed", "lifted"}));
+            (Texts{"closed", "closed", "lifted"}));
   EXPECT_EQ(table.text("theta0_exact_deg"), "180");
   EXPECT_EQ(table.text("p_peak_exact_by_exact_Pa"), table.text("p_0_Pa"));
   const CsvTable of_joint =
@@ -608,8 +607,7 @@ TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
   const CsvTable both =
       folder.table("hinge-angle" + pressed +
                    "--joint data/joints/pin_joint.toml --law exact --load 1kN");
-  EXPECT_EQ(both.texts("contact_state"),
-            (std::vector<std::string>{"closed", "clearance"}));
+  EXPECT_EQ(both.texts("contact_state"), (Texts{"closed", "clearance"}));
   EXPECT_EQ(both.text(2, "R_lift_off_N"), "");
 }
 

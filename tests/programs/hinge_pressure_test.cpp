@@ -156,7 +156,7 @@ TEST(HingePressure, Worn) {
       "hinge-pressure --joint ball --modulus-ratio 1 --load-parameter 100 "
       "--law tanh --limit-angle 120 --summary --pressure worn");
   EXPECT_EQ(wide.status, 1);
-  EXPECT_EQ(CsvTable(wide.out).texts("S"), std::vector<std::string>{""});
+  EXPECT_EQ(CsvTable(wide.out).texts("S"), Texts{""});
   EXPECT_TRUE(has_text(wide.err,
                        "pressure worn: none for 1 of 1 loads, whose "
                        "half-angle is above 90 deg"));
@@ -315,8 +315,7 @@ TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
       "hinge-pressure --joint data/joints/lined_bush_pressed.toml --load "
       "0,6kN ";
   const CsvTable table = folder.table(pressed + "--summary");
-  EXPECT_EQ(table.texts("contact_state"),
-            (std::vector<std::string>{"closed", "lifted"}));
+  EXPECT_EQ(table.texts("contact_state"), (Texts{"closed", "lifted"}));
   const std::string p0 = table.text("p_0_Pa");
   EXPECT_EQ(table.text("p_peak_Pa"), p0);
   EXPECT_EQ(table.text("p_mean_Pa"), p0);

@@ -139,10 +139,8 @@ TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
   options.theta0 = "20,30";
   options.alpha = "10";
   const CsvTable table(run(options));
-  EXPECT_EQ(table.texts("sigma_Y_cosine"),
-            (std::vector<std::string>{"0.5", "ERROR"}));
-  EXPECT_EQ(table.texts("sigma_Z_cosine"),
-            (std::vector<std::string>{"0.5", "0.5"}));
+  EXPECT_EQ(table.texts("sigma_Y_cosine"), (Texts{"0.5", "ERROR"}));
+  EXPECT_EQ(table.texts("sigma_Z_cosine"), (Texts{"0.5", "0.5"}));
   options.output.format = cli::Format::markdown;
   options.quantity = "sigma_Y";
   EXPECT_TRUE(has_text(run(options), "|  ERROR |"));
@@ -267,10 +265,8 @@ TEST(HingeTable, LinesThatAreTooLongAreAnsweredInTheirPlace) {
         EXPECT_EQ(result.err,
                   "ERROR: line 3: longer than 1000000 characters\n");
         const CsvTable table(result.out);
-        EXPECT_EQ(table.texts("theta0_deg"),
-                  (std::vector<std::string>{"10", "ERROR", "20"}));
-        EXPECT_EQ(table.texts("note"),
-                  (std::vector<std::string>{"a", "", "c"}));
+        EXPECT_EQ(table.texts("theta0_deg"), (Texts{"10", "ERROR", "20"}));
+        EXPECT_EQ(table.texts("note"), (Texts{"a", "", "c"}));
       }
     }
   }
@@ -378,8 +374,7 @@ TEST(HingeTable, Plots) {
       ">table.csv || exit 1\ndone");
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"it's.pdf", "it's.png", "it's.svg",
-                                      "table.csv"}));
+            (Texts{"it's.pdf", "it's.png", "it's.svg", "table.csv"}));
   EXPECT_TRUE(has_text(folder.read("it's.svg"), "</svg>"));
   EXPECT_EQ(folder.read("it's.png").rfind("\x89PNG", 0), 0U);
   EXPECT_EQ(folder.read("it's.pdf").rfind("%PDF", 0), 0U);

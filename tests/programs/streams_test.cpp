@@ -234,7 +234,7 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
     }
     const ProgramFolder folder;
     folder.run_well(with_room(size, run + "--history " + name));
-    EXPECT_EQ(folder.files(), std::vector<std::string>{name});
+    EXPECT_EQ(folder.files(), Texts{name});
     EXPECT_EQ(folder.read(name).size(), whole.read(name).size());
   }
   // The events have room when the history has had none.

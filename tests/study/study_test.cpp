@@ -97,9 +97,8 @@ using BallStudy = StudyFolder;
 // By the library itself, with the draws that the columns show.
 TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   const Study study(ball());
-  ASSERT_EQ(study.columns(), (std::vector<std::string>{
-                                 "friction.coefficient", "load.reaction_N",
-                                 "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
+  ASSERT_EQ(study.columns(), (Texts{"friction.coefficient", "load.reaction_N",
+                                    "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
   JointSpec spec = read_joint(path("j.toml"));
   for (const std::uint64_t run : {1, 7, 40}) {
     const Row row = study.row(run);
@@ -217,13 +216,13 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
 // Dry friction does not know how fast it slides.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
   const std::vector<double> any(3, 0.0);
-  EXPECT_EQ(Study(ball()).idle_keys(any), std::vector<std::string>{});
+  EXPECT_EQ(Study(ball()).idle_keys(any), Texts{});
   const std::string key = "load.rate_rad_per_s";
   const std::string file =
       ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
                                  "'\nkind = 'uniform'\nlow = 1\n"
                                  "high = 2\n[[dispersion]]");
-  EXPECT_EQ(Study(file).idle_keys(any), std::vector<std::string>{key});
+  EXPECT_EQ(Study(file).idle_keys(any), Texts{key});
 }
 
 // A run that fails is a row with its reason and a miss.
@@ -403,8 +402,7 @@ TEST_F(StudyFolder, ADrivenCarriersMassHasNoEffect) {
       "[[dispersion]]\nkey = 'body[b].mass_kg'\nkind = 'uniform'\n"
       "low = 1\nhigh = 2\n";
   const Study study(write("s.toml", text));
-  EXPECT_EQ(study.idle_keys({0, 0}),
-            std::vector<std::string>{"carrier.mass_kg"});
+  EXPECT_EQ(study.idle_keys({0, 0}), Texts{"carrier.mass_kg"});
 }
 
 // An arm on a spring, and another body that turns fast: its inertia changes the
@@ -442,8 +440,7 @@ TEST_F(StudyFolder, StepsThatBecomeOthersAreNoEffect) {
   Journal journal(path("j"), study.identity(), study.columns(),
                   Journal::Use::write);
   for (std::uint64_t run = 0; run <= 10; ++run) journal.append(study.row(run));
-  EXPECT_EQ(study::find(study, journal).idle,
-            std::vector<std::string>{inertia});
+  EXPECT_EQ(study::find(study, journal).idle, Texts{inertia});
 }
 
 // A signal comes while a run is on its way: the run is no failure of the case.

@@ -10,14 +10,15 @@
 
 namespace contact::test {
 
+using Texts = std::vector<std::string>;
+
 /// A CSV text as programs write it: rows of cells, the first one the header;
 /// quotes stay.
-std::vector<std::vector<std::string>> csv_rows(std::string_view text);
+std::vector<Texts> csv_rows(std::string_view text);
 
 /// One column of csv_rows() below its header; throws contact::Error if there
 /// is none of that name.
-std::vector<std::string> csv_column(
-    const std::vector<std::vector<std::string>>& rows, std::string_view name);
+Texts csv_column(const std::vector<Texts>& rows, std::string_view name);
 
 /// csv_rows() by column; rows count from 1, and the first is meant where none
 /// is named. Numbers are NaN where a cell has none.
@@ -28,7 +29,7 @@ class CsvTable {
   std::size_t size() const { return rows_.size() - 1; }
   const std::vector<std::string>& names() const { return rows_.front(); }
   /// A column as it stands, and its numbers.
-  std::vector<std::string> texts(std::string_view column) const {
+  Texts texts(std::string_view column) const {
     return csv_column(rows_, column);
   }
   const std::vector<double>& operator[](const std::string& column) const;
@@ -49,7 +50,7 @@ class CsvTable {
   }
 
  private:
-  std::vector<std::vector<std::string>> rows_;
+  std::vector<Texts> rows_;
   mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
@@ -90,7 +91,7 @@ class ProgramFolder {
   /// three.js and dygraphs, which pages of replays need.
   bool has_page_libraries() const;
   /// Names of the files that are there, hidden ones too, without "data".
-  std::vector<std::string> files() const;
+  Texts files() const;
 
  private:
   std::filesystem::path path_;
@@ -98,7 +99,7 @@ class ProgramFolder {
 };
 
 /// The commands under "Examples:" in the --help of a program.
-std::vector<std::string> help_examples(const std::string& program);
+Texts help_examples(const std::string& program);
 
 inline std::string first_line(const std::string& text) {
   return text.substr(0, text.find('\n'));

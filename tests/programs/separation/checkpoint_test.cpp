@@ -184,8 +184,7 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   // 0.3 s is no multiple of the output step of 0.05 s in doubles.
   checkpoints("c.db", "0.3");
   const std::string history = folder.read("h.csv");
-  EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"c.db", "h.csv", "o.json"}));
+  EXPECT_EQ(folder.files(), (Texts{"c.db", "h.csv", "o.json"}));
   // States at 11 s and at 19.9 s: they grow only by numbers that have more
   // digits.
   checkpoints("early.db", "11");

@@ -23,8 +23,7 @@ TEST(HingeSeparation, EveryCaseKeepsItsEnergyAndLeavesNothingBehind) {
     const json j = run_json(
         folder, "data/cases/" + name + ".toml --history h.csv --events e.csv");
     EXPECT_FALSE(j.contains("failure")) << name;
-    EXPECT_EQ(folder.files(), (std::vector<std::string>{"e.csv", "h.csv"}))
-        << name;
+    EXPECT_EQ(folder.files(), (Texts{"e.csv", "h.csv"})) << name;
     const json& drift = j["energy"]["largest_drift_J"];
     EXPECT_EQ(drift.is_null(), name == "two_stage_turn");  // driven carrier
     if (drift.is_null()) continue;
@@ -115,8 +114,8 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
     const ProgramResult result = folder.run_well(
         "hinge-separation --compare data/cases/" + name + ".toml");
     const auto rows = csv_rows(result.out);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"body", "quantity", "ideal",
-                                                 "full", "traditional"}));
+    EXPECT_EQ(rows[0],
+              (Texts{"body", "quantity", "ideal", "full", "traditional"}));
     int compared = 0;
     for (const auto& row : rows) {
       if (row[1] != "rate_at_release_deg_per_s") continue;
@@ -250,9 +249,8 @@ TEST(HingeSeparation, PicturesAreThere) {
   const ProgramFolder folder;
   if (!folder.has_gnuplot()) GTEST_SKIP();
   run_json(folder, "data/cases/soyuz.toml --plot s.svg");
-  EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"s_angles.svg", "s_clearance.svg",
-                                      "s_rates.svg", "s_reactions.svg"}));
+  EXPECT_EQ(folder.files(), (Texts{"s_angles.svg", "s_clearance.svg",
+                                   "s_rates.svg", "s_reactions.svg"}));
 }
 
 }  // namespace

@@ -325,8 +325,7 @@ TEST(SeparationMotion, LockBreaksBeforeTheHingeAndEachOnce) {
       EXPECT_EQ(event["time_s"], 0.4);
     }
   }
-  EXPECT_EQ(breaks, (std::vector<std::string>{"lock opens: lock breaks",
-                                              "off: hinge breaks"}));
+  EXPECT_EQ(breaks, (Texts{"lock opens: lock breaks", "off: hinge breaks"}));
   EXPECT_EQ(result["bodies"][0]["at_release"]["time_s"], 0.4);
 }
 
