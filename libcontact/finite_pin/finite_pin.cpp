@@ -220,7 +220,10 @@ FinitePinState FinitePin::state(const Vector4d& place,
     if (s.pieces == 0) s.low = from;
     if (s.pieces == 0 || from > s.high) ++s.pieces;
     s.high = to;
-    const auto depth = [&](double z) { return -slice(place, z, *piece).peak; };
+    // Clang 14 captures no structured binding by itself.
+    const auto depth = [this, &place, &relief = *piece](double z) {
+      return -slice(place, z, relief).peak;
+    };
     for (const double end : {from, to}) {
       if (-depth(end) > s.peak_pressure) {
         s.peak_pressure = -depth(end);

@@ -16,6 +16,7 @@
 #include "libcontact/joint/fixed_point.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
+#include "support/joint_sweep.hpp"
 #include "support/random_slip.hpp"
 
 namespace {
@@ -124,17 +125,6 @@ void run(benchmark::State& state, const States& states, const Solve& solve) {
   state.counters["ns"] = median(std::move(nanoseconds));
 }
 
-// |f/tan g - 1| of the contact that a solution names.
-double residual(const RandomSlip& input, const JointSolution& s) {
-  const auto& contact = input.joint.contact();
-  const auto i = contact.integrals(
-      contact.half_angle(s.normal_force).half_angle, s.slip_axis);
-  const auto strength = contact.strength(1);
-  const double f = strength.pressure_part * i.coefficient.force +
-                   strength.area_part / s.normal_force * i.area.force;
-  return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
-}
-
 template <class Solve>
 void solve_bench(benchmark::State& state, const States& states,
                  const Solve& solve) {
@@ -146,7 +136,8 @@ void solve_bench(benchmark::State& state, const States& states,
   for (std::size_t i = 0; i < count; ++i) {
     const JointSolution s = solve(i);
     evaluations += s.evaluations;
-    largest = std::max(largest, residual(states.moved[i], s));
+    largest = std::max(largest,
+                       contact::test::true_residual(states.moved[i].joint, s));
   }
   state.counters["evaluations"] = evaluations / count;
   state.counters["max_residual"] = largest;

@@ -56,12 +56,7 @@ std::vector<double> values(const std::string& text,
 }
 
 std::string sweep_error(const std::string& text) {
-  try {
-    const cli::Sweep sweep("--theta0", text, angles);
-  } catch (const Error& error) {
-    return error.what();
-  }
-  return "accepted";
+  return error_message([&] { cli::Sweep("--theta0", text, angles); });
 }
 
 TEST(Sweep, ValuesAndLists) {
@@ -117,12 +112,14 @@ TEST(Sweep, MessagesNameOptionValueAndRange) {
   for (const char* text : {"0:10:0", "0:10:-1", "10:0:1"}) {
     EXPECT_TRUE(has_text(sweep_error(text), "step leads"));
   }
-  EXPECT_TRUE(has_text(sweep_error("0:inf:1"), "finite"));
-  EXPECT_TRUE(has_text(sweep_error("0:10:log5"), "above 0"));
-  EXPECT_TRUE(has_text(sweep_error("1:10:log1"), "2 or more"));
-  EXPECT_TRUE(has_text(sweep_error("1:10:log2.5"), "whole number"));
-  EXPECT_TRUE(has_text(sweep_error("0:1:1e-12"), "1e9"));
-  EXPECT_TRUE(has_text(sweep_error("1:10:log1e12"), "1e9"));
+  for (const auto& [text, said] : {std::pair{"0:inf:1", "finite"},
+                                   {"0:10:log5", "above 0"},
+                                   {"1:10:log1", "2 or more"},
+                                   {"1:10:log2.5", "whole number"},
+                                   {"0:1:1e-12", "1e9"},
+                                   {"1:10:log1e12", "1e9"}}) {
+    EXPECT_TRUE(has_text(sweep_error(text), said)) << text;
+  }
 }
 
 TEST(Number, ReadsBackTheSameDouble) {
@@ -320,8 +317,8 @@ TEST(Table, ColumnsInTheOrderAskedFor) {
       "[,\n{\"d\":\"1.5\",\"b;c\":0.5},\n{\"d\":\"u;v\",\"b;c\":\"-inf\"}");
   EXPECT_EQ(row_text({.format = Format::markdown, .columns = {"b;c"}}),
             "|    b;c |\n| -----: |\n| 0.5000 |\n|   -inf |\n");
-  EXPECT_EQ(error_message([] { row_text({.columns = {"b;d"}}); }),
-            "unknown column \"b;d\": did you mean \"b;c\"?");
+  EXPECT_ERROR(row_text({.columns = {"b;d"}}),
+               "unknown column \"b;d\": did you mean \"b;c\"?");
   EXPECT_ERROR(row_text({.columns = {"xyz"}}),
                "unknown column \"xyz\" (a, b;c, d)");
 }
@@ -443,8 +440,8 @@ TEST(Quantity, IsAKeyOfAFile) {
   EXPECT_EQ(key("2 in").value, "2");
   EXPECT_EQ(key("2 in").origin, "--x 2 in");
   EXPECT_EQ(key("0.05").key, "geometry.radius_m");
-  EXPECT_EQ(error_message([&] { key("2ft"); }),
-            "--x 2ft must be a number in m, mm, um, cm, in or km");
+  EXPECT_ERROR(key("2ft"),
+               "--x 2ft must be a number in m, mm, um, cm, in or km");
 }
 
 TEST(Quantity, DimensionOfAUnit) {
@@ -522,44 +519,27 @@ TEST(Laws, AllAreThoseThatAllowTheLoading) {
 
 TEST(Table, DistinctNames) {
   EXPECT_EQ(cli::distinct_names({"a", "chi", "a"}, {"chi", "chi_in"}),
-            (std::vector<std::string>{"a", "chi_in2", "a_in"}));
+            (Texts{"a", "chi_in2", "a_in"}));
   EXPECT_EQ(cli::distinct_names({"", "a_in2", "a", "a", "", "a", "a"}, {""}),
-            (std::vector<std::string>{"_in", "a_in2", "a", "a_in", "_in2",
-                                      "a_in3", "a_in4"}));
+            (Texts{"_in", "a_in2", "a", "a_in", "_in2", "a_in3", "a_in4"}));
 }
 
 // Spreadsheets end lines in empty columns. Names that are searched for one by
 // one, or grow with every column, take minutes and gigabytes for these.
 TEST(Table, ManyEqualNamesStayShort) {
   constexpr std::size_t count = 200'000;
-  const std::vector<std::string> names =
-      cli::distinct_names(std::vector<std::string>(count), {});
+  const std::vector<std::string> names = cli::distinct_names(Texts(count), {});
   EXPECT_EQ(std::set<std::string>(names.begin(), names.end()).size(), count);
   for (const std::string& name : names) ASSERT_LE(name.size(), 9U);
 }
 
 class OutputFile : public testing::Test {
  protected:
-  OutputFile() { std::filesystem::create_directory(folder_); }
-  ~OutputFile() override { std::filesystem::remove_all(folder_); }
+  std::string read(const std::string& name) const { return owner_.read(name); }
+  std::size_t files() const { return owner_.files().size(); }
 
-  std::string read(const std::string& name) const {
-    std::ostringstream text;
-    text << std::ifstream(folder_ / name).rdbuf();
-    return text.str();
-  }
-  std::size_t files() const {
-    std::size_t count = 0;
-    for ([[maybe_unused]] const auto& entry :
-         std::filesystem::directory_iterator(folder_)) {
-      ++count;
-    }
-    return count;
-  }
-
-  const std::filesystem::path folder_ =
-      std::filesystem::temp_directory_path() /
-      ("contact_cli_test_" + std::to_string(getpid()));
+  const ProgramFolder owner_;
+  const std::filesystem::path folder_ = owner_.path();
 };
 
 TEST_F(OutputFile, AppearsOnlyWhenComplete) {

@@ -2,7 +2,6 @@
 
 #include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <vector>
 
@@ -15,22 +14,19 @@
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // The solutions by the gap, on which interference stands: against reference
 // rows, the closed form of identical materials and the solutions by the
 // pressure.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::detail::BallGap;
-using contact::detail::PinGap;
-using contact::detail::SignedContact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double pi = std::numbers::pi;
+using detail::BallGap;
+using detail::PinGap;
+using detail::SignedContact;
 
 template <class Gap>
 void compare_with_rows(const std::string& file, JointKind kind) {
@@ -244,3 +240,4 @@ TEST(OddSphericalBessel, IsBoosts) {
 }
 
 }  // namespace
+}  // namespace contact::test

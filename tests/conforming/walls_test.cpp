@@ -4,7 +4,6 @@
 #include <string>
 #include <type_traits>
 #include <utility>
-#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <vector>
 
 #include "duty/worn_pin_clearance.hpp"
@@ -16,6 +15,7 @@
 #include "libcontact/joint/spec.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
 namespace contact::test {
@@ -25,7 +25,6 @@ using detail::WornCircle;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double pi = std::numbers::pi;
 constexpr double length = 0.05;
 constexpr double weak = 1e-6;  // friction
 

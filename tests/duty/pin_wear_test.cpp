@@ -5,8 +5,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
-#include <string>
 #include <vector>
 
 #include "duty/worn_pin_clearance.hpp"
@@ -17,6 +15,7 @@
 #include "libcontact/pressure/exact.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
 namespace contact::test {
@@ -24,8 +23,6 @@ namespace {
 
 using detail::PinWear;
 using detail::WornCircle;
-
-constexpr double pi = std::numbers::pi;
 
 LayeredPair pair_of(const ReferenceTable::Row& row) {
   return {row.value("rho"), Material{row.value("pin_E"), row.value("pin_nu")},
@@ -289,9 +286,9 @@ TEST(WearInPressed, IsOfPins) {
       JointGeometry::ball(pair.radius(), -2e-5), pair.surfaces(),
       FrictionLaw(0.1), std::make_shared<ExactLaw>(kind, pair),
       std::make_shared<ExactPressure>(kind, pair), {.walls = pair});
-  EXPECT_EQ(error_message([&] { wear_in(steady(1000), ball, {1e-17}, 10); }),
-            "wear without clearance or with interference requires a pin: a "
-            "ball slides faster at its equator, so that it loses its shape");
+  EXPECT_ERROR(wear_in(steady(1000), ball, {1e-17}, 10),
+               "wear without clearance or with interference requires a pin: a "
+               "ball slides faster at its equator, so that it loses its shape");
 }
 
 }  // namespace

@@ -15,6 +15,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/random_slip.hpp"
 #include "support/reference_table.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -189,26 +190,16 @@ TEST(SlidingContact, PressureWithItsPeakOffTheCentre) {
   const ReferenceTable::Row row = table[6];
   ASSERT_EQ(row.text("id"), "7");
   const JointSpec joint = parse_joint(R"(
-name = "ring"
-kind = "pin"
-[geometry]
-radius_m = 0.025
-radial_clearance_um = 25
-length_m = 1
-[materials]
-inner = { youngs_modulus_Pa = inf }
+name = "ring"; kind = "pin"
+[geometry]; radius_m = 0.025; radial_clearance_um = 25; length_m = 1
+[materials]; inner = { youngs_modulus_Pa = inf }
 outer = { youngs_modulus_GPa = 110, poissons_ratio = 0.3 }
-[friction]
-coefficient = 0.1
-[wall]
-backing = "held"
-[[wall.layer]]
-thickness_um = 75
-[[wall.layer]]
-thickness_mm = 6.25
-youngs_modulus_GPa = 210
+[friction]; coefficient = 0.1
+[wall]; backing = "held"
+[[wall.layer]]; thickness_um = 75
+[[wall.layer]]; thickness_mm = 6.25; youngs_modulus_GPa = 210
 poissons_ratio = 0.3
-)",
+)"_toml,
                                       "ring");
   const JointContact contact = joint.contact();
   const JointSolution s =
@@ -229,20 +220,14 @@ poissons_ratio = 0.3
 TEST(SlidingContact, NarrowPeaksBesideTheEdge) {
   for (const char* thickness : {"0.1", "0.2"}) {
     const JointSpec spec = parse_joint(std::string(R"(
-name = "ring"
-kind = "ball"
-[geometry]
-radius_mm = 14
-radial_clearance_um = 100
-[materials]
-inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
+name = "ring"; kind = "ball"
+[geometry]; radius_mm = 14; radial_clearance_um = 100
+[materials]; inner = { youngs_modulus_GPa = 210, poissons_ratio = 0.3 }
 outer = { youngs_modulus_GPa = 1, poissons_ratio = 0.4 }
-[friction]
-coefficient = 0.1
-[wall]
-backing = "held"
+[friction]; coefficient = 0.1
+[wall]; backing = "held"
 [[wall.layer]]
-thickness_mm = )") + thickness + "\n",
+thickness_mm = )"_toml) + thickness + "\n",
                                        "ring");
     const Joint joint(spec.contact());
     for (const double force : {1., 30., 3000.}) {

@@ -20,6 +20,7 @@
 #include "libcontact/pressure/worn.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
 namespace contact::test {
@@ -118,7 +119,6 @@ TEST(WearIn, SlidingCoefficientOfAWornInBall) {
 
 // Values of WornPressure for such a ball, docs/pressure_laws.md; the limits.
 TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
-  constexpr double pi = std::numbers::pi;
   const WornPressure law(JointKind::ball);
   double largest = 0;
   for (double theta0_deg = 1; theta0_deg < 90; theta0_deg += 1) {

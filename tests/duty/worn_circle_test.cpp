@@ -5,18 +5,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <numbers>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/pin.hpp"
+#include "support/numbers.hpp"
 
 namespace contact::test {
 namespace {
 
 using detail::WornCircle;
 using Eigen::VectorXd;
-
-constexpr double pi = std::numbers::pi;
 
 const Material steel{2.1e11, 0.3};
 const Material polymer{1e9, 0.4};

@@ -14,12 +14,12 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
-#include "libcontact/files/joint_tables.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
+#include "support/program.hpp"
 
 namespace contact::test {
 namespace {
@@ -27,6 +27,11 @@ namespace {
 namespace fs = std::filesystem;
 
 EditedFile ball_file() { return EditedFile("ball.toml"); }
+
+// A joint of data/joints.
+JointSpec sample_joint(const std::string& name) {
+  return read_joint(CONTACT_DATA_DIR "/joints/" + name + ".toml");
+}
 
 JointSpec parsed(const EditedFile& file) {
   return parse_joint(file.text(), "j.toml");
@@ -225,10 +230,9 @@ TEST(JointFile, PlaneStressOfPins) {
   const JointSpec plate = read("plane_state = \"stress\"", wall);
   EXPECT_EQ(plate.outer.layers[0].material, stress.outer.surface());
   EXPECT_NEAR(compliance(plate.outer.backing.material()) * 3e9, 1, rounding);
-  EXPECT_EQ(error_message(
-                [&] { read("plane_state = \"stress\"\ntemperature_C = 40"); }),
-            "plate.toml:1: plane_state = \"stress\" conflicts with "
-            "temperature_C (line 2)");
+  EXPECT_ERROR(read("plane_state = \"stress\"\ntemperature_C = 40"),
+               "plate.toml:1: plane_state = \"stress\" conflicts with "
+               "temperature_C (line 2)");
 }
 
 TEST(JointFile, SeatsThatEnd) {
@@ -244,12 +248,13 @@ TEST(JointFile, SeatsThatEnd) {
   const JointSpec turned =
       parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\naxis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
-  EXPECT_EQ(
-      error_message([&] { seat("cup_deg = 80\nupper_rim_deg = 90"); }),
+  EXPECT_ERROR(
+      seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
       "23)");
-  EXPECT_EQ(error_message([&] { seat("cup_deg = 80\naxis = [0, 0, 0]"); }),
-            "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
+  EXPECT_ERROR(
+      seat("cup_deg = 80\naxis = [0, 0, 0]"),
+      "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
 }
 
 TEST(JointFile, Walls) {
@@ -332,14 +337,10 @@ TEST(MaterialPairFile, Reads) {
 // A folder of its own for each test, removed at its end.
 class JointFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("contact_joint_file_") + info->name());
+  JointFolder() {
     fs::create_directories(folder_ / "materials");
     fs::create_directories(folder_ / "joints");
   }
-  void TearDown() override { fs::remove_all(folder_); }
 
   std::string write(const std::string& name, const std::string& text) const {
     std::ofstream(folder_ / name) << text;
@@ -351,7 +352,8 @@ class JointFolder : public testing::Test {
            materials;
   }
 
-  fs::path folder_;
+  const ProgramFolder owner_;
+  const fs::path folder_ = owner_.path();
 };
 
 TEST_F(JointFolder, PairFileByRelativePath) {
@@ -453,8 +455,7 @@ TEST(DataFiles, LedgerNamesEveryFile) {
 
 // The paper's examples as files: section 5, recomputed values.
 TEST(DataFiles, PaperExamples) {
-  const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
-  const JointSpec one = read_joint(folder / "paper_example_1.toml");
+  const JointSpec one = sample_joint("paper_example_1");
   const double load = one.load_scale().load_parameter(2e5);
   EXPECT_NEAR(load, 0.5460, 5e-5);
   EXPECT_NEAR(one.make_half_angle_law()->half_angle(load).half_angle / degree,
@@ -463,7 +464,7 @@ TEST(DataFiles, PaperExamples) {
   EXPECT_DOUBLE_EQ(dry(one.friction).adhesion() / 0.1, 4e8);
   EXPECT_TRUE(one.validity_notes().empty());
 
-  const JointSpec two = read_joint(folder / "paper_example_2.toml");
+  const JointSpec two = sample_joint("paper_example_2");
   const double load_two = two.load_scale().load_parameter(2.5214e5);
   EXPECT_NEAR(
       two.make_half_angle_law()->half_angle(load_two).half_angle / degree,
@@ -475,9 +476,8 @@ TEST(DataFiles, PaperExamples) {
 // How much the wall matters in a hip at 2 kN: half-angle and peak pressure of
 // an independent solution to four digits, beside those of the infinite seat.
 TEST(DataFiles, TheWalledHip) {
-  const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
-  const auto contact_of = [&](const char* file, const std::string& law) {
-    JointSpec joint = read_joint(folder / file);
+  const auto contact_of = [&](const char* name, const std::string& law) {
+    JointSpec joint = sample_joint(name);
     joint.half_angle_law = joint.pressure_law = law;
     const double half_angle =
         joint.make_half_angle_law()
@@ -489,16 +489,16 @@ TEST(DataFiles, TheWalledHip) {
         joint.geometry.pressure_unit(2000) * pressure->peak(half_angle) / 1e6,
         pressure->force_ratio(half_angle)};
   };
-  const auto walled = contact_of("hip_cocr_uhmwpe.toml", "exact");
+  const auto walled = contact_of("hip_cocr_uhmwpe", "exact");
   EXPECT_NEAR(walled[0], 43.47, 5e-3);
   EXPECT_NEAR(walled[1], 11.33, 5e-3);
   EXPECT_NEAR(walled[2], 1.115, 5e-4);
-  const auto infinite = contact_of("hip_cocr_uhmwpe_infinite.toml", "exact");
+  const auto infinite = contact_of("hip_cocr_uhmwpe_infinite", "exact");
   EXPECT_NEAR(infinite[0], 48.05, 5e-3);
   EXPECT_NEAR(infinite[1], 8.84, 5e-3);
   EXPECT_NEAR(infinite[2], 1.149, 5e-4);
 
-  const JointSpec hip = read_joint(folder / "hip_cocr_uhmwpe.toml");
+  const JointSpec hip = sample_joint("hip_cocr_uhmwpe");
   const ContactApproach approach =
       BallContact(*hip.conditions().walls).approach(walled[0] * degree);
   EXPECT_NEAR(approach.approach * hip.geometry.radial_clearance(), 45.7e-6,
@@ -649,18 +649,18 @@ TEST_F(JointFolder, OneKeyIsSetOnce) {
           .file("b", inner);
     });
   };
-  EXPECT_EQ(message({{"t[1].x_mm", "2"}, {"t[one].c[1].y", "4"}}),
-            "(no error)");
-  EXPECT_EQ(message({{"t[1].c[1].z", "*2"}, {"t[1].c[1].z[1]", "4"}}),
-            "(no error)");
-  EXPECT_EQ(message({{"t[1].x_mm", "2"}, {"t[one].x_m", "4"}}),
-            "x_m = 4 conflicts with x_mm");
-  EXPECT_EQ(message({{"t[1].c[d].y", "2"}, {"t[one].c[1].y", "4"}}),
-            "c[1].y = 4 conflicts with c[d].y");
-  EXPECT_EQ(message({{"t[1].c[1].z[2]", "2"}, {"t[one].c[d].z[2]", "4"}}),
-            "c[d].z[2] = 4 conflicts with c[1].z[2]");
-  EXPECT_EQ(message({{"t[1].name", "a"}, {"t[1].name", "b"}}),
-            "t[1].name = b conflicts with t[1].name");
+  const std::pair<KeySettings, const char*> cases[] = {
+      {{{"t[1].x_mm", "2"}, {"t[one].c[1].y", "4"}}, "(no error)"},
+      {{{"t[1].c[1].z", "*2"}, {"t[1].c[1].z[1]", "4"}}, "(no error)"},
+      {{{"t[1].x_mm", "2"}, {"t[one].x_m", "4"}},
+       "x_m = 4 conflicts with x_mm"},
+      {{{"t[1].c[d].y", "2"}, {"t[one].c[1].y", "4"}},
+       "c[1].y = 4 conflicts with c[d].y"},
+      {{{"t[1].c[1].z[2]", "2"}, {"t[one].c[d].z[2]", "4"}},
+       "c[d].z[2] = 4 conflicts with c[1].z[2]"},
+      {{{"t[1].name", "a"}, {"t[1].name", "b"}},
+       "t[1].name = b conflicts with t[1].name"}};
+  for (const auto& [settings, said] : cases) EXPECT_EQ(message(settings), said);
 }
 
 // A file is parsed once: what becomes of it later is not seen.
@@ -717,49 +717,36 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
   // The program has not declared it.
   EXPECT_THROW(static_cast<void>(table.has("other")), std::logic_error);
 
-  const auto message = [](const auto& call) { return error_message(call); };
-  EXPECT_EQ(message([&] {
-              TomlTable::from_text(text, "t.toml",
-                                   {{"v", Dimension::length},
-                                    {"m", Dimension::inertia},
-                                    {"n"},
-                                    {"flag"},
-                                    {"word"},
-                                    table_key("item", {{"y"}})});
-            }),
-            "t.toml:7: unknown key \"item[1].x\" (y)");
-  EXPECT_EQ(message([&] { table.numbers("v", {2}, any); }),
-            "t.toml:1: v_mm = [1, 2.5, -3] must be an array of 2 numbers");
-  EXPECT_EQ(message([&] { table.numbers("v", {3}, Interval::positive()); }),
-            "t.toml:1: v_mm[3] = -3 must be above 0");
-  EXPECT_EQ(message([&] {
-              table.numbers("m", {3, 3}, any);
-            }),
-            "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]] must be an array of 3 arrays "
-            "of 3 numbers");
-  EXPECT_EQ(message([&] {
-              table.numbers("m", {3, 2, true}, any);
-            }),
-            "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]] must be an array of 3 or "
-            "more arrays of 2 numbers");
-  EXPECT_EQ(message([&] {
-              table.numbers("m", {2, 2}, {0, 3});
-            }),
-            "t.toml:2: m_kg_m2[2][2] = 4 must be 0 to 3 kg m^2");
-  EXPECT_EQ(message([&] { table.integer("n", 0, 6); }),
-            "t.toml:3: n = 7 must be an integer, 0 to 6");
-  EXPECT_EQ(message([&] { table.flag("n"); }),
-            "t.toml:3: n = 7 must be true or false");
-  EXPECT_EQ(message([&] { table.integer("flag", 0, 6); }),
-            "t.toml:4: flag = true must be an integer, 0 to 6");
-  EXPECT_EQ(message([&] { table.tables("n"); }),
-            "t.toml:3: n = 7 must be an array of tables");
-  EXPECT_EQ(message([&] { table.table("n"); }),
-            "t.toml:3: n = 7 must be a table");
-  EXPECT_EQ(message([&] { items[1].fail("x", "too many"); }),
-            "t.toml:9: item[2].x = 2: too many");
-  EXPECT_EQ(message([&] { items[1].fail("y", "no y"); }),
-            "t.toml:8: item[2].y: no y");
+  EXPECT_ERROR(TomlTable::from_text(text, "t.toml",
+                                    KnownKeys({{"v", Dimension::length},
+                                               {"m", Dimension::inertia},
+                                               {"n"},
+                                               {"flag"},
+                                               {"word"},
+                                               table_key("item", {{"y"}})})),
+               "t.toml:7: unknown key \"item[1].x\" (y)");
+  EXPECT_ERROR(table.numbers("v", {2}, any),
+               "t.toml:1: v_mm = [1, 2.5, -3] must be an array of 2 numbers");
+  EXPECT_ERROR(table.numbers("v", {3}, Interval::positive()),
+               "t.toml:1: v_mm[3] = -3 must be above 0");
+  const std::string matrix =
+      "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]] must be an "
+      "array of 3 ";
+  EXPECT_ERROR(table.numbers("m", {3, 3}, any), matrix + "arrays of 3 numbers");
+  EXPECT_ERROR(table.numbers("m", {3, 2, true}, any),
+               matrix + "or more arrays of 2 numbers");
+  EXPECT_ERROR(table.numbers("m", {2, 2}, {0, 3}),
+               "t.toml:2: m_kg_m2[2][2] = 4 must be 0 to 3 kg m^2");
+  const std::string n = "t.toml:3: n = 7 must be ";
+  EXPECT_ERROR(table.integer("n", 0, 6), n + "an integer, 0 to 6");
+  EXPECT_ERROR(table.flag("n"), n + "true or false");
+  EXPECT_ERROR(table.tables("n"), n + "an array of tables");
+  EXPECT_ERROR(table.table("n"), n + "a table");
+  EXPECT_ERROR(table.integer("flag", 0, 6),
+               "t.toml:4: flag = true must be an integer, 0 to 6");
+  EXPECT_ERROR(items[1].fail("x", "too many"),
+               "t.toml:9: item[2].x = 2: too many");
+  EXPECT_ERROR(items[1].fail("y", "no y"), "t.toml:8: item[2].y: no y");
 }
 
 // A number that is read from a text.
@@ -789,19 +776,19 @@ TEST(TomlTable, ValuesInMessagesStayShort) {
 }
 
 TEST(TomlTable, RangesReadAsSentences) {
-  const auto rule = [&](const Interval& range) {
-    const std::string message = error_message([&] { number_of("nan", range); });
-    return message.substr(message.find("must be ") + 8);
-  };
-  EXPECT_EQ(rule(Interval::any()), "a finite number");
-  EXPECT_EQ(rule(Interval::positive()), "above 0");
-  EXPECT_EQ(rule(Interval::non_negative()), "0 or above");
-  EXPECT_EQ(rule({1, 2}), "1 to 2");
-  EXPECT_EQ(rule({1, 2, true, true}), "above 1 and below 2");
-  EXPECT_EQ(rule({1, 2, true, false}), "above 1 and up to 2");
-  EXPECT_EQ(rule({1, 2, false, true}), "from 1 and below 2");
-  EXPECT_EQ(rule({-Interval::largest, 2}), "up to 2");
-  EXPECT_EQ(rule({-Interval::largest, 2, false, true}), "below 2");
+  for (const auto& [range, rule] :
+       {std::pair{Interval::any(), "a finite number"},
+        {Interval::positive(), "above 0"},
+        {Interval::non_negative(), "0 or above"},
+        {{1, 2}, "1 to 2"},
+        {{1, 2, true, true}, "above 1 and below 2"},
+        {{1, 2, true, false}, "above 1 and up to 2"},
+        {{1, 2, false, true}, "from 1 and below 2"},
+        {{-Interval::largest, 2}, "up to 2"},
+        {{-Interval::largest, 2, false, true}, "below 2"}}) {
+    EXPECT_ERROR(number_of("nan", range),
+                 std::string("t:1: x = nan must be ") + rule);
+  }
 }
 
 TEST(TomlTable, TextWithoutANameHasMessagesWithoutAPlace) {
@@ -904,8 +891,7 @@ TEST(JointFile, MessagesNameTheOriginOfSettings) {
 }
 
 TEST(JointFile, ContactIsMadeOfAllThatTheFileSays) {
-  const JointSpec joint = read_joint(fs::path(CONTACT_DATA_DIR) / "joints" /
-                                     "hip_cocr_uhmwpe_infinite.toml");
+  const JointSpec joint = sample_joint("hip_cocr_uhmwpe_infinite");
   const JointContact one = joint.contact();
   EXPECT_EQ(one.geometry().radius(), joint.geometry.radius());
   EXPECT_EQ(one.pair(), joint.pair());
@@ -932,8 +918,7 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   const auto pressure = [&](const JointSpec& joint) {
     return laws.pressure(joint).get();
   };
-  const fs::path folder = fs::path(CONTACT_DATA_DIR) / "joints";
-  const JointSpec joint = read_joint(folder / "wheel_ball.toml");
+  const JointSpec joint = sample_joint("wheel_ball");
   JointSpec other = joint;
   other.name = "another";
   EXPECT_EQ(half_angle(other), half_angle(joint));
@@ -946,11 +931,11 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   EXPECT_EQ(pressure(third), pressure(joint));
   third.pressure_law = "cosine";
   EXPECT_NE(pressure(third), pressure(joint));
-  for (const char* file : {"wheel_pin.toml", "hip_cocr_uhmwpe_infinite.toml",
-                           "hip_cocr_uhmwpe.toml"}) {
-    const JointSpec unlike = read_joint(folder / file);
-    EXPECT_NE(half_angle(unlike), half_angle(joint)) << file;
-    EXPECT_NE(pressure(unlike), pressure(joint)) << file;
+  for (const char* name :
+       {"wheel_pin", "hip_cocr_uhmwpe_infinite", "hip_cocr_uhmwpe"}) {
+    const JointSpec unlike = sample_joint(name);
+    EXPECT_NE(half_angle(unlike), half_angle(joint)) << name;
+    EXPECT_NE(pressure(unlike), pressure(joint)) << name;
   }
 }
 

@@ -3,30 +3,22 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <map>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/units.hpp"
 #include "play/reference_joint.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::error_message;
-using contact::test::ReferenceTable;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 Relief relief_of(const ReferenceTable::Row& row) {
   const std::string& kind = row.text("crown");
@@ -282,12 +274,12 @@ TEST(FinitePin, ReliefIsWhatItSays) {
   EXPECT_NEAR(at(ends, -0.025), 1e-5, 1e-20);
   EXPECT_NEAR(at(ends, 0.02), 2.5e-6, 1e-20);
   EXPECT_EQ(at(ends, 0.014), 0);
-  EXPECT_EQ(error_message([] { Relief::barrel(0); }),
-            "relief: depth = 0 must be above 0 m");
-  EXPECT_EQ(error_message([] { Relief::ends(1e-5, nan); }),
-            "relief: length = nan must be above 0 m");
-  EXPECT_EQ(error_message([] { FinitePin(bush(Relief::ends(1e-5, 0.03))); }),
-            "relief: length = 0.03 must be at most half of the joint's length");
+  EXPECT_ERROR(Relief::barrel(0), "relief: depth = 0 must be above 0 m");
+  EXPECT_ERROR(Relief::ends(1e-5, nan),
+               "relief: length = nan must be above 0 m");
+  EXPECT_ERROR(
+      FinitePin(bush(Relief::ends(1e-5, 0.03))),
+      "relief: length = 0.03 must be at most half of the joint's length");
 }
 
 TEST(FinitePin, SaysWhereItEnds) {
@@ -309,13 +301,14 @@ TEST(FinitePin, SaysWhereItEnds) {
   EXPECT_EQ(none.peak_pressure, 0);
   EXPECT_TRUE(std::isnan(none.low));
   JointSpec ball = test::steel_ball();
-  EXPECT_EQ(error_message([&] { FinitePin{ball}; }),
-            "a pin of finite length requires kind = pin");
+  EXPECT_ERROR(FinitePin{ball}, "a pin of finite length requires kind = pin");
   JointSpec wet = bush();
   wet.friction = ViscousLaw(1, 0);
-  EXPECT_EQ(error_message([&] { FinitePin{wet}; }),
-            "a pin of finite length requires dry friction: a coefficient and "
-            "an adhesion");
+  EXPECT_ERROR(
+      FinitePin{wet},
+      "a pin of finite length requires dry friction: a coefficient and "
+      "an adhesion");
 }
 
 }  // namespace
+}  // namespace contact::test

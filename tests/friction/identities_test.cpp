@@ -6,7 +6,6 @@
 #include <functional>
 #include <ostream>
 #include <string>
-#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"

@@ -1,9 +1,7 @@
 // Case files: any text either gives a case whose bodies make a system or one
 // contact::Error with a message of one line that starts with the file's name.
-#include <cmath>
 #include <cstdint>
 #include <cstdlib>
-#include <string>
 #include <string_view>
 
 #include "fuzz.hpp"

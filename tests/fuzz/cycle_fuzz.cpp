@@ -1,8 +1,6 @@
 // Cycles for hinge-duty: any text is a cycle that can be asked for its forces
 // and rates, or one contact::Error. Input whose first byte is odd is of a pin,
 // the next bit makes it an OpenSim table.
-#include <cmath>
-#include <string>
 
 #include "fuzz.hpp"
 #include "programs/duty/cycle_file.hpp"

@@ -1,7 +1,6 @@
 // Measured moments for hinge-identify: any text is a list of finite moments
 // with errors above 0, or one contact::Error. Input whose first byte is odd is
 // of a pin.
-#include <string>
 
 #include "fuzz.hpp"
 #include "programs/identify/data.hpp"

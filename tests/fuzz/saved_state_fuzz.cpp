@@ -24,89 +24,48 @@
 #include "separation/results/saved_state.hpp"
 #include "separation/results/state_json.hpp"
 #include "separation/results/summary.hpp"
+#include "support/toml_text.hpp"
 
 namespace {
 
+using contact::test::operator""_toml;
 using nlohmann::json;
 using separation::Case;
 // A ball on a lock that has opened, and a wheel that comes to rest.
-constexpr const char* text = R"(
+const std::string text = R"(
 name = "two"
-[run]
-end_time_s = 2
-output_step_s = 0.1
-[carrier]
-name = "core"
-mass_kg = 100
-principal_inertia_kg_m2 = [10, 12, 14]
+[run]; end_time_s = 2; output_step_s = 0.1
+[carrier]; name = "core"; mass_kg = 100; principal_inertia_kg_m2 = [10, 12, 14]
 start = { angular_velocity_rad_per_s = [0.1, -0.2, 0.3] }
-[[carrier.shape]]
-kind = "capsule"
-from_m = [0, 0, 0]
-to_m = [0.1, 0, 0]
+[[carrier.shape]]; kind = "capsule"; from_m = [0, 0, 0]; to_m = [0.1, 0, 0]
 radius_m = 0.4
-[[body]]
-name = "tip"
-mass_kg = 20
-com_m = [0.2, 0.1, 0]
-principal_inertia_kg_m2 = [1, 2, 2.5]
-lock.body_point_m = [0.5, 0, 0]
-[[body.shape]]
-kind = "capsule"
-from_m = [0, 0, 0]
-to_m = [0.1, 0, 0]
+[[body]]; name = "tip"; mass_kg = 20; com_m = [0.2, 0.1, 0]
+principal_inertia_kg_m2 = [1, 2, 2.5]; lock.body_point_m = [0.5, 0, 0]
+[[body.shape]]; kind = "capsule"; from_m = [0, 0, 0]; to_m = [0.1, 0, 0]
 radius_m = 0.1
-[body.hinge]
-kind = "ball"
-carrier_point_m = [1, 0, 0]
-[[body.hinge.joint]]
-name = "ball"
-kind = "ball"
+[body.hinge]; kind = "ball"; carrier_point_m = [1, 0, 0]
+[[body.hinge.joint]]; name = "ball"; kind = "ball"
 geometry = { radius_mm = 30, radial_clearance_um = 60 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.2, adhesion_MPa = 1 }
-[[body]]
-name = "wheel"
-mass_kg = 8
-principal_inertia_kg_m2 = [0.4, 0.4, 0.7]
-start.rate_rpm = 20
-[body.hinge]
-kind = "axis"
-carrier_point_m = [-0.5, 0, 0.5]
-axis = [0, 0, 1]
-[[body.hinge.joint]]
-name = "pin"
-kind = "pin"
+[[body]]; name = "wheel"; mass_kg = 8
+principal_inertia_kg_m2 = [0.4, 0.4, 0.7]; start.rate_rpm = 20
+[body.hinge]; kind = "axis"; carrier_point_m = [-0.5, 0, 0.5]; axis = [0, 0, 1]
+[[body.hinge.joint]]; name = "pin"; kind = "pin"
 geometry = { radius_mm = 15, radial_clearance_um = 30, length_mm = 20 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.2 }
-[[event]]
-name = "lock opens"
-time_s = 0.4
-breaks = "lock"
-bodies = ["tip"]
-[[event]]
-name = "tip leaves"
-after = "lock opens"
-delay_s = 0.7
-breaks = "hinge"
-bodies = ["tip"]
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "tip"
-point_m = [0.1, 0.3, 0]
-carrier_point_m = [1.1, 0.3, 0]
-direction = [-0.5, 1, 0.2]
-first_force_N = 200
-last_force_N = 50
+[[event]]; name = "lock opens"; time_s = 0.4; breaks = "lock"; bodies = ["tip"]
+[[event]]; name = "tip leaves"; after = "lock opens"; delay_s = 0.7
+breaks = "hinge"; bodies = ["tip"]
+[[force]]; name = "pusher"; kind = "pusher"; body = "tip"
+point_m = [0.1, 0.3, 0]; carrier_point_m = [1.1, 0.3, 0]
+direction = [-0.5, 1, 0.2]; first_force_N = 200; last_force_N = 50
 stroke_mm = 60
-[[clearance]]
-a = "core"
-b = "tip"
-)";
+[[clearance]]; a = "core"; b = "tip"
+)"_toml;
 
 using contact::test::check;
 

@@ -1,8 +1,6 @@
 // Study files: any text either gives a plan whose distributions have quantiles
 // and which gives each run its numbers, or one contact::Error.
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "fuzz.hpp"
 #include "study/plan/design.hpp"

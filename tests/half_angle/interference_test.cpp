@@ -1,9 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,22 +12,17 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // ExactLaw of joints without clearance and with interference.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::detail::BallGap;
-using contact::detail::PinGap;
-using contact::detail::SignedContact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
+using detail::BallGap;
+using detail::PinGap;
+using detail::SignedContact;
 
 bool has_layers(const LayeredPair& pair) {
   return std::isfinite(pair.relative_thickness());
@@ -42,7 +35,7 @@ std::unique_ptr<const ExactLaw> law_of(JointKind kind,
              : std::make_unique<const ExactLaw>(kind, pair.surfaces());
 }
 
-void compare_with_rows(const std::string& file, JointKind kind) {
+void compare_with_rows(JointKind kind) {
   const bool is_pin = kind == JointKind::pin;
   // Through the table: 1e-7 for homogeneous bodies and walls from 0.1 radii,
   // 5e-6 for thinner ones.
@@ -53,7 +46,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   // Rows of one pair of bodies stand together.
   std::optional<LayeredPair> last;
   std::unique_ptr<const HalfAngleLaw> shared;
-  for (const ReferenceTable::Row row : ReferenceTable(file)) {
+  for (const ReferenceTable::Row row :
+       ReferenceTable("preload/preload_" + to_string(kind) + ".csv")) {
     const LayeredPair pair = test::reference_pair(row);
     if (!last || !(pair == *last)) {
       shared = law_of(kind, pair);
@@ -93,12 +87,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   }
 }
 
-TEST(Interference, IsThatOfTheReferencePins) {
-  compare_with_rows("preload/preload_pin.csv", JointKind::pin);
-}
-
-TEST(Interference, IsThatOfTheReferenceBalls) {
-  compare_with_rows("preload/preload_ball.csv", JointKind::ball);
+TEST(Interference, IsThatOfTheReference) {
+  for (const JointKind kind : kinds) compare_with_rows(kind);
 }
 
 // Homogeneous pairs and walls, thick, thin and free outside.
@@ -217,3 +207,4 @@ TEST(Interference, OtherLawsAndLoadingsKnowNone) {
 }
 
 }  // namespace
+}  // namespace contact::test

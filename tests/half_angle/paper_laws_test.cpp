@@ -6,7 +6,6 @@
 #include <boost/math/constants/constants.hpp>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <string>
 #include <tuple>

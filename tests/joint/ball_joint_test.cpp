@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
@@ -26,20 +25,6 @@ using Eigen::Vector3d;
 // R at the angle b from Dw = speed z.
 Vector3d reaction_at(double force, double b) {
   return {force * std::sin(b), 0, force * std::cos(b)};
-}
-
-// |f/tan g - 1| from the contact that the solution names: the definition of
-// a solution, by the friction integrals alone.
-double true_residual(const Joint& joint, const JointSolution& s) {
-  const auto& friction = std::get<FrictionLaw>(joint.contact().friction());
-  const double rho = joint.contact().geometry().radius();
-  const double force = s.normal_force;
-  const double half_angle = joint.contact().half_angle(force).half_angle;
-  const auto i = friction_integrals(half_angle, s.slip_axis);
-  const double adhesion = friction.adhesion() * rho * rho / force;
-  const double f =
-      friction.coefficient() * i.coefficient.force + adhesion * i.area.force;
-  return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
 }
 
 // Everything that a solution states about itself, on one random input.

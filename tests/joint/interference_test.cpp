@@ -2,8 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <string>
 
 #include "libcontact/base/units.hpp"
@@ -12,18 +10,15 @@
 #include "libcontact/play/published_forces.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // Joints without clearance and with interference.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
-
-constexpr double pi = std::numbers::pi;
 
 JointSpec spec_of(JointKind kind, double clearance,
                   const FrictionModel& friction = FrictionLaw(0.1)) {
@@ -36,7 +31,7 @@ JointSpec spec_of(JointKind kind, double clearance,
           .friction = friction};
 }
 
-void compare_with_rows(const std::string& file, JointKind kind) {
+void compare_with_rows(JointKind kind) {
   const bool is_ball = kind == JointKind::ball;
   AccuracyReport angle("theta0", 1e-7);
   // With walls and below 120 deg the table of all joints serves: 1e-6.
@@ -45,7 +40,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   AccuracyReport shift("shift", 1e-6);
   AccuracyReport friction("chi, sigma_Y, sigma_Z", 2e-6);
   SharedLaws laws;  // rows of one pair of bodies stand together
-  for (const ReferenceTable::Row row : ReferenceTable(file)) {
+  for (const ReferenceTable::Row row :
+       ReferenceTable("preload/preload_" + to_string(kind) + ".csv")) {
     const LayeredPair pair = test::reference_pair(row);
     const double rho = row.value("rho");
     const double eps = row.value("clearance");
@@ -97,12 +93,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   if (!is_ball) friction.may_be_empty();
 }
 
-TEST(InterferenceJoint, IsThatOfTheReferencePins) {
-  compare_with_rows("preload/preload_pin.csv", JointKind::pin);
-}
-
-TEST(InterferenceJoint, IsThatOfTheReferenceBalls) {
-  compare_with_rows("preload/preload_ball.csv", JointKind::ball);
+TEST(InterferenceJoint, IsThatOfTheReference) {
+  for (const JointKind kind : kinds) compare_with_rows(kind);
 }
 
 // Without load: pin rho l (2 pi rho p_0 f0 + 2 pi rho A), ball
@@ -338,15 +330,14 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
   joint.outer = Material{1e9, 0.4};
   for (const char* law : {"fitted", "tanh", "hertz"}) {
     joint.half_angle_law = law;
-    EXPECT_EQ(test::error_message([&] { joint.contact(); }),
-              "half-angle law " + std::string(law) +
-                  " must be exact with interference");
+    EXPECT_ERROR(joint.contact(), "half-angle law " + std::string(law) +
+                                      " must be exact with interference");
   }
   joint.half_angle_law = "";
   EXPECT_EQ(joint.half_angle_law_name(), "exact");
   joint.pressure_law = "cosine";
-  EXPECT_EQ(test::error_message([&] { joint.contact(); }),
-            "pressure law cosine must be exact with interference");
+  EXPECT_ERROR(joint.contact(),
+               "pressure law cosine must be exact with interference");
   // Made by hand, and without clearance.
   const JointContact hertz = [] {
     JointSpec open = spec_of(JointKind::ball, 20e-6);
@@ -355,23 +346,23 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
     open.pressure_law = "worn";
     return open.contact();
   }();
-  EXPECT_EQ(test::error_message([&] { hertz.with_clearance(-1e-6); }),
-            "half-angle law hertz must be exact with interference");
-  EXPECT_EQ(
-      test::error_message([&] { hertz.with_clearance(0); }),
+  EXPECT_ERROR(hertz.with_clearance(-1e-6),
+               "half-angle law hertz must be exact with interference");
+  EXPECT_ERROR(
+      hertz.with_clearance(0),
       "half-angle law hertz must be arctan, tanh, blend, paper, fitted or "
       "exact with no clearance");
   joint.geometry = JointGeometry::ball(0.02, 0);
   joint.pressure_law = "worn";
-  EXPECT_EQ(
-      test::error_message([&] { joint.contact(); }),
+  EXPECT_ERROR(
+      joint.contact(),
       "pressure law worn must be cosine, sqrt_tan, sqrt_theta, mixture or "
       "exact with no clearance");
   joint.geometry = JointGeometry::ball(0.02, -20e-6);
-  EXPECT_EQ(test::error_message(
-                [&] { published_force_laws(joint.geometry, joint.pair()); }),
-            "published force laws requires a radial_clearance above 0 m, not "
-            "-2e-05: the half-angle law exact alone knows joints without");
+  EXPECT_ERROR(
+      published_force_laws(joint.geometry, joint.pair()),
+      "published force laws requires a radial_clearance above 0 m, not "
+      "-2e-05: the half-angle law exact alone knows joints without");
   joint.pressure_law = "";
   joint.outer = LayeredBody({{0.004, Material{1e9, 0.5}}}, Backing::rigid());
   joint.inner = LayeredBody({}, Backing::rigid());
@@ -379,9 +370,10 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
               joint.contact();
             }).find("an incompressible layer or body between rigid ones"),
             std::string::npos);
-  EXPECT_EQ(test::error_message(
-                [] { spec_of(JointKind::pin, -20e-6).contact().worn(1); }),
-            "a worn joint requires a radial_clearance above 0 m, not -2e-05");
+  EXPECT_ERROR(
+      spec_of(JointKind::pin, -20e-6).contact().worn(1),
+      "a worn joint requires a radial_clearance above 0 m, not -2e-05");
 }
 
 }  // namespace
+}  // namespace contact::test

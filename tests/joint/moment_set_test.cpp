@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "libcontact/joint/joint.hpp"

@@ -3,11 +3,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <memory>
 #include <numbers>
 #include <random>
 #include <string>
-#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"

@@ -3,10 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/toms748_solve.hpp>
-#include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/exact.hpp"

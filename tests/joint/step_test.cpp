@@ -2,14 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <vector>
 
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/joints.hpp"
+#include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
 namespace contact::test {
@@ -19,7 +18,6 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
 const Joint dry = steel_ball(FrictionLaw(0.2, 1e4));
 const Joint viscous = steel_ball(ViscousLaw(2e5, 0.3));
 const Joint pin = steel_pin(FrictionLaw(0.2, 1e4));

@@ -3,7 +3,6 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
-#include <string_view>
 
 #include "multibody_oracle/case_file.hpp"
 #include "support/program.hpp"
@@ -98,7 +97,7 @@ TEST(MultibodyEval, RefusesWithTheFilesNameAndNoResult) {
   json file = good();
   const ProgramFolder folder;
   folder.write("c.json", file.dump());
-  EXPECT_EQ(folder.run("multibody-eval c.json").status, 0);
+  folder.run_well("multibody-eval c.json");
   file["carrier"]["active_forces"] = {1, 2, 3};
   folder.write("c.json", file.dump());
   const ProgramResult result =

@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <functional>
 #include <map>
 #include <memory>
 #include <numbers>
@@ -19,18 +20,29 @@ namespace {
 
 using contact::FrictionLaw;
 
+constexpr Integrator integrators[] = {Integrator::adaptive, Integrator::rk4};
+
+// A wheel on a pin under its weight, and the moment that the pin holds.
+constexpr double mass = 20, about = 0.4;
+const contact::Joint dry_pin = pin_joint(FrictionLaw(0.2, 1e4));
+const double held = moment_limit(dry_pin, {0, mass* g, 0});
+
+Motion wheel_motion(const std::function<double(double)>& torque,
+                    const MotionStart& start, const MotionOptions& options,
+                    const HingeFriction& friction = JointFriction{dry_pin}) {
+  return Motion(System(heavy_carrier(), {wheel(mass, about)}), {friction},
+                torque ? std::make_shared<Torque>(torque) : nullptr, start,
+                options);
+}
+
 TEST(MotionFriction, ConstantFrictionStopsAWheelAndItStays) {
-  const double mass = 20, about = 0.4, w0 = 3;
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction = moment_limit(joint, {0, mass * g, 0});
-  ASSERT_GT(friction, 0);
-  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+  const double w0 = 3;
+  ASSERT_GT(held, 0);
+  for (const Integrator integrator : integrators) {
     for (const double sign : {1.0, -1.0}) {
-      MotionOptions options = on_fixed_carrier(integrator, 0.01);
-      MotionStart start = turning(sign * w0);
-      Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                    {JointFriction{joint}}, nullptr, start, options);
-      const double stop = about * w0 / friction;
+      Motion motion = wheel_motion({}, turning(sign * w0),
+                                   on_fixed_carrier(integrator, 0.01));
+      const double stop = about * w0 / held;
       EXPECT_EQ(motion.sample().mode(0), HingeMode::sliding);
       ASSERT_EQ(motion.advance_to(stop + 5), Stop::time);
       ASSERT_EQ(motion.changes().size(), 1u);
@@ -49,19 +61,18 @@ TEST(MotionFriction, ConstantFrictionStopsAWheelAndItStays) {
 // A ball that spins about its reaction, or turns about an axis across it,
 // keeps its axis: its friction is constant.
 TEST(MotionFriction, BallJointStopsAboutItsAxisWhenItShould) {
-  const double mass = 2000, about = 3, w0 = 2;
+  const double heavy = 2000, inertia = 3, w0 = 2;
   const auto joint = ball_joint(FrictionLaw(0.2, 1e4), 0.005);
-  Body body{HingeKind::ball, mass, about * Matrix3d::Identity()};
-  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
+  Body body{HingeKind::ball, heavy, inertia * Matrix3d::Identity()};
+  for (const Integrator integrator : integrators) {
     for (const Vector3d& axis : {Vector3d(0, 1, 0), Vector3d(0, 0, -1)}) {
       const double friction =
-          joint.solve({{0, mass * g, 0}, axis}).friction_moment.norm();
-      MotionOptions options = on_fixed_carrier(integrator);
+          joint.solve({{0, heavy * g, 0}, axis}).friction_moment.norm();
       MotionStart start = start_of(1);
       start.bodies[0].relative_angular_velocity = w0 * axis;
       Motion motion(System(heavy_carrier(), {body}), {JointFriction{joint}},
-                    nullptr, start, options);
-      const double stop = about * w0 / friction;
+                    nullptr, start, on_fixed_carrier(integrator));
+      const double stop = inertia * w0 / friction;
       ASSERT_EQ(motion.advance_to(2 * stop), Stop::time);
       ASSERT_EQ(motion.changes().size(), 1u);
       // A spinning ball has little to hold its axis: rounding pushes it aside
@@ -69,23 +80,19 @@ TEST(MotionFriction, BallJointStopsAboutItsAxisWhenItShould) {
       const bool spins = axis.z() != 0;
       EXPECT_NEAR(motion.changes()[0].time, stop, (spins ? 1e-7 : 1e-9) * stop);
       EXPECT_EQ(motion.sample().mode(0), HingeMode::resting);
-      EXPECT_NEAR(motion.sample().hinge(0).dissipated, about * w0 * w0 / 2,
-                  1e-9 * about * w0 * w0);
+      EXPECT_NEAR(motion.sample().hinge(0).dissipated, inertia * w0 * w0 / 2,
+                  1e-9 * inertia * w0 * w0);
     }
   }
 }
 
 TEST(MotionFriction, RampedTorqueStartsSlidingAtTheRightInstant) {
-  const double mass = 20, about = 0.4, slope = 1.7;
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double friction = moment_limit(joint, {0, mass * g, 0});
-  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier(integrator, 0.01);
-    const auto torque =
-        std::make_shared<Torque>([=](double t) { return slope * t; });
-    Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {JointFriction{joint}}, torque, start_of(1), options);
-    const double begin = friction / slope;
+  const double slope = 1.7;
+  for (const Integrator integrator : integrators) {
+    Motion motion =
+        wheel_motion([=](double t) { return slope * t; }, start_of(1),
+                     on_fixed_carrier(integrator, 0.01));
+    const double begin = held / slope;
     EXPECT_EQ(motion.sample().mode(0), HingeMode::resting);
     ASSERT_EQ(motion.advance_to(begin + 2), Stop::time);
     ASSERT_EQ(motion.changes().size(), 1u);
@@ -100,7 +107,7 @@ TEST(MotionFriction, RampedTorqueStartsSlidingAtTheRightInstant) {
 // Neither a coefficient of 0 nor a joint without body holds anything: a torque
 // that grows from exactly 0 turns the wheel from the beginning.
 TEST(MotionFriction, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
-  const double mass = 20, about = 0.4, slope = 1.7;
+  const double slope = 1.7;
   const auto torque =
       std::make_shared<Torque>([=](double t) { return slope * t; });
   const FrictionLaw none(0);
@@ -117,8 +124,7 @@ TEST(MotionFriction, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
       {HingeKind::axis, GroupFriction{ball_and_pin(FrictionLaw(0.2), 0.2)}, 0},
       {HingeKind::ball, JointFriction{ball_joint(FrictionLaw(0.2))}, 0}};
   for (std::size_t k = 0; k < wheels.size(); ++k) {
-    for (const Integrator integrator :
-         {Integrator::adaptive, Integrator::rk4}) {
+    for (const Integrator integrator : integrators) {
       for (const bool free : {false, true}) {
         SCOPED_TRACE(std::to_string(k) + (free ? ", free" : ""));
         MotionOptions options;
@@ -201,19 +207,19 @@ class Push : public ForceModel {
 // Fixed carrier, a pin with strong friction (sin g = 0.97, rho = 0.15 m) and
 // kappa = rho sin g m r/J = 1.455: M = -rho sin g |(Rx, Ry + 10 M)|.
 TEST(MotionFriction, NoneOrSeveralFrictionMomentsAreReported) {
-  const double sine = 0.97, radius = 0.15, mass = 1, arm = 0.05;
-  const double inertia = mass * 2 * 0.05 * 0.05;  // J, about the joint
+  const double sine = 0.97, radius = 0.15, m_arm = 1, arm = 0.05;
+  const double inertia = m_arm * 2 * 0.05 * 0.05;  // J, about the joint
   const double k = radius * sine;
-  const double d = mass * arm / inertia;
-  Body body{HingeKind::axis, mass, Matrix3d::Zero()};
-  body.inertia.diagonal() << 1e-3, 1e-3, mass * 0.05 * 0.05;
+  const double d = m_arm * arm / inertia;
+  Body body{HingeKind::axis, m_arm, Matrix3d::Zero()};
+  body.inertia.diagonal() << 1e-3, 1e-3, m_arm * 0.05 * 0.05;
   body.hinge_from_com = Vector3d(arm, 0, 0);
   const System system(heavy_carrier(), {body});
   const auto friction = JointFriction{
       pin_joint(FrictionLaw(sine / std::sqrt(1 - sine * sine)), radius)};
   // Without motion R = -F + m a, a_y = F_y m arm^2/J/m.
   const auto force_for = [&](double rx, double ry) {
-    return Vector3d(-rx, ry / (1 - mass * arm * arm / inertia), 0);
+    return Vector3d(-rx, ry / (1 - m_arm * arm * arm / inertia), 0);
   };
   for (const bool two : {false, true}) {
     const double rx = two ? 1 : 10, ry = two ? 10 : 3;
@@ -267,14 +273,12 @@ TEST(MotionFriction, RestingHingeNeitherCreepsNorChatters) {
   Body body = wheel(20, 0.4);
   body.hinge_from_com = Vector3d(0.002, -0.001, 0);
   MotionOptions options = on_fixed_carrier(Integrator::rk4, 1e-3);
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held = moment_limit(joint, {0, 20 * g, 0});
   const auto torque = std::make_shared<Torque>(
       [=](double t) { return 0.6 * held * std::sin(3 * t); });
   MotionStart start = start_of(1);
   start.bodies[0].angle = 0.7;
-  Motion motion(System(heavy_carrier(), {body}), {JointFriction{joint}}, torque,
-                start, options);
+  Motion motion(System(heavy_carrier(), {body}), {JointFriction{dry_pin}},
+                torque, start, options);
   ASSERT_EQ(motion.advance_to(1000), Stop::time);
   EXPECT_GE(motion.counts().steps, 1'000'000);
   EXPECT_TRUE(motion.changes().empty());
@@ -286,15 +290,11 @@ TEST(MotionFriction, RestingHingeNeitherCreepsNorChatters) {
 // only, so that sliding is over within a step. On each half swing the wheel
 // slides and sticks again, at times that its own equation gives.
 TEST(MotionFriction, SlidesAndSticksAgainAndAgain) {
-  const double mass = 20, about = 0.4, turns = 2;
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held = moment_limit(joint, {0, mass * g, 0});
+  const double turns = 2;
   for (const double size : {1.3, 1.0001}) {
-    const auto torque = std::make_shared<Torque>(
-        [=](double t) { return size * held * std::sin(turns * t); });
-    Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {JointFriction{joint}}, torque, start_of(1),
-                  on_fixed_carrier());
+    Motion motion = wheel_motion(
+        [=](double t) { return size * held * std::sin(turns * t); },
+        start_of(1), on_fixed_carrier());
     const double period = 2 * std::numbers::pi / turns;
     ASSERT_EQ(motion.advance_to(5 * period), Stop::time);
     ASSERT_EQ(motion.changes().size(), 20u);
@@ -323,22 +323,20 @@ TEST(MotionFriction, SlidesAndSticksAgainAndAgain) {
 // A viscous pin has no rest: a wheel's rate falls exponentially, as long as
 // friction is small beside the weight.
 TEST(MotionFriction, ViscousHingeSlowsDownForEver) {
-  const double mass = 20, about = 0.4, w0 = 3;
+  const double w0 = 3;
   const auto joint = pin_joint(contact::ViscousLaw(2e3));
   const double per_rate =
       -joint.solve({{0, mass * g, 0}, Vector3d::UnitZ()}).friction_moment.z();
   ASSERT_GT(per_rate, 0);
-  MotionStart start = turning(w0);
-  Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                {JointFriction{joint}}, nullptr, start, on_fixed_carrier());
+  Motion motion =
+      wheel_motion({}, turning(w0), on_fixed_carrier(), JointFriction{joint});
   const double time = 3 * about / per_rate;
   ASSERT_EQ(motion.advance_to(time), Stop::time);
   EXPECT_TRUE(motion.changes().empty());
   EXPECT_NEAR(motion.sample().hinge(0).angle_rate, w0 * std::exp(-3), 1e-8);
   // At rest it stays there without being held.
-  start.bodies[0].angle_rate = 0;
-  Motion still(System(heavy_carrier(), {wheel(mass, about)}),
-               {JointFriction{joint}}, nullptr, start, on_fixed_carrier());
+  Motion still =
+      wheel_motion({}, turning(0), on_fixed_carrier(), JointFriction{joint});
   still.advance_to(1);
   EXPECT_EQ(still.sample().mode(0), HingeMode::sliding);
   EXPECT_EQ(still.sample().hinge(0).angle_rate, 0);
@@ -358,9 +356,7 @@ TEST(MotionFriction, TraditionalEstimateBrakesTooHard) {
     } else {
       friction = JointFriction{pin_joint(FrictionLaw(f), 0.02), estimate};
     }
-    MotionStart start = turning(3);
-    Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {friction},
-                  nullptr, start, on_fixed_carrier());
+    Motion motion = wheel_motion({}, turning(3), on_fixed_carrier(), friction);
     motion.advance_to(100);
     return motion.changes().at(0).time;
   };
@@ -480,15 +476,11 @@ TEST(MotionFriction, OnsetsOfBallJointsDoNotChatter) {
 }
 
 TEST(MotionFriction, AHingeThatChangesAgainAndAgainStopsTheMotion) {
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held = moment_limit(joint, {0, 20 * g, 0});
-  const auto torque = std::make_shared<Torque>(
-      [=](double t) { return 1.3 * held * std::sin(2 * t); });
+  const auto torque = [](double t) { return 1.3 * held * std::sin(2 * t); };
   MotionOptions options = on_fixed_carrier();
   options.stall_changes = 3;
   options.stall_span = 100;
-  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}),
-                {JointFriction{joint}}, torque, start_of(1), options);
+  Motion motion = wheel_motion(torque, start_of(1), options);
   ASSERT_EQ(motion.advance_to(100), Stop::failed);
   EXPECT_EQ(motion.changes().size(), 3u);
   EXPECT_EQ(motion.failure()->body, 0);
@@ -502,8 +494,7 @@ TEST(MotionFriction, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   EXPECT_EQ(motion.advance_to(101), Stop::failed);
   // As many changes over a longer time are none too many.
   options.stall_span = 1;
-  Motion slow(System(heavy_carrier(), {wheel(20, 0.4)}), {JointFriction{joint}},
-              torque, start_of(1), options);
+  Motion slow = wheel_motion(torque, start_of(1), options);
   ASSERT_EQ(slow.advance_to(20), Stop::time);
   EXPECT_GT(slow.changes().size(), 20u);
 }
@@ -526,14 +517,14 @@ class TurningMoment : public ForceModel {
 // A velocity that has turned by more than 90 deg at the end of a step has not
 // passed 0.
 TEST(MotionFriction, ASlipThatTurnsAboutGoesOn) {
-  const double about = 3, w = 2, rate = 4;
+  const double inertia = 3, w = 2, rate = 4;
   MotionStart start = start_of(1);
   start.bodies[0].relative_angular_velocity = Vector3d(w, 0, 0);
-  const Body body{HingeKind::ball, 20, about * Matrix3d::Identity()};
+  const Body body{HingeKind::ball, 20, inertia * Matrix3d::Identity()};
   Motion motion(System(heavy_carrier(), {body}),
                 {JointFriction{ball_joint(FrictionLaw(1e-4))}},
-                std::make_shared<TurningMoment>(about * w * rate, rate), start,
-                on_fixed_carrier(Integrator::rk4, 0.45));
+                std::make_shared<TurningMoment>(inertia * w * rate, rate),
+                start, on_fixed_carrier(Integrator::rk4, 0.45));
   ASSERT_EQ(motion.advance_to(2.7), Stop::time);
   EXPECT_TRUE(motion.changes().empty());
   EXPECT_NEAR(motion.sample().hinge(0).relative_angular_velocity.norm(), w,
@@ -543,13 +534,9 @@ TEST(MotionFriction, ASlipThatTurnsAboutGoesOn) {
 // In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of
 // what it holds, 1.02 just after its beginning.
 TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held = moment_limit(joint, {0, 20 * g, 0});
-  const auto torque = std::make_shared<Torque>(
-      [=](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); });
-  MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
-  Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}),
-                {JointFriction{joint}}, torque, start_of(1), options);
+  Motion motion = wheel_motion(
+      [](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); },
+      start_of(1), on_fixed_carrier(Integrator::rk4, 1));
   ASSERT_EQ(motion.advance_to(1), Stop::time);
   ASSERT_FALSE(motion.changes().empty());
   EXPECT_EQ(motion.changes()[0].to, HingeMode::sliding);
@@ -560,17 +547,11 @@ TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
 // rate would be w ((t - 1)^2 - 1e-4) if friction drove as it brakes. It stops
 // at 0.99 s and is held until the torque is what friction holds, at 1 s.
 TEST(MotionFriction, AShortStopWithinAStepIsFound) {
-  const double mass = 20, about = 0.4, w = 2;
-  const auto joint = pin_joint(FrictionLaw(0.2, 1e4));
-  const double held = moment_limit(joint, {0, mass * g, 0});
-  for (const Integrator integrator : {Integrator::adaptive, Integrator::rk4}) {
-    MotionOptions options = on_fixed_carrier(integrator, 0.07);
-    MotionStart start = turning(w * (1 - 1e-4));
-    Motion motion(System(heavy_carrier(), {wheel(mass, about)}),
-                  {JointFriction{joint}},
-                  std::make_shared<Torque>(
-                      [=](double t) { return held + about * 2 * w * (t - 1); }),
-                  start, options);
+  const double w = 2;
+  for (const Integrator integrator : integrators) {
+    Motion motion = wheel_motion(
+        [=](double t) { return held + about * 2 * w * (t - 1); },
+        turning(w * (1 - 1e-4)), on_fixed_carrier(integrator, 0.07));
     ASSERT_EQ(motion.advance_to(2), Stop::time);
     ASSERT_EQ(motion.changes().size(), 2u);
     // The rate is known to 1e-12, and falls at 0.04 rad/s^2.
@@ -587,13 +568,13 @@ TEST(MotionFriction, GoesOnInTheMiddleOfASlowOnset) {
   const contact::Joint joint = ball_joint(FrictionLaw(0.3));
   Body body{HingeKind::ball, 50, 1e9 * Matrix3d::Identity()};
   const Vector3d weight(0, 50 * g, 0);
-  const double held =
+  const double limit =
       joint.solve({weight, Vector3d::UnitX()}).friction_moment.norm();
   // Turns in the plane normal to the reaction, in which all directions hold
-  // alike, and grows through what is held at 10 s.
+  // alike, and grows through what is limit at 10 s.
   class Turning : public ForceModel {
    public:
-    explicit Turning(double held) : held_(held) {}
+    explicit Turning(double limit) : held_(limit) {}
     void add_forces(double time, std::span<const BodyMotion>,
                     std::span<BodyForce> forces) const override {
       const double angle = 0.01 * time;
@@ -605,7 +586,7 @@ TEST(MotionFriction, GoesOnInTheMiddleOfASlowOnset) {
     double held_;
   };
   const System system(heavy_carrier(), {body});
-  const auto forces = std::make_shared<Turning>(held);
+  const auto forces = std::make_shared<Turning>(limit);
   Motion one(system, {JointFriction{joint}}, forces, start_of(1),
              on_fixed_carrier());
   ASSERT_EQ(one.advance_to(15), Stop::time);
@@ -621,10 +602,10 @@ TEST(MotionFriction, GoesOnInTheMiddleOfASlowOnset) {
     ASSERT_EQ(other.advance_to(time), Stop::time);
     const double angle = 0.01 * time;
     const Vector3d against =
-        -held * Vector3d(std::cos(angle), 0, std::sin(angle));
+        -limit * Vector3d(std::cos(angle), 0, std::sin(angle));
     for (Motion* motion : {&one, &other}) {
       const Vector3d friction = motion->sample().hinge(0).friction_moment;
-      EXPECT_LT((friction - against).norm(), 1e-7 * held) << time;
+      EXPECT_LT((friction - against).norm(), 1e-7 * limit) << time;
     }
   }
 }

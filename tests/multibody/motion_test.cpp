@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "multibody/motion/motion.hpp"
@@ -606,40 +605,37 @@ TEST(Motion, LocksKeepMomentumAndHold) {
 }
 
 TEST(Motion, BadInputIsRefusedByName) {
-  const System system(heavy_carrier(), {wheel(1, 1)});
-  const auto with = [&](std::vector<HingeFriction> friction, MotionStart start,
-                        MotionOptions options = {}) {
+  const auto with = [](const MotionStart& start,
+                       const MotionOptions& options = {},
+                       const std::vector<HingeFriction>& friction = {},
+                       const Carrier& carrier = heavy_carrier()) {
+    const System system(carrier, {wheel(1, 1)});
     return contact::test::error_message(
-        [&] { Motion(system, std::move(friction), nullptr, start, options); });
+        [&] { Motion(system, friction, nullptr, start, options); });
   };
-  EXPECT_EQ(with({JointFriction{ball_joint(FrictionLaw(0.1))}}, start_of(1)),
-            "bodies[0].friction: a ball joint alone requires a ball hinge");
-  EXPECT_EQ(with({}, start_of(2)),
+  EXPECT_EQ(
+      with(start_of(1), {}, {JointFriction{ball_joint(FrictionLaw(0.1))}}),
+      "bodies[0].friction: a ball joint alone requires a ball hinge");
+  EXPECT_EQ(with(start_of(2)),
             "start of 2 bodies must be of 1, one for each body");
   MotionStart start = turning(std::nan(""));
-  EXPECT_EQ(with({}, start), "start.bodies[0] must be finite");
+  EXPECT_EQ(with(start), "start.bodies[0] must be finite");
   start.bodies[0].angle_rate = 1;
   start.bodies[0].locked = true;
-  EXPECT_EQ(with({}, start),
+  EXPECT_EQ(with(start),
             "start.bodies[0]: relative velocity must be 0 while the body is "
             "locked");
   MotionOptions options;
   options.step = 0;
-  EXPECT_EQ(with({}, start_of(1), options), "motion: step = 0 must be above 0");
-}
-
-TEST(Motion, FixedCarrierStaysWhereItIs) {
-  const System system({.fixed = true}, {wheel(1, 1)});
-  const auto with = [&](MotionStart start, const MotionOptions& options) {
-    return contact::test::error_message(
-        [&] { Motion(system, {}, nullptr, start, options); });
-  };
-  EXPECT_EQ(with(start_of(1), {}), "(no error)");
-  EXPECT_EQ(with(start_of(1), on_fixed_carrier()),
+  EXPECT_EQ(with(start_of(1), options), "motion: step = 0 must be above 0");
+  // A fixed carrier stays where it is.
+  const Carrier fixed{.fixed = true};
+  EXPECT_EQ(with(start_of(1), {}, {}, fixed), "(no error)");
+  EXPECT_EQ(with(start_of(1), on_fixed_carrier(), {}, fixed),
             "motion: carrier_drive conflicts with a fixed carrier");
-  MotionStart start = start_of(1);
-  start.carrier.velocity.x() = 1;
-  EXPECT_EQ(with(start, {}),
+  MotionStart moving = start_of(1);
+  moving.carrier.velocity.x() = 1;
+  EXPECT_EQ(with(moving, {}, {}, fixed),
             "start.carrier: velocity must be 0: the carrier is fixed");
 }
 

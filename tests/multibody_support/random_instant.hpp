@@ -2,8 +2,6 @@
 
 #include <cstdint>
 #include <random>
-#include <string>
-#include <vector>
 
 #include "multibody_support/instant.hpp"
 

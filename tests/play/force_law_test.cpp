@@ -3,8 +3,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 #include <random>
 #include <string>
@@ -18,18 +16,12 @@
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
 
 // The force law of joints with clearance against independent solutions at
 // given penetrations, against the library's own solver, and its identities.
+namespace contact::test {
 namespace {
-
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-using contact::test::relative_error;
-
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(ForceLawAccuracy, IsTheReferenceAtGivenPenetrations) {
   const ReferenceTable table("play/force_law.csv");
@@ -240,14 +232,16 @@ TEST(ForceLawContract, EndsWithNaNAndDoesNotAllocate) {
 TEST(ForceLawContract, RefusesJointsWithoutApproach) {
   JointSpec pin = test::slider_crank_joint();
   pin.outer = Material{207e9, 0.3};
-  EXPECT_EQ(test::error_message([&] { ForceLaw{pin}; }),
-            "pin joint with play requires a wall with a backing other than an "
-            "infinite body: in an infinite hole the displacement has no limit");
+  EXPECT_ERROR(
+      ForceLaw{pin},
+      "pin joint with play requires a wall with a backing other than an "
+      "infinite body: in an infinite hole the displacement has no limit");
   JointSpec ball = test::steel_ball();
   ball.loading = InnerLoading::back(0.2);
-  EXPECT_EQ(test::error_message([&] { ForceLaw{ball}; }),
-            "ball joint with play requires loading = centre: a body that is "
-            "pressed from behind has no approach");
+  EXPECT_ERROR(ForceLaw{ball},
+               "ball joint with play requires loading = centre: a body that is "
+               "pressed from behind has no approach");
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -75,12 +75,11 @@ TEST(RestitutionIdentity, LimitsAndInverse) {
 }
 
 TEST(RestitutionContract, RefusesWhatIsNone) {
-  EXPECT_EQ(test::error_message([] { HuntCrossley::from_restitution(0, 1); }),
-            "impact: restitution = 0 must be above 0, and at most 1");
-  EXPECT_EQ(test::error_message([] { HuntCrossley::from_restitution(0.5, 0); }),
-            "impact: reference_speed = 0 must be above 0 m/s");
-  EXPECT_EQ(test::error_message([] { HuntCrossley{-1}; }),
-            "impact: damping = -1 must be 0 s/m or more");
+  EXPECT_ERROR(HuntCrossley::from_restitution(0, 1),
+               "impact: restitution = 0 must be above 0, and at most 1");
+  EXPECT_ERROR(HuntCrossley::from_restitution(0.5, 0),
+               "impact: reference_speed = 0 must be above 0 m/s");
+  EXPECT_ERROR(HuntCrossley{-1}, "impact: damping = -1 must be 0 s/m or more");
   EXPECT_TRUE(std::isnan(
       HuntCrossley(1).restitution(std::numeric_limits<double>::quiet_NaN())));
 }
@@ -145,10 +144,9 @@ TEST(ImpactContract, SaysWhereTheModelEnds) {
   ASSERT_EQ(impact.notes(beyond, 0).size(), 1u);
   EXPECT_TRUE(impact.notes(beyond, 0)[0].starts_with(
       "the impact has more energy than"));
-  EXPECT_EQ(test::error_message([&] { impact(damping, 0, 1); }),
-            "impact: mass = 0 must be above 0 kg");
-  EXPECT_EQ(test::error_message([&] { impact(damping, 1, -1); }),
-            "impact: speed = -1 must be above 0 m/s");
+  EXPECT_ERROR(impact(damping, 0, 1), "impact: mass = 0 must be above 0 kg");
+  EXPECT_ERROR(impact(damping, 1, -1),
+               "impact: speed = -1 must be above 0 m/s");
 }
 
 }  // namespace

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <numbers>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,18 +14,15 @@
 #include "libcontact/play/play_joint.hpp"
 #include "play/reference_joint.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 
 // Motions of joints with play, integrated on the library's force law with touch
 // and parting as events, against those that another program has integrated.
+namespace contact::test {
 namespace {
 
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
 using Eigen::Vector3d;
 using State = std::vector<double>;
-
-constexpr double pi = std::numbers::pi;
 
 // A motion with one contact.
 struct Problem {
@@ -456,3 +452,4 @@ TEST(PlayMotion, RegularisedFrictionCreeps) {
 }
 
 }  // namespace
+}  // namespace contact::test

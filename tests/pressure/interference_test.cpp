@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <memory>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -13,18 +12,14 @@
 #include "libcontact/friction/models.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
 // ExactPressure of contacts that interference keeps closed over most of the
 // circle or sphere, and their friction.
+namespace contact::test {
 namespace {
-
-using namespace contact;
-using contact::test::AccuracyReport;
-using contact::test::ReferenceTable;
-
-constexpr double pi = std::numbers::pi;
 
 std::unique_ptr<const ExactPressure> law_of(JointKind kind,
                                             const LayeredPair& pair) {
@@ -33,7 +28,7 @@ std::unique_ptr<const ExactPressure> law_of(JointKind kind,
              : std::make_unique<const ExactPressure>(kind, pair.surfaces());
 }
 
-void compare_with_rows(const std::string& file, JointKind kind) {
+void compare_with_rows(JointKind kind) {
   const bool is_ball = kind == JointKind::ball;
   // Below 120 deg the table of all joints, with walls good to 1e-6; above it
   // that of interference.
@@ -44,7 +39,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   // Rows of one pair of bodies stand together.
   std::optional<LayeredPair> last;
   std::unique_ptr<const ExactPressure> shared;
-  for (const ReferenceTable::Row row : ReferenceTable(file)) {
+  for (const ReferenceTable::Row row :
+       ReferenceTable("preload/preload_" + to_string(kind) + ".csv")) {
     if (row.text("state") == "closed") continue;
     const double theta0 = row.value("theta0_deg") * degree;
     const LayeredPair pair = test::reference_pair(row);
@@ -74,12 +70,8 @@ void compare_with_rows(const std::string& file, JointKind kind) {
   for (AccuracyReport& friction : frictions) friction.may_be_empty();
 }
 
-TEST(InterferencePressure, IsThatOfTheReferencePins) {
-  compare_with_rows("preload/preload_pin.csv", JointKind::pin);
-}
-
-TEST(InterferencePressure, IsThatOfTheReferenceBalls) {
-  compare_with_rows("preload/preload_ball.csv", JointKind::ball);
+TEST(InterferencePressure, IsThatOfTheReference) {
+  for (const JointKind kind : kinds) compare_with_rows(kind);
 }
 
 // The profile carries the load, sums up to S and is 0 at the edge.
@@ -199,3 +191,4 @@ TEST(InterferencePressure, HasNoneForALoadThroughTheBack) {
 }
 
 }  // namespace
+}  // namespace contact::test

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "support/program.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -18,7 +19,7 @@ class Designer : public testing::Test {
     return folder_.run_well(command);
   }
   double value(const std::string& command, const std::string& column) const {
-    return std::stod(csv_column(csv_rows(run(command).out), column)[0]);
+    return folder_.table(command).at(column);
   }
   bool warns(const std::string& command, const std::string& of) const {
     return run(command).err.find(of) != std::string::npos;
@@ -174,53 +175,40 @@ TEST_F(Designer, ApproachAndStiffness) {
         {"hinge-joint --normal-force ", " --alpha 30"}}) {
     SCOPED_TRACE(program);
     const auto of = [&, program = program](const std::string& load,
-                                           const std::string& joint,
-                                           const char* column) {
-      const auto rows = csv_rows(run(program + load + " --joint " + joint).out);
-      return csv_column(rows, column)[0];
+                                           const std::string& joint) {
+      return folder_.table(program + load + " --joint " + joint);
     };
-    const auto expect = [&](const std::string& load, const std::string& joint,
-                            double approach, double stiffness, double digit) {
-      EXPECT_NEAR(std::stod(of(load, joint, "approach_m")), approach, 5e-8);
-      EXPECT_NEAR(std::stod(of(load, joint, "stiffness_N_per_m")), stiffness,
-                  digit);
+    const auto expect = [](const CsvTable& table, double approach,
+                           double stiffness, double digit) {
+      EXPECT_NEAR(table.at("approach_m"), approach, 5e-8);
+      EXPECT_NEAR(table.at("stiffness_N_per_m"), stiffness, digit);
     };
-    expect("2000", hip + ".toml" + ball, 45.7e-6, 7.03e7, 5e4);
-    expect("2000", hip + "_infinite.toml --law exact" + ball, 89.6e-6, 3.00e7,
-           5e4);
-    expect("60kN", "bush.toml", 20.5e-6, 0.03 * 1.39e11, 1.5e7);
+    expect(of("2000", hip + ".toml" + ball), 45.7e-6, 7.03e7, 5e4);
+    expect(of("2000", hip + "_infinite.toml --law exact" + ball), 89.6e-6,
+           3.00e7, 5e4);
+    expect(of("60kN", "bush.toml"), 20.5e-6, 0.03 * 1.39e11, 1.5e7);
     // Without load, and of a pin in an infinite hole.
-    EXPECT_EQ(of("0", hip + ".toml" + ball, "approach_m"), "");
-    const std::string hole = "data/joints/pin_joint.toml --law exact";
-    EXPECT_EQ(of("50kN", hole, "approach_m"), "");
-    EXPECT_EQ(of("50kN", hole, "stiffness_N_per_m"), "");
+    EXPECT_EQ(of("0", hip + ".toml" + ball).text("approach_m"), "");
+    const CsvTable hole = of("50kN", "data/joints/pin_joint.toml --law exact");
+    EXPECT_EQ(hole.text("approach_m"), "");
+    EXPECT_EQ(hole.text("stiffness_N_per_m"), "");
   }
 }
 
 // The same of whole motions: a wheel of 20 kg on a pin of 1 mm by 1 mm.
 TEST_F(Designer, WarningsOfJointsOfMotions) {
   folder_.write("case.toml", R"(
-name = "wheel"
-gravity_m_per_s2 = [0, 0, -10]
+name = "wheel"; gravity_m_per_s2 = [0, 0, -10]
 run = { end_time_s = 0.1, output_step_s = 0.1 }
-[carrier]
-name = "ground"
-fixed = true
-[[body]]
-name = "wheel"
-mass_kg = 20
-principal_inertia_kg_m2 = [2, 3, 3]
+[carrier]; name = "ground"; fixed = true
+[[body]]; name = "wheel"; mass_kg = 20; principal_inertia_kg_m2 = [2, 3, 3]
 start = { rate_deg_per_s = 200 }
-[body.hinge]
-kind = "axis"
-axis = [0, 1, 0]
-[[body.hinge.joint]]
-name = "tiny"
-kind = "pin"
+[body.hinge]; kind = "axis"; axis = [0, 1, 0]
+[[body.hinge.joint]]; name = "tiny"; kind = "pin"
 geometry = { radius_mm = 1, radial_clearance_um = 1, length_mm = 1 }
 friction = { coefficient = 0.1 }
 materials = { inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }, outer = { youngs_modulus_GPa = 1, poissons_ratio = 0.4, limit_pressure_MPa = 40 } }
-)");
+)"_toml);
   const ProgramResult result =
       run("hinge-separation case.toml --output out.json");
   EXPECT_TRUE(has_text(result.err, "joint tiny: peak pressure"));

@@ -62,10 +62,10 @@ TEST_F(EveryJoint, HingeJointAnswersAsTheLibrary) {
             "hinge-joint --joint joint.toml --reaction 2kN --rate 0.4 "
             "--columns M_t_N_m" +
                 std::string(joint.name[0] == 'b' ? " --beta 90" : ""));
-    const auto moment = csv_column(csv_rows(result.out), "M_t_N_m");
-    ASSERT_EQ(moment.size(), 1u) << joint.name;
+    const CsvTable table(result.out);
+    ASSERT_EQ(table.size(), 1u) << joint.name;
     // The program's directions are sines and cosines of degrees.
-    EXPECT_NEAR(std::stod(moment[0]) / moment_by_library(joint), 1, 1e-9)
+    EXPECT_NEAR(table.at("M_t_N_m") / moment_by_library(joint), 1, 1e-9)
         << joint.name;
   }
 }
@@ -147,11 +147,10 @@ TEST_F(EveryJoint, DutyAndIdentifyTakeIt) {
     if (joint.friction == "dry" || joint.friction == "adhesive") {
       run(joint, identify);
     } else {
-      const auto refused = folder_.run(identify);
-      EXPECT_EQ(refused.status, 2) << joint.name;
-      EXPECT_EQ(refused.err,
-                "hinge-identify: --fit f0,A requires dry friction; that of the "
-                "joint is not dry\n");
+      folder_.run_ill(
+          identify, 2,
+          "hinge-identify: --fit f0,A requires dry friction; that of the "
+          "joint is not dry\n");
     }
   }
 }
@@ -166,12 +165,10 @@ TEST_F(EveryJoint, StudiesAnswerAsTheLibrary) {
   for (const JointText& joint : some_joints()) {
     std::filesystem::remove(folder_.path() / "j");
     run(joint, "hinge-study study.toml --runs 3 --journal j --csv rows.csv");
-    const auto moment =
-        csv_column(csv_rows(folder_.read("rows.csv")), "M_t_N_m");
-    ASSERT_EQ(moment.size(), 4u) << joint.name;  // and the nominal run
-    for (const std::string& text : moment) {
-      EXPECT_NEAR(std::stod(text) / moment_by_library(joint), 1, 0.03)
-          << joint.name;
+    const CsvTable rows(folder_.read("rows.csv"));
+    ASSERT_EQ(rows.size(), 4u) << joint.name;  // and the nominal run
+    for (const double moment : rows["M_t_N_m"]) {
+      EXPECT_NEAR(moment / moment_by_library(joint), 1, 0.03) << joint.name;
     }
   }
 }

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
@@ -20,10 +19,6 @@
 
 namespace contact::test {
 namespace {
-
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
 
 // Rows as numbers; an empty cell is NaN.
 std::vector<std::vector<double>> numbers(const std::string& csv) {
@@ -42,15 +37,12 @@ TEST(HingeAngle, PeakColumnsNameThePressure) {
   const ProgramFolder folder;
   const auto pair = ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
   for (const std::string& name : pressure_law_names()) {
-    const auto result = folder.run_well(
+    const CsvTable table = folder.table(
         "hinge-angle --joint ball --modulus-ratio 1 --law exact --x 1 "
         "--pressure " +
         name);
-    const auto rows = csv_rows(result.out);
-    const double peak = std::stod(
-        csv_column(rows, "p_peak_exact_by_" + name + "_over_nominal")[0]);
-    const double half_angle =
-        std::stod(csv_column(rows, "theta0_exact_deg")[0]) * degree;
+    const double peak = table.at("p_peak_exact_by_" + name + "_over_nominal");
+    const double half_angle = table.at("theta0_exact_deg") * degree;
     const auto law = make_pressure_law(name, JointKind::ball, pair);
     // theta0 comes back from degrees.
     EXPECT_NEAR(peak / (std::numbers::pi * law->peak(half_angle)), 1, 1e-13)
@@ -59,22 +51,20 @@ TEST(HingeAngle, PeakColumnsNameThePressure) {
 }
 
 TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
-  for (const std::string joint : {"ball", "pin"}) {
-    const JointKind kind = joint == "ball" ? JointKind::ball : JointKind::pin;
+  const std::vector<std::string> laws = {"hertz", "arctan",    "tanh",
+                                         "blend", "blend:0.3", "paper"};
+  std::string header = "load_parameter,x";
+  for (const std::string& law : laws) {
+    header +=
+        ",theta0_" + law + "_deg,p_peak_" + law + "_by_cosine_over_nominal";
+  }
+  for (const JointKind kind : kinds) {
     const ProgramResult result = ProgramFolder().run_well(
         "hinge-angle --modulus-ratio 0.5 --poisson1 0.25 --poisson2 0.3 "
         "--x 0,0.25:3:0.25,inf --law hertz,arctan,tanh,blend,blend:0.3,paper "
         "--pressure cosine --joint " +
-        joint);
-    EXPECT_EQ(
-        first_line(result.out),
-        "load_parameter,x,theta0_hertz_deg,p_peak_hertz_by_cosine_over_nominal,"
-        "theta0_arctan_deg,p_peak_arctan_by_cosine_over_nominal,theta0_tanh_"
-        "deg,"
-        "p_peak_tanh_by_cosine_over_nominal,theta0_blend_deg,p_peak_blend_by_"
-        "cosine_over_nominal,"
-        "theta0_blend:0.3_deg,p_peak_blend:0.3_by_cosine_over_nominal,"
-        "theta0_paper_deg,p_peak_paper_by_cosine_over_nominal");
+        to_string(kind));
+    EXPECT_EQ(first_line(result.out), header);
     const auto pair = ElasticPair::from_modulus_ratio(0.5, 0.25, 0.3);
     const CosinePressure pressure(kind);
     const double area = kind == JointKind::ball ? std::numbers::pi : 2;
@@ -85,8 +75,7 @@ TEST(HingeAngle, DimensionlessRowsAreTheLibrarys) {
       EXPECT_EQ(row[0],
                 contact::LoadScale::load_parameter_from_x(kind, row[1]));
       std::size_t column = 2;
-      for (const char* name :
-           {"hertz", "arctan", "tanh", "blend", "blend:0.3", "paper"}) {
+      for (const std::string& name : laws) {
         const auto law = make_half_angle_law(name, kind, pair);
         const auto expected = law->half_angle(row[0]);
         const double half_angle = expected.half_angle;
@@ -138,15 +127,11 @@ TEST(HingeAngle, DimensionalRowsAreTheLibrarys) {
 TEST(HingeAngle, ApproachAndStiffness) {
   const ProgramFolder folder;
   const std::string hip = "hinge-angle --joint data/joints/hip_cocr_uhmwpe";
-  const auto there = csv_rows(folder.run(hip + ".toml --load 0,2000").out);
-  EXPECT_EQ(csv_column(there, "approach_m")[0], "");
-  const auto back = csv_rows(folder
-                                 .run(hip + ".toml --inverse --theta0 " +
-                                      csv_column(there, "theta0_exact_deg")[1])
-                                 .out);
-  EXPECT_NEAR(std::stod(csv_column(back, "approach_m")[0]) /
-                  std::stod(csv_column(there, "approach_m")[1]),
-              1, 1e-9);
+  const CsvTable there = folder.table(hip + ".toml --load 0,2000");
+  EXPECT_EQ(there.text("approach_m"), "");
+  const CsvTable back = folder.table(hip + ".toml --inverse --theta0 " +
+                                     there.text(2, "theta0_exact_deg"));
+  EXPECT_NEAR(back.at("approach_m") / there.at(2, "approach_m"), 1, 1e-9);
   EXPECT_EQ(first_line(folder
                            .run(hip + "_infinite.toml --load 2000 --law "
                                       "fitted,exact,hertz")
@@ -188,15 +173,13 @@ TEST(HingeAngle, WaysToGiveAJointAgree) {
     EXPECT_EQ(folder.run(pair + lengths + rest).out, expected) << lengths;
   }
   // The same materials without the geometry: the same angles over x.
-  const auto x = csv_column(csv_rows(expected), "x");
-  const auto theta0 = csv_column(csv_rows(expected), "theta0_arctan_deg");
-  const auto rows =
-      csv_rows(folder.run(pair + "--law arctan --x " + x[0] + ',' + x[3]).out);
+  const CsvTable table(expected);
+  const CsvTable over_x = folder.table(
+      pair + "--law arctan --x " + table.text("x") + ',' + table.text(4, "x"));
   // cbrt and cube: a few roundings.
-  EXPECT_NEAR(std::stod(csv_column(rows, "theta0_arctan_deg")[0]),
-              std::stod(theta0[0]), 1e-13);
-  EXPECT_NEAR(std::stod(csv_column(rows, "theta0_arctan_deg")[1]),
-              std::stod(theta0[3]), 1e-13);
+  const std::string theta0 = "theta0_arctan_deg";
+  EXPECT_NEAR(over_x.at(theta0), table.at(theta0), 1e-13);
+  EXPECT_NEAR(over_x.at(2, theta0), table.at(4, theta0), 1e-13);
 }
 
 // A fit, by options and from a file, is the joint with its clearance, and is
@@ -240,67 +223,65 @@ TEST(HingeAngle, Fits) {
 }
 
 TEST(HingeAngle, LoadIsPrintedAsGiven) {
-  const auto rows =
-      csv_rows(ProgramFolder()
-                   .run("hinge-angle --joint data/joints/pin_joint.toml --load "
-                        "0.1:2000:0.1")
-                   .out);
-  ASSERT_EQ(rows.size(), 20001U);
-  for (std::size_t i = 1; i < rows.size(); ++i) {
-    ASSERT_EQ(std::stod(rows[i][0]), static_cast<double>(i) / 10);
+  const CsvTable table = ProgramFolder().table(
+      "hinge-angle --joint data/joints/pin_joint.toml --load 0.1:2000:0.1");
+  const std::vector<double>& loads = table["load_N"];
+  ASSERT_EQ(loads.size(), 20000U);
+  for (std::size_t i = 0; i < loads.size(); ++i) {
+    ASSERT_EQ(loads[i], static_cast<double>(i + 1) / 10);
   }
 }
 
 TEST(HingeAngle, LimitAngle) {
   const ProgramFolder folder;
-  const auto limit = [&](const std::string& options) {
-    const ProgramResult result = folder.run_well(
-        "hinge-angle --joint pin --x inf --law tanh " + options);
-    return numbers(result.out).at(0).at(2);
-  };
-  // Largest rounding of degrees to radians and back: 2 ulp.
-  EXPECT_NEAR(limit("--modulus-ratio 1"), 84.85, 3e-14);
-  EXPECT_NEAR(limit("--modulus-ratio 1 --limit-angle formula"), 84.85, 3e-14);
-  EXPECT_NEAR(limit("--modulus-ratio 2 --limit-angle linear"), 82.85, 3e-14);
-  EXPECT_NEAR(limit("--modulus-ratio 2 --limit-angle 91.5"), 91.5, 3e-14);
-  // Rigid seat, rigid pin: the formula's ends, printed to two decimals.
-  EXPECT_NEAR(limit("--modulus-ratio 0"), 92.53, 5e-3);
-  EXPECT_NEAR(limit("--modulus-ratio inf"), 80.33, 5e-3);
+  // Largest rounding of degrees to radians and back: 2 ulp. Rigid seat, rigid
+  // pin: the formula's ends, printed to two decimals.
+  for (const auto& [options, limit, tolerance] :
+       {std::tuple{"1", 84.85, 3e-14},
+        {"1 --limit-angle formula", 84.85, 3e-14},
+        {"2 --limit-angle linear", 82.85, 3e-14},
+        {"2 --limit-angle 91.5", 91.5, 3e-14},
+        {"0", 92.53, 5e-3},
+        {"inf", 80.33, 5e-3}}) {
+    const CsvTable table =
+        folder.table(std::string("hinge-angle --joint pin --x inf --law tanh "
+                                 "--modulus-ratio ") +
+                     options);
+    EXPECT_NEAR(table.at("theta0_tanh_deg"), limit, tolerance) << options;
+  }
 }
 
 TEST(HingeAngle, LoadedThroughTheBack) {
   const ProgramFolder folder;
   const auto loading = InnerLoading::back(20 * degree);
-  const auto run = [&](const std::string& kind, const std::string& options) {
-    const ProgramResult result = folder.run_well(
-        "hinge-angle --joint " + kind + " --modulus-ratio 0 " + options);
-    return csv_rows(result.out);
+  const auto run = [&](JointKind kind, const std::string& options) {
+    return folder
+        .run_well("hinge-angle --modulus-ratio 0 --load-parameter 3 --joint " +
+                  to_string(kind) + options)
+        .out;
   };
   const auto pair = ElasticPair::from_modulus_ratio(0, 0.3, 0.3);
-  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
-    const bool ball = kind == JointKind::ball;
-    const auto rows = run(
-        ball ? "ball" : "pin",
-        "--law exact --loading back:20 --load-parameter 3 --pressure exact");
-    const ExactLaw law(kind, pair, loading);
-    const double half_angle = law.half_angle(3).half_angle;
-    EXPECT_EQ(std::stod(csv_column(rows, "theta0_exact_back:20_deg")[0]),
-              half_angle / degree);
-    EXPECT_EQ(
-        std::stod(csv_column(
-            rows, "p_peak_exact_back:20_by_exact_back:20_over_nominal")[0]),
-        ExactPressure(kind, pair, loading).peak(half_angle) *
-            (ball ? std::numbers::pi : 2));
+  for (const JointKind kind : kinds) {
+    const CsvTable table(
+        run(kind, " --law exact --loading back:20 --pressure exact"));
+    const double half_angle =
+        ExactLaw(kind, pair, loading).half_angle(3).half_angle;
+    EXPECT_EQ(table.at("theta0_exact_back:20_deg"), half_angle / degree);
+    EXPECT_EQ(table.at("p_peak_exact_back:20_by_exact_back:20_over_nominal"),
+              ExactPressure(kind, pair, loading).peak(half_angle) *
+                  (kind == JointKind::ball ? std::numbers::pi : 2));
   }
   // docs/conforming.md: 66.55 deg under a force at the centre, 73.13 here.
-  const std::string load = "--law exact --load-parameter 3 --loading ";
-  EXPECT_EQ(run("ball", load + "centre"),
-            run("ball", "--law exact --load-parameter 3"));
-  EXPECT_NEAR(std::stod(run("ball", load + "centre")[1][2]), 66.55, 5e-3);
-  EXPECT_NEAR(std::stod(run("ball", load + "back:20")[1][2]), 73.13, 5e-3);
+  const auto ball = [&](const std::string& options) {
+    return run(JointKind::ball, options);
+  };
+  const std::string centre = ball(" --law exact --loading centre");
+  const std::string back = ball(" --law exact --loading back:20");
+  EXPECT_EQ(centre, ball(" --law exact"));
+  EXPECT_NEAR(CsvTable(centre).at("theta0_exact_deg"), 66.55, 5e-3);
+  EXPECT_NEAR(CsvTable(back).at("theta0_exact_back:20_deg"), 73.13, 5e-3);
   // All laws are those that know the loading.
-  EXPECT_EQ(run("ball", "--law all --load-parameter 3 --loading back:20"),
-            run("ball", load + "back:20"));
+  EXPECT_EQ(ball(" --law all --loading back:20"), back);
 
   // A joint file has it too; the option comes before the file.
   const std::string file =
@@ -334,10 +315,10 @@ TEST(HingeAngle, HertzBeyondItsRange) {
               "which are outside its range\n"
               "hinge-angle: warning: law hertz: half-angle 90 deg is beyond "
               "88.01 deg, the limit half-angle of this joint\n");
-    const auto cells = csv_column(csv_rows(result.out), "theta0_hertz_deg");
-    EXPECT_EQ(cells[1], "90");
-    EXPECT_EQ(cells[2], "");
-    EXPECT_EQ(cells[4], "");
+    const CsvTable table(result.out);
+    EXPECT_EQ(table.text(2, "theta0_hertz_deg"), "90");
+    EXPECT_EQ(table.text(3, "theta0_hertz_deg"), "");
+    EXPECT_EQ(table.text(5, "theta0_hertz_deg"), "");
   }
   // Beside a law that goes on nothing has failed.
   folder.run_well(command + "--law tanh");
@@ -355,38 +336,31 @@ TEST(HingeAngle, InverseGoesBack) {
     const std::string start =
         "hinge-angle --joint data/joints/" + joint + ".toml ";
     for (const std::string law : {"hertz", "arctan", "tanh", "blend:0.4"}) {
-      const auto there =
-          csv_rows(folder.run(start + "--x 0.1:0.9:0.1 --law " + law).out);
-      const auto angles = csv_column(there, "theta0_" + law + "_deg");
+      const CsvTable there =
+          folder.table(start + "--x 0.1:0.9:0.1 --law " + law);
       std::string list;
-      for (const auto& angle : angles) {
+      for (const auto& angle : there.texts("theta0_" + law + "_deg")) {
         list += (list.empty() ? "" : ",") + angle;
       }
-      const auto back = csv_rows(
-          folder.run(start + "--inverse --theta0 " + list + " --law " + law)
-              .out);
+      const CsvTable back =
+          folder.table(start + "--inverse --theta0 " + list + " --law " + law);
+      ASSERT_EQ(back.size(), 9U);
       for (const auto& [name, of_law] :
            {std::pair<std::string, std::string>{"load_N", "load_" + law + "_N"},
             {"load_parameter", "load_parameter_" + law},
             {"x", "x_" + law},
             {"p_nominal_Pa", "p_nominal_" + law + "_Pa"}}) {
-        const auto expected = csv_column(there, name);
-        const auto found = csv_column(back, of_law);
-        ASSERT_EQ(found.size(), 9U);
-        for (std::size_t i = 0; i < 9; ++i) {
+        for (std::size_t row = 1; row <= 9; ++row) {
           // Errors of 1e-14 of a law and its inverse, times the slope of the
           // inverse: at most 10 for these x.
-          const double value = std::stod(expected[i]);
-          EXPECT_NEAR(std::stod(found[i]), value, 1e-13 * value)
+          const double value = there.at(row, name);
+          EXPECT_NEAR(back.at(row, of_law), value, 1e-13 * value)
               << law << ' ' << name;
         }
       }
       const std::string by =
           "p_peak_" + law + (law == "hertz" ? "_by_hertz_Pa" : "_by_exact_Pa");
-      const auto peak = csv_column(there, by);
-      const auto peak_back = csv_column(back, by);
-      EXPECT_NEAR(std::stod(peak[8]), std::stod(peak_back[8]),
-                  1e-12 * std::stod(peak[8]));
+      EXPECT_NEAR(there.at(9, by), back.at(9, by), 1e-12 * there.at(9, by));
     }
   }
 }
@@ -399,8 +373,7 @@ TEST(HingeAngle, InverseBeyondTheLimitHasNoValue) {
   EXPECT_EQ(first_line(result.out),
             "theta0_deg,load_parameter_tanh,x_tanh,p_peak_tanh_by_exact_over_"
             "nominal");
-  EXPECT_EQ(csv_rows(result.out)[2],
-            (std::vector<std::string>{"86", "", "", ""}));
+  EXPECT_EQ(csv_rows(result.out)[2], (Texts{"86", "", "", ""}));
   EXPECT_TRUE(has_text(result.err, "law tanh: no value for 1 of 2 rows"));
 }
 
@@ -440,12 +413,11 @@ TEST(HingeAngle, FittedUnlessNamed) {
 // Every number of the comparison, recomputed at the load that it names, and
 // nothing worse anywhere else.
 TEST(HingeAngle, CompareFindsTheLargestErrors) {
-  for (const std::string joint : {"ball", "pin"}) {
-    const JointKind kind = joint == "ball" ? JointKind::ball : JointKind::pin;
+  for (const JointKind kind : kinds) {
     const ProgramResult result = ProgramFolder().run_well(
         "hinge-angle --compare --modulus-ratio 0.4 --poisson1 0.25 --poisson2 "
         "0.35 --load-parameter 0.01:20:log2 --joint " +
-        joint);
+        to_string(kind));
     EXPECT_EQ(first_line(result.out),
               "law,error_percent,load_parameter,theta0_exact_deg,"
               "theta0_law_deg,cost_tanh,recommended");
@@ -513,17 +485,13 @@ TEST(HingeAngle, CostsAreThoseOfThePage) {
   const auto rows = page_rows("speed.md", "| | hertz | arctan");
   ASSERT_EQ(rows.size(), 2U);
   for (const auto& row : rows) {
-    const auto costs = csv_column(
-        csv_rows(ProgramFolder()
-                     .run("hinge-angle --compare --modulus-ratio 1 --law "
-                          "hertz,arctan,tanh,blend:0.5,fitted,exact "
-                          "--joint " +
-                          std::string(row[0] == "pin" ? "pin" : "ball"))
-                     .out),
-        "cost_tanh");
-    ASSERT_EQ(row.size(), 1 + costs.size());
-    for (std::size_t law = 0; law < costs.size(); ++law) {
-      EXPECT_NEAR(std::stod(costs[law]), std::stod(row[1 + law]), 0.5)
+    const CsvTable table = ProgramFolder().table(
+        "hinge-angle --compare --modulus-ratio 1 --law "
+        "hertz,arctan,tanh,blend:0.5,fitted,exact --joint " +
+        std::string(row[0] == "pin" ? "pin" : "ball"));
+    ASSERT_EQ(row.size(), 1 + table.size());
+    for (std::size_t law = 1; law <= table.size(); ++law) {
+      EXPECT_NEAR(table.at(law, "cost_tanh"), std::stod(row[law]), 0.5)
           << row[0] << ", law " << law;
     }
   }
@@ -536,20 +504,15 @@ TEST(HingeAngle, DocumentedErrorsAreMeasured) {
   for (const auto& cells : page_rows("half_angle.md", "| Ebar | pin:")) {
     ASSERT_EQ(cells.size(), 9U);
     for (int joint = 0; joint < 2; ++joint) {
-      const auto errors = csv_column(
-          csv_rows(folder
-                       .run(std::string("hinge-angle --compare --law "
-                                        "arctan,tanh,blend:0.5,fitted "
-                                        "--joint ") +
-                            (joint == 0 ? "pin" : "ball") +
-                            " --modulus-ratio " + cells[0])
-                       .out),
-          "error_percent");
-      ASSERT_EQ(errors.size(), 4U);
-      for (std::size_t law = 0; law < 4; ++law) {
-        const double printed = std::stod(cells[1 + 4 * joint + law]);
+      const CsvTable table = folder.table(
+          std::string("hinge-angle --compare --law "
+                      "arctan,tanh,blend:0.5,fitted --joint ") +
+          (joint == 0 ? "pin" : "ball") + " --modulus-ratio " + cells[0]);
+      ASSERT_EQ(table.size(), 4U);
+      for (std::size_t law = 1; law <= 4; ++law) {
+        const double printed = std::stod(cells[4 * joint + law]);
         // Half of the last of two digits; one decimal from 1 on.
-        EXPECT_NEAR(std::stod(errors[law]), printed,
+        EXPECT_NEAR(table.at(law, "error_percent"), printed,
                     std::max(1e-6, printed < 1 ? 0.051 * printed : 0.051))
             << cells[0];
       }
@@ -561,32 +524,30 @@ TEST(HingeAngle, DocumentedErrorsAreMeasured) {
 
 TEST(HingeAngle, CompareRecommendsTheCheapestWithinTheTolerance) {
   const ProgramFolder folder;
-  const auto recommended = [&](const std::string& options) {
-    const auto rows = csv_rows(
-        folder.run("hinge-angle --compare --modulus-ratio 1 " + options).out);
-    const auto names = csv_column(rows, "law");
-    const auto yes = csv_column(rows, "recommended");
-    const auto found = std::find(yes.begin(), yes.end(), "yes");
-    return found == yes.end() ? "" : names[found - yes.begin()];
-  };
-  EXPECT_EQ(recommended("--joint pin"), "fitted");
-  EXPECT_EQ(recommended("--joint ball --poisson1 0.4"), "fitted");
-  EXPECT_EQ(recommended("--joint ball --tolerance 0.001"), "exact");
-  EXPECT_EQ(recommended("--joint ball --tolerance 0.001 --law tanh,fitted"),
-            "");
   // arctan is a little cheaper than the blend.
-  EXPECT_EQ(recommended("--joint pin --tolerance 10 --law arctan,blend"),
-            "arctan");
-  EXPECT_EQ(recommended("--joint pin --tolerance 2 --law arctan,blend"),
-            "blend");
+  for (const auto& [options, law] :
+       {std::pair{"pin", "fitted"},
+        {"ball --poisson1 0.4", "fitted"},
+        {"ball --tolerance 0.001", "exact"},
+        {"ball --tolerance 0.001 --law tanh,fitted", ""},
+        {"pin --tolerance 10 --law arctan,blend", "arctan"},
+        {"pin --tolerance 2 --law arctan,blend", "blend"}}) {
+    const CsvTable table = folder.table(
+        std::string("hinge-angle --compare --modulus-ratio 1 --joint ") +
+        options);
+    const auto yes = table.texts("recommended");
+    const auto found = std::find(yes.begin(), yes.end(), "yes") - yes.begin();
+    EXPECT_EQ(static_cast<std::size_t>(found) == yes.size()
+                  ? ""
+                  : table.texts("law")[found],
+              law)
+        << options;
+  }
   // A joint with its geometry has the load as well.
-  const auto rows =
-      csv_rows(folder
-                   .run("hinge-angle --compare --load 1e5 --joint "
-                        "data/joints/pin_joint.toml")
-                   .out);
-  EXPECT_EQ(rows[0][2], "load_N");
-  EXPECT_NEAR(std::stod(rows[1][2]), 1e5, 1e-9);
+  const CsvTable table = folder.table(
+      "hinge-angle --compare --load 1e5 --joint data/joints/pin_joint.toml");
+  EXPECT_EQ(table.names()[2], "load_N");
+  EXPECT_NEAR(table.at("load_N"), 1e5, 1e-9);
 }
 
 TEST(HingeAngle, JobsDoNotChangeTheOutput) {
@@ -601,13 +562,11 @@ TEST(HingeAngle, JobsDoNotChangeTheOutput) {
 
 TEST(HingeAngle, Plots) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   folder.run_well(
       "hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
       "10:5000:log50 --law hertz,arctan,tanh --plot hip.svg --output hip.csv");
-  EXPECT_EQ(folder.files(), (std::vector<std::string>{"hip.csv", "hip.svg"}));
+  EXPECT_EQ(folder.files(), (Texts{"hip.csv", "hip.svg"}));
   const std::string picture = folder.read("hip.svg");
   for (const char* text : {"hertz", "arctan", "tanh", "normal force Rₙ, N",
                            "half-angle of the contact θ₀, deg", "</svg>"}) {
@@ -632,29 +591,24 @@ TEST(HingeAngle, Plots) {
 TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
   const ProgramFolder folder;
   const std::string pressed = " --joint data/joints/lined_bush_pressed.toml ";
-  const auto rows = csv_rows(
-      folder.run_well("hinge-angle" + pressed + "--load 0,1kN,6kN").out);
-  EXPECT_EQ(csv_column(rows, "contact_state"),
-            (std::vector<std::string>{"closed", "closed", "lifted"}));
-  EXPECT_EQ(csv_column(rows, "theta0_exact_deg")[0], "180");
-  EXPECT_EQ(csv_column(rows, "p_peak_exact_by_exact_Pa")[0],
-            csv_column(rows, "p_0_Pa")[0]);
-  const auto of_joint = csv_rows(
-      folder.run_well("hinge-joint" + pressed + "--normal-force 0,1kN,6kN")
-          .out);
+  const CsvTable table =
+      folder.table("hinge-angle" + pressed + "--load 0,1kN,6kN");
+  EXPECT_EQ(table.texts("contact_state"),
+            (Texts{"closed", "closed", "lifted"}));
+  EXPECT_EQ(table.text("theta0_exact_deg"), "180");
+  EXPECT_EQ(table.text("p_peak_exact_by_exact_Pa"), table.text("p_0_Pa"));
+  const CsvTable of_joint =
+      folder.table("hinge-joint" + pressed + "--normal-force 0,1kN,6kN");
   for (const std::string name : {"contact_state", "p_0_Pa", "R_lift_off_N",
                                  "M_0_N_m", "sum_p_N", "shift_m"}) {
-    EXPECT_EQ(csv_column(rows, name), csv_column(of_joint, name)) << name;
+    EXPECT_EQ(table.texts(name), of_joint.texts(name)) << name;
   }
   // One with a clearance beside it has the columns too.
-  const auto both = csv_rows(
-      folder
-          .run_well("hinge-angle" + pressed +
-                    "--joint data/joints/pin_joint.toml --law exact --load 1kN")
-          .out);
-  EXPECT_EQ(csv_column(both, "contact_state"),
-            (std::vector<std::string>{"closed", "clearance"}));
-  EXPECT_EQ(csv_column(both, "R_lift_off_N")[1], "");
+  const CsvTable both =
+      folder.table("hinge-angle" + pressed +
+                   "--joint data/joints/pin_joint.toml --law exact --load 1kN");
+  EXPECT_EQ(both.texts("contact_state"), (Texts{"closed", "clearance"}));
+  EXPECT_EQ(both.text(2, "R_lift_off_N"), "");
 }
 
 // theta0 is the limit at every load, and there is nothing to break away.
@@ -663,21 +617,20 @@ TEST(HingeAngle, OfClearanceZeroIsTheLimit) {
   const std::string pin =
       "hinge-angle --joint pin --pair data/materials/steel_bronze.toml "
       "--radius 25mm --clearance 0 --law exact ";
-  const auto rows = csv_rows(folder.run_well(pin + "--load 0,5e5,1e6").out);
-  const auto half_angles = csv_column(rows, "theta0_exact_deg");
+  const CsvTable table = folder.table(pin + "--load 0,5e5,1e6");
+  const auto half_angles = table.texts("theta0_exact_deg");
   EXPECT_EQ(half_angles[0], half_angles[2]);
   EXPECT_EQ(half_angles[1], half_angles[2]);
-  EXPECT_EQ(csv_column(rows, "contact_state")[0], "zero");
+  EXPECT_EQ(table.text("contact_state"), "zero");
   for (const std::string name :
        {"p_0_Pa", "R_lift_off_N_per_m", "M_0_N_m_per_m"}) {
-    EXPECT_EQ(csv_column(rows, name)[1], "") << name;
+    EXPECT_EQ(table.text(2, name), "") << name;
   }
-  EXPECT_NEAR(std::stod(csv_column(rows, "sum_p_N_per_m")[2]) /
-                  std::stod(csv_column(rows, "sum_p_N_per_m")[1]),
-              2, 1e-12);
+  EXPECT_NEAR(table.at(3, "sum_p_N_per_m") / table.at(2, "sum_p_N_per_m"), 2,
+              1e-12);
   const ProgramResult inverse = folder.run(pin + "--inverse --theta0 30");
   EXPECT_EQ(inverse.status, 1);
-  EXPECT_EQ(csv_column(csv_rows(inverse.out), "load_exact_N_per_m")[0], "");
+  EXPECT_EQ(CsvTable(inverse.out).text("load_exact_N_per_m"), "");
   EXPECT_EQ(folder.run(pin + "--x 1").err,
             "hinge-angle: --x requires a clearance above 0; for a joint "
             "without one use --load\n");

@@ -22,10 +22,8 @@ const std::string wide = rig + "--data data/duty/torque_rig.csv ";
 double cell(const ProgramResult& result, const std::string& quantity,
             const std::string& column = "value") {
   EXPECT_EQ(result.status, 0) << result.err;
-  const auto rows = csv_rows(result.out);
-  const auto names = csv_column(rows, "quantity");
-  const auto at = std::ranges::find(names, quantity) - names.begin();
-  return cli::parse_number(csv_column(rows, column).at(at)).value_or(NAN);
+  const CsvTable table(result.out);
+  return table.at(table.row_of(quantity), column);
 }
 
 TEST(HingeIdentify, PrintsTheFit) {
@@ -42,21 +40,20 @@ TEST(HingeIdentify, PrintsTheFit) {
 TEST(HingeIdentify, SeveralJoints) {
   const ProgramFolder folder;
   const std::string key = "geometry.radial_clearance_um";
-  const auto all = csv_rows(
-      folder.run_well(wide + "--set " + key + "=20,60 --residuals r.csv").out);
-  ASSERT_EQ(all.size(), 1 + 2u);
-  const std::size_t residuals = csv_rows(folder.read("r.csv")).size() - 1;
-  for (const std::size_t row : {0u, 1u}) {
-    const std::string value = row == 0 ? "20" : "60";
+  const CsvTable all =
+      folder.table(wide + "--set " + key + "=20,60 --residuals r.csv");
+  ASSERT_EQ(all.size(), 2u);
+  const std::size_t residuals = CsvTable(folder.read("r.csv")).size();
+  for (const std::size_t row : {1u, 2u}) {
+    const std::string value = row == 1 ? "20" : "60";
     const ProgramResult one = folder.run_well(wide + "--set " + key + '=' +
                                               value + " --residuals one.csv");
-    EXPECT_EQ(csv_column(all, key)[row], value);
+    EXPECT_EQ(all.text(row, key), value);
     for (const std::string column : {"value", "standard_error", "high"}) {
       const std::string name = column == "value" ? "A_Pa" : "A_Pa_" + column;
-      EXPECT_EQ(std::stod(csv_column(all, name)[row]),
-                cell(one, "A_Pa", column));
+      EXPECT_EQ(all.at(row, name), cell(one, "A_Pa", column));
     }
-    EXPECT_EQ(2 * (csv_rows(folder.read("one.csv")).size() - 1), residuals);
+    EXPECT_EQ(2 * CsvTable(folder.read("one.csv")).size(), residuals);
   }
 }
 
@@ -85,10 +82,9 @@ TEST(HingeIdentify, ErrorsOfTheData) {
       rig + "--data - --fit f0 ";
   EXPECT_EQ(cell(folder.run(data + "--sigma-abs 1"), "dof"), 2);
   folder.run(data + "--sigma-abs 3 --sigma-rel 0.1 --residuals r.csv");
-  const auto rows = csv_rows(folder.read("r.csv"));
-  EXPECT_EQ(csv_column(rows, "rate_rad_per_s").at(1), "2");
-  EXPECT_NEAR(*cli::parse_number(csv_column(rows, "sigma_N_m").at(2)),
-              std::hypot(3, 3.1), 1e-14);
+  const CsvTable residuals(folder.read("r.csv"));
+  EXPECT_EQ(residuals.text(2, "rate_rad_per_s"), "2");
+  EXPECT_NEAR(residuals.at(3, "sigma_N_m"), std::hypot(3, 3.1), 1e-14);
 }
 
 TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
@@ -138,10 +134,10 @@ TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
   const ProgramResult result = folder.run_well(
       "hinge-identify --joint data/joints/pin_joint.toml --data d.csv "
       "--sigma-rel 0.01 --fit f0,A,clearance --profile");
-  const auto rows = csv_rows(result.out);
-  EXPECT_LT(std::stod(csv_column(rows, "profile_high").at(0)), 0.13);
-  EXPECT_GT(std::stod(csv_column(rows, "profile_low").at(0)), 0.11);
-  EXPECT_EQ(csv_column(rows, "profile_high").at(1), "");
+  const CsvTable table(result.out);
+  EXPECT_LT(table.at("profile_high"), 0.13);
+  EXPECT_GT(table.at("profile_low"), 0.11);
+  EXPECT_EQ(table.text(2, "profile_high"), "");
   EXPECT_THAT(result.err,
               HasSubstr("hinge-identify: warning: --profile: the high end of "
                         "A not found: fits of the other parameters leave their "
@@ -164,7 +160,7 @@ TEST(HingeIdentify, WarnsOfContactsThatLeaveTheTheory) {
 
 TEST(HingeIdentify, Pictures) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
+  if (!folder.has_gnuplot()) GTEST_SKIP();
   folder.run_well(wide + "--plot p.svg");
   const std::string picture = folder.read("p.svg");
   for (const char* text : {"fit, β = 60°", "fit, β = 90°", "measured",

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <filesystem>
-#include <memory>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <string>
@@ -25,23 +24,11 @@ namespace {
 const std::string hip = "data/joints/hip_cocr_uhmwpe_infinite.toml";
 const std::string pin = "data/joints/pin_joint.toml";
 
-std::string first_line(const std::string& text) {
-  return text.substr(0, text.find('\n'));
-}
-
 // Laws of --pressure all.
 std::vector<std::string> all_names() {
   std::vector<std::string> names = pressure_law_names();
   std::erase(names, "worn");
   return names;
-}
-
-std::vector<double> numbers(const std::string& csv, const std::string& name) {
-  std::vector<double> values;
-  for (const std::string& cell : csv_column(csv_rows(csv), name)) {
-    values.push_back(cli::parse_number(cell).value_or(NAN));
-  }
-  return values;
 }
 
 TEST(HingePressure, ProfileIsTheLibrarys) {
@@ -56,13 +43,13 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
   const JointSpec joint = read_joint(folder.path() / hip);
   const auto law = make_half_angle_law("tanh", joint.geometry.kind(),
                                        joint.pair(), joint.half_angle_options);
-  const auto loads = numbers(result.out, "load_N");
-  const auto angles = numbers(result.out, "theta_deg");
+  const CsvTable table(result.out);
+  const std::vector<double>& loads = table["load_N"];
   ASSERT_EQ(loads.size(), 12U);
   for (const std::string& name : all_names()) {
     const auto pressure =
         make_pressure_law(name, joint.geometry.kind(), joint.pair());
-    const auto printed = numbers(result.out, "p_" + name + "_Pa");
+    const std::vector<double>& printed = table["p_" + name + "_Pa"];
     for (std::size_t i = 0; i < loads.size(); ++i) {
       const double theta0 =
           law->half_angle(joint.load_scale().load_parameter(loads[i]))
@@ -71,9 +58,10 @@ TEST(HingePressure, ProfileIsTheLibrarys) {
       const double peak = unit * pressure->peak(theta0);
       // The column theta_deg is rounded: at the edge by 1e-16 of theta0, and
       // a root of that is 1e-8 of the peak.
-      EXPECT_NEAR(printed[i],
-                  unit * pressure->pressure(angles[i] * degree, theta0),
-                  2e-8 * peak)
+      EXPECT_NEAR(
+          printed[i],
+          unit * pressure->pressure(table["theta_deg"][i] * degree, theta0),
+          2e-8 * peak)
           << name << ' ' << i;
     }
     EXPECT_EQ(printed[5], 0) << name;
@@ -89,12 +77,12 @@ TEST(HingePressure, ProfilesCarryTheLoad) {
     const bool ball = joint.geometry.kind() == JointKind::ball;
     const double rho = joint.geometry.radius();
     const double load = ball ? 1500 : 1e5;
-    const ProgramResult result =
-        folder.run_well("hinge-pressure --pressure all --points 4001 --load " +
-                        std::to_string(load) + " --joint " + joint_file);
-    const auto theta = numbers(result.out, "theta_deg");
+    const CsvTable table =
+        folder.table("hinge-pressure --pressure all --points 4001 --load " +
+                     std::to_string(load) + " --joint " + joint_file);
+    const std::vector<double>& theta = table["theta_deg"];
     for (const std::string& name : all_names()) {
-      const auto p = numbers(result.out, "p_" + name + "_Pa");
+      const std::vector<double>& p = table["p_" + name + "_Pa"];
       double sum = 0;
       const auto integrand = [&](std::size_t i) {
         const double t = theta[i] * degree;
@@ -120,35 +108,31 @@ TEST(HingePressure, SummaryHasPeakMeanAreaAndSum) {
   EXPECT_EQ(first_line(result.out),
             "load_N,load_parameter,theta0_deg,law,pressure,p_peak_Pa,p_mean_Pa,"
             "p_nominal_Pa,contact_area_m2,S,chi_0,sigma_Y_0,sigma_Z_90");
-  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure"), all_names());
-  const auto mean = numbers(result.out, "p_mean_Pa");
-  const auto area = numbers(result.out, "contact_area_m2");
-  const auto sum = numbers(result.out, "S");
-  const auto peak = numbers(result.out, "p_peak_Pa");
-  for (std::size_t i = 0; i < mean.size(); ++i) {
-    // Rounding of four numbers.
-    EXPECT_NEAR(mean[i] * area[i] / 2000, sum[i], 4e-15);
-    EXPECT_GT(peak[i], mean[i]);
-  }
+  const CsvTable table(result.out);
+  EXPECT_EQ(table.texts("pressure"), all_names());
   const JointSpec joint =
       read_joint(std::filesystem::path(CONTACT_DATA_DIR).parent_path() / hip);
-  const double half_angle = numbers(result.out, "theta0_deg")[0] * degree;
-  const auto spin = numbers(result.out, "sigma_Z_90");
-  const auto slide = numbers(result.out, "chi_0");
-  for (std::size_t i = 0; i < spin.size(); ++i) {
+  const double half_angle = table.at("theta0_deg") * degree;
+  for (std::size_t row = 1; row <= table.size(); ++row) {
+    const double mean = table.at(row, "p_mean_Pa");
+    // Rounding of four numbers.
+    EXPECT_NEAR(mean * table.at(row, "contact_area_m2") / 2000,
+                table.at(row, "S"), 4e-15);
+    EXPECT_GT(table.at(row, "p_peak_Pa"), mean);
     const auto law =
-        make_pressure_law(all_names()[i], JointKind::ball, joint.pair());
+        make_pressure_law(all_names()[row - 1], JointKind::ball, joint.pair());
+    const auto coefficient = [&](SlipAxis axis) {
+      return friction_integrals(*law, half_angle, axis).coefficient;
+    };
     // theta0 comes back from degrees.
-    EXPECT_NEAR(friction_integrals(*law, half_angle, SlipAxis{1, 0})
-                    .coefficient.spinning,
-                spin[i], 1e-14);
-    EXPECT_NEAR(
-        friction_integrals(*law, half_angle, SlipAxis{0, 1}).coefficient.force,
-        slide[i], 1e-14);
+    EXPECT_NEAR(coefficient({1, 0}).spinning, table.at(row, "sigma_Z_90"),
+                1e-14);
+    EXPECT_NEAR(coefficient({0, 1}).force, table.at(row, "chi_0"), 1e-14);
   }
   // The cosine's peak is 11 to 33 % above the exact one.
-  EXPECT_GT(peak[0], 1.1 * peak[4]);
-  EXPECT_LT(peak[0], 1.34 * peak[4]);
+  const double ratio = table.at(1, "p_peak_Pa") / table.at(5, "p_peak_Pa");
+  EXPECT_GT(ratio, 1.1);
+  EXPECT_LT(ratio, 1.34);
 }
 
 // By option and joint file; a ball up to 90 deg.
@@ -159,10 +143,10 @@ TEST(HingePressure, Worn) {
   };
   const ProgramResult by_option = run("--pressure worn --joint " + pin);
   EXPECT_EQ(by_option.status, 0) << by_option.err;
-  const double theta0 = numbers(by_option.out, "theta0_deg")[0] * degree;
+  const CsvTable table(by_option.out);
+  const double theta0 = table.at("theta0_deg") * degree;
   const double s = std::sin(theta0);
-  EXPECT_NEAR(numbers(by_option.out, "S")[0],
-              2 * s / (theta0 + s * std::cos(theta0)), 1e-14);
+  EXPECT_NEAR(table.at("S"), 2 * s / (theta0 + s * std::cos(theta0)), 1e-14);
   folder.run("sed s=../materials=data/materials= " + pin +
              " >worn.toml; printf '\\n[pressure]\\nlaw = \"worn\"\\n' "
              ">> worn.toml");
@@ -172,7 +156,7 @@ TEST(HingePressure, Worn) {
       "hinge-pressure --joint ball --modulus-ratio 1 --load-parameter 100 "
       "--law tanh --limit-angle 120 --summary --pressure worn");
   EXPECT_EQ(wide.status, 1);
-  EXPECT_EQ(csv_column(csv_rows(wide.out), "S"), std::vector<std::string>{""});
+  EXPECT_EQ(CsvTable(wide.out).texts("S"), Texts{""});
   EXPECT_TRUE(has_text(wide.err,
                        "pressure worn: none for 1 of 1 loads, whose "
                        "half-angle is above 90 deg"));
@@ -194,8 +178,7 @@ TEST(HingePressure, DimensionlessPinAndJson) {
   const double expected = 2 * b / (std::numbers::pi * s1) +
                           std::log((s1 + b) / (s1 - b)) /
                               (2 * std::numbers::pi * b * b * (1 + b * b));
-  EXPECT_NEAR(rows[0]["p_exact_over_nominal"].get<double>(), 2 * expected,
-              2e-9);
+  EXPECT_NEAR(rows[0]["p_exact_over_nominal"], 2 * expected, 2e-9);
 }
 
 TEST(HingePressure, LoadedThroughTheBack) {
@@ -208,37 +191,41 @@ TEST(HingePressure, LoadedThroughTheBack) {
             "load_parameter,theta0_deg,loading,theta_deg,p_cosine_over_nominal,"
             "p_sqrt_tan_over_nominal,p_sqrt_theta_over_nominal,"
             "p_exact_back:30_over_nominal");
-  EXPECT_EQ(csv_column(csv_rows(profile.out), "loading")[0], "back:30");
+  const CsvTable table(profile.out);
+  EXPECT_EQ(table.text("loading"), "back:30");
   const auto loading = InnerLoading::back(30 * degree);
   const auto pair = ElasticPair::from_modulus_ratio(1, 0.3, 0.3);
   const JointKind kind = JointKind::pin;
   const double half_angle =
       ExactLaw(kind, pair, loading).half_angle(0.5).half_angle;
-  EXPECT_EQ(numbers(profile.out, "theta0_deg")[0], half_angle / degree);
-  EXPECT_EQ(numbers(profile.out, "p_exact_back:30_over_nominal")[0],
+  EXPECT_EQ(table.at("theta0_deg"), half_angle / degree);
+  EXPECT_EQ(table.at("p_exact_back:30_over_nominal"),
             2 * ExactPressure(kind, pair, loading).peak(half_angle));
-  const ProgramResult summary = folder.run(command + "--summary");
-  EXPECT_EQ(csv_column(csv_rows(summary.out), "law")[3], "exact_back:30");
-  EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[3], "exact_back:30");
-  EXPECT_EQ(csv_column(csv_rows(summary.out), "pressure")[0], "cosine");
+  const CsvTable summary = folder.table(command + "--summary");
+  EXPECT_EQ(summary.text(4, "law"), "exact_back:30");
+  EXPECT_EQ(summary.text(4, "pressure"), "exact_back:30");
+  EXPECT_EQ(summary.text("pressure"), "cosine");
 }
 
 // A hip in 8 mm of polyethylene at 2 kN: numbers of an independent solution, to
 // four digits. All pressure laws are those that know walls.
 TEST(HingePressure, FiniteWalls) {
   const ProgramFolder folder;
-  const ProgramResult result = folder.run_well(
+  const CsvTable table = folder.table(
       "hinge-pressure --joint data/joints/hip_cocr_uhmwpe.toml --load "
       "2000 --summary");
-  ASSERT_EQ(csv_rows(result.out).size(), 2U);
-  EXPECT_EQ(csv_column(csv_rows(result.out), "law")[0], "exact");
-  EXPECT_EQ(csv_column(csv_rows(result.out), "pressure")[0], "exact");
-  EXPECT_NEAR(numbers(result.out, "theta0_deg")[0], 43.47, 5e-3);
-  EXPECT_NEAR(numbers(result.out, "p_peak_Pa")[0], 11.33e6, 5e3);
-  EXPECT_NEAR(numbers(result.out, "S")[0], 1.115, 5e-4);
-  EXPECT_NEAR(numbers(result.out, "chi_0")[0], 1.0540, 5e-5);
-  EXPECT_NEAR(numbers(result.out, "sigma_Y_0")[0], 1.0588, 5e-5);
-  EXPECT_NEAR(numbers(result.out, "sigma_Z_90")[0], 0.4539, 5e-5);
+  ASSERT_EQ(table.size(), 1U);
+  EXPECT_EQ(table.text("law"), "exact");
+  EXPECT_EQ(table.text("pressure"), "exact");
+  for (const auto& [column, value, half_unit] :
+       {std::tuple{"theta0_deg", 43.47, 5e-3},
+        {"p_peak_Pa", 11.33e6, 5e3},
+        {"S", 1.115, 5e-4},
+        {"chi_0", 1.0540, 5e-5},
+        {"sigma_Y_0", 1.0588, 5e-5},
+        {"sigma_Z_90", 0.4539, 5e-5}}) {
+    EXPECT_NEAR(table.at(column), value, half_unit) << column;
+  }
 }
 
 // Laws with other half-angles, and joints without a size, have none.
@@ -268,9 +255,9 @@ TEST(HingePressure, LongSweepsTakeNoMemory) {
 }
 
 TEST(HingePressure, UnloadedJointsHaveNoPressure) {
-  const ProgramResult result = ProgramFolder().run_well(
-      "hinge-pressure --summary --load 0 --joint " + pin);
-  for (const double p : numbers(result.out, "p_peak_Pa")) EXPECT_EQ(p, 0);
+  const CsvTable table =
+      ProgramFolder().table("hinge-pressure --summary --load 0 --joint " + pin);
+  for (const double p : table["p_peak_Pa"]) EXPECT_EQ(p, 0);
 }
 
 TEST(HingePressure, LoadsWithoutHalfAngleAreEmptyAndSaidSo) {
@@ -280,7 +267,7 @@ TEST(HingePressure, LoadsWithoutHalfAngleAreEmptyAndSaidSo) {
   EXPECT_EQ(result.status, 1);
   EXPECT_TRUE(
       has_text(result.err, "law hertz: no half-angle for 1 of 2 loads"));
-  EXPECT_TRUE(std::isnan(numbers(result.out, "p_peak_over_nominal")[1]));
+  EXPECT_TRUE(std::isnan(CsvTable(result.out).at(2, "p_peak_over_nominal")));
 }
 
 TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
@@ -297,23 +284,18 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/spherical_plain_bearing_ge50.toml";
   const std::string run = "hinge-pressure --joint " + file + " --load ";
-  const auto rows =
-      csv_rows(folder.run_well(run + "1kN,100kN --direction 90,70").out);
-  ASSERT_EQ(rows.size(), 5u);
-  const JointSpec joint =
-      read_joint(std::filesystem::path(CONTACT_DATA_DIR) /
-                 "joints/spherical_plain_bearing_ge50.toml");
+  const CsvTable table = folder.table(run + "1kN,100kN --direction 90,70");
+  ASSERT_EQ(table.size(), 4u);
+  const JointSpec joint = read_joint(folder.path() / file);
   const SeatContact seat(joint, *joint.geometry.seat());
-  for (std::size_t row = 1; row < rows.size(); ++row) {
-    const auto cell = [&](const char* column) {
-      return std::stod(csv_column(rows, column)[row - 1]);
-    };
-    const double at = cell("direction_deg") * degree;
-    const SeatState s = seat.under(
-        cell("load_N") * Eigen::Vector3d(std::sin(at), 0, std::cos(at)));
-    EXPECT_EQ(cell("p_peak_Pa"), s.peak_pressure);
-    EXPECT_EQ(cell("S"), s.force_ratio);
-    EXPECT_EQ(cell("free"), s.is_free ? 1 : 0);
+  for (std::size_t row = 1; row <= table.size(); ++row) {
+    const double at = table.at(row, "direction_deg") * degree;
+    const SeatState s =
+        seat.under(table.at(row, "load_N") *
+                   Eigen::Vector3d(std::sin(at), 0, std::cos(at)));
+    EXPECT_EQ(table.at(row, "p_peak_Pa"), s.peak_pressure);
+    EXPECT_EQ(table.at(row, "S"), s.force_ratio);
+    EXPECT_EQ(table.at(row, "free"), s.is_free ? 1 : 0);
   }
   // Without end the same load presses less (docs/seats.md).
   const auto open = folder.run_well(run + "100kN --summary");
@@ -332,19 +314,16 @@ TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
   const std::string pressed =
       "hinge-pressure --joint data/joints/lined_bush_pressed.toml --load "
       "0,6kN ";
-  const auto rows = csv_rows(folder.run_well(pressed + "--summary").out);
-  EXPECT_EQ(csv_column(rows, "contact_state"),
-            (std::vector<std::string>{"closed", "lifted"}));
-  const std::string p0 = csv_column(rows, "p_0_Pa")[0];
-  EXPECT_EQ(csv_column(rows, "p_peak_Pa")[0], p0);
-  EXPECT_EQ(csv_column(rows, "p_mean_Pa")[0], p0);
-  EXPECT_EQ(csv_column(rows, "S")[0], "");
-  EXPECT_NEAR(std::stod(csv_column(rows, "sum_p_N")[1]) /
-                  (6000 * std::stod(csv_column(rows, "S")[1])),
-              1, 1e-12);
-  const auto profile = csv_rows(folder.run_well(pressed + "--points 3").out);
-  for (int i = 0; i < 3; ++i) {
-    EXPECT_EQ(csv_column(profile, "p_exact_Pa")[i], p0);
+  const CsvTable table = folder.table(pressed + "--summary");
+  EXPECT_EQ(table.texts("contact_state"), (Texts{"closed", "lifted"}));
+  const std::string p0 = table.text("p_0_Pa");
+  EXPECT_EQ(table.text("p_peak_Pa"), p0);
+  EXPECT_EQ(table.text("p_mean_Pa"), p0);
+  EXPECT_EQ(table.text("S"), "");
+  EXPECT_NEAR(table.at(2, "sum_p_N") / (6000 * table.at(2, "S")), 1, 1e-12);
+  const CsvTable profile = folder.table(pressed + "--points 3");
+  for (int row = 1; row <= 3; ++row) {
+    EXPECT_EQ(profile.text(row, "p_exact_Pa"), p0);
   }
 }
 

@@ -1,7 +1,6 @@
 // The program hinge-table, run as its users run it.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -50,7 +49,7 @@ TEST(HingeTable, GridHasTheLibrarysValuesToTheLastDigit) {
       "hinge-table --theta0 0:120:15 --alpha -90:90:22.5");
   EXPECT_EQ(result.err, "");
   const auto rows = csv_rows(result.out);
-  EXPECT_EQ(result.out.substr(0, result.out.find('\n')), header);
+  EXPECT_EQ(first_line(result.out), header);
   ASSERT_EQ(rows.size(), 1U + 9 * 9);
   for (std::size_t i = 1; i < rows.size(); ++i) {
     const std::size_t step = (i - 1) / 9;
@@ -139,11 +138,9 @@ TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
   hinge_table::Options options;
   options.theta0 = "20,30";
   options.alpha = "10";
-  const auto rows = csv_rows(run(options));
-  EXPECT_EQ(csv_column(rows, "sigma_Y_cosine"),
-            (std::vector<std::string>{"0.5", "ERROR"}));
-  EXPECT_EQ(csv_column(rows, "sigma_Z_cosine"),
-            (std::vector<std::string>{"0.5", "0.5"}));
+  const CsvTable table(run(options));
+  EXPECT_EQ(table.texts("sigma_Y_cosine"), (Texts{"0.5", "ERROR"}));
+  EXPECT_EQ(table.texts("sigma_Z_cosine"), (Texts{"0.5", "0.5"}));
   options.output.format = cli::Format::markdown;
   options.quantity = "sigma_Y";
   EXPECT_TRUE(has_text(run(options), "|  ERROR |"));
@@ -151,23 +148,21 @@ TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
 
 TEST(HingeTable, PointsOfTheReferenceTable) {
   // The table's own columns ride along and are compared in place.
-  const ProgramResult result = ProgramFolder().run_well(
+  const CsvTable table = ProgramFolder().table(
       "hinge-table --points data/reference/friction_integrals.csv");
-  const auto rows = csv_rows(result.out);
-  ASSERT_EQ(rows.size(), 1 + friction_reference().size());
+  ASSERT_EQ(table.size(), friction_reference().size());
   for (const char* name : {"I_p", "J_p", "K_p", "I_a", "J_a", "K_a", "chi",
                            "sigma_Y", "sigma_Z"}) {
     // The reference's columns do not say so.
     const bool by_pressure = !std::string_view(name).ends_with("_a");
-    const auto computed =
-        csv_column(rows, std::string(name) + (by_pressure ? "_cosine" : ""));
-    const auto expected =
-        csv_column(rows, std::string(name) + (by_pressure ? "" : "_in"));
+    const std::string computed =
+        std::string(name) + (by_pressure ? "_cosine" : "");
+    const std::string expected = std::string(name) + (by_pressure ? "" : "_in");
     // The bar of the exact method on its reference data.
     AccuracyReport report(name, 1e-14);
-    for (std::size_t i = 0; i < computed.size(); ++i) {
-      report.add(std::stod(computed[i]), std::stod(expected[i]),
-                 rows[i + 1][0] + ", " + rows[i + 1][1]);
+    for (std::size_t row = 1; row <= table.size(); ++row) {
+      report.add(table.at(row, computed), table.at(row, expected),
+                 std::to_string(row));
     }
   }
 }
@@ -269,19 +264,16 @@ TEST(HingeTable, LinesThatAreTooLongAreAnsweredInTheirPlace) {
         EXPECT_EQ(result.status, 1);
         EXPECT_EQ(result.err,
                   "ERROR: line 3: longer than 1000000 characters\n");
-        EXPECT_EQ(csv_column(csv_rows(result.out), "theta0_deg"),
-                  (std::vector<std::string>{"10", "ERROR", "20"}));
-        EXPECT_EQ(csv_column(csv_rows(result.out), "note"),
-                  (std::vector<std::string>{"a", "", "c"}));
+        const CsvTable table(result.out);
+        EXPECT_EQ(table.texts("theta0_deg"), (Texts{"10", "ERROR", "20"}));
+        EXPECT_EQ(table.texts("note"), (Texts{"a", "", "c"}));
       }
     }
   }
   folder.write("header.csv", std::string(1'000'001, 'x') + "\n1,2\n");
-  const ProgramResult refused = folder.run("hinge-table --points header.csv");
-  EXPECT_EQ(refused.status, 2);
-  EXPECT_EQ(refused.err,
-            "hinge-table: header.csv, line 1: longer than 1000000 "
-            "characters\n");
+  folder.run_ill("hinge-table --points header.csv", 2,
+                 "hinge-table: header.csv, line 1: longer than 1000000 "
+                 "characters\n");
 }
 
 TEST(HingeTable, ManyPointsInOrderByAnyNumberOfJobs) {
@@ -375,17 +367,14 @@ TEST(HingeTable, TwoWayTables) {
 
 TEST(HingeTable, Plots) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   const ProgramResult result = folder.run_well(
       "for kind in svg png pdf; do\n"
       "hinge-table --theta0 5:95:15 --alpha 0:90:1 --plot \"it's.$kind\" "
       ">table.csv || exit 1\ndone");
   EXPECT_EQ(result.err, "");
   EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"it's.pdf", "it's.png", "it's.svg",
-                                      "table.csv"}));
+            (Texts{"it's.pdf", "it's.png", "it's.svg", "table.csv"}));
   EXPECT_TRUE(has_text(folder.read("it's.svg"), "</svg>"));
   EXPECT_EQ(folder.read("it's.png").rfind("\x89PNG", 0), 0U);
   EXPECT_EQ(folder.read("it's.pdf").rfind("%PDF", 0), 0U);
@@ -414,24 +403,20 @@ TEST(HingeTable, OtherPressures) {
     const bool by_materials = name == "mixture" || name == "exact";
     // The worn pressure ends at 90 deg.
     const std::string widest = name == "worn" ? "90" : "100";
-    const ProgramResult result = folder.run_well(
-        "hinge-table --theta0 20," + widest + " --alpha 30,90 " +
-        (by_materials ? materials : "") + "--pressure " + name);
-    const auto rows = csv_rows(result.out);
+    const CsvTable table =
+        folder.table("hinge-table --theta0 20," + widest + " --alpha 30,90 " +
+                     (by_materials ? materials : "") + "--pressure " + name);
     // The name of the pressure is in that of every column it counts for.
     const std::string end = "_" + name;
-    const auto chi = csv_column(rows, "chi" + end);
-    const auto spin = csv_column(rows, "K_p" + end);
-    const auto normal = csv_column(rows, "I_normal" + end);
-    ASSERT_EQ(csv_column(rows, "K_a").size(), 4U);
+    ASSERT_EQ(table["K_a"].size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {
       const auto expected =
           friction_integrals(*law, (i < 2 ? 20 : std::stod(widest)) * degree,
                              SlipAxis::from_degrees(i % 2 == 0 ? 30 : 90));
       // The batch's last digits differ from the scalar call's.
-      EXPECT_NEAR(std::stod(chi[i]), expected.coefficient.force, 1e-14);
-      EXPECT_NEAR(std::stod(spin[i]), expected.pressure.spinning, 1e-14);
-      EXPECT_NEAR(std::stod(normal[i]), expected.normal, 1e-14);
+      EXPECT_NEAR(table["chi" + end][i], expected.coefficient.force, 1e-14);
+      EXPECT_NEAR(table["K_p" + end][i], expected.pressure.spinning, 1e-14);
+      EXPECT_NEAR(table["I_normal" + end][i], expected.normal, 1e-14);
     }
   }
   // A joint file brings materials and pressure.
@@ -442,45 +427,40 @@ TEST(HingeTable, OtherPressures) {
   const auto two_way =
       folder.run(grid + "--pressure sqrt_tan --format markdown");
   EXPECT_TRUE(has_text(two_way.out, "chi_sqrt_tan: theta0_deg"));
-  const auto definition = folder.run(
-      "hinge-table --theta0 20 --alpha 30 --pressure exact --method "
-      "quadrature " +
-      materials);
+  const CsvTable definition(
+      folder
+          .run("hinge-table --theta0 20 --alpha 30 --pressure exact --method "
+               "quadrature " +
+               materials)
+          .out);
   EXPECT_NEAR(
-      std::stod(csv_column(csv_rows(definition.out), "chi_exact")[0]),
-      std::stod(csv_column(
-          csv_rows(folder.run(grid + materials + "--pressure exact").out),
-          "chi_exact")[0]),
+      definition.at("chi_exact"),
+      folder.table(grid + materials + "--pressure exact").at("chi_exact"),
       4e-9);
 }
 
-TEST(HingeTable, BallInALiner) {
+// A ball in a liner, and one that is pressed from behind.
+TEST(HingeTable, ExactPressuresOfOtherJoints) {
   const ProgramFolder folder;
+  const auto expect_spinning = [&](const std::string& options,
+                                   const std::string& column,
+                                   const ExactPressure& law) {
+    // The batch's last digits differ from the scalar call's.
+    EXPECT_NEAR(
+        folder.table("hinge-table --theta0 60 --alpha 90 " + options)
+            .at(column),
+        friction_integrals(law, 60 * degree, {1, 0}).coefficient.spinning,
+        1e-14);
+  };
   const std::string joint = "data/joints/hip_cocr_uhmwpe.toml";
-  const ProgramResult result =
-      folder.run_well("hinge-table --theta0 60 --alpha 90 --joint " + joint);
-  const JointSpec hip = read_joint(std::string(CONTACT_DATA_DIR) +
-                                   "/joints/hip_cocr_uhmwpe.toml");
-  const ExactPressure law(JointKind::ball, hip.conditions().walls.value());
-  // The batch's last digits differ from the scalar call's.
-  EXPECT_NEAR(
-      std::stod(csv_column(csv_rows(result.out), "sigma_Z_exact").at(0)),
-      friction_integrals(law, 60 * degree, {1, 0}).coefficient.spinning, 1e-14);
-}
-
-TEST(HingeTable, BallPressedFromBehind) {
-  const ProgramFolder folder;
-  const ProgramResult result = folder.run_well(
-      "hinge-table --theta0 60 --alpha 90 --pressure exact --modulus-ratio 7 "
-      "--loading back:15");
-  const ExactPressure law(JointKind::ball,
-                          ElasticPair::from_modulus_ratio(7, 0.3, 0.3),
-                          InnerLoading::back(15 * degree));
-  // The batch's last digits differ from the scalar call's.
-  EXPECT_NEAR(
-      std::stod(
-          csv_column(csv_rows(result.out), "sigma_Z_exact_back:15").at(0)),
-      friction_integrals(law, 60 * degree, {1, 0}).coefficient.spinning, 1e-14);
+  const JointSpec hip = read_joint(folder.path() / joint);
+  const auto ball = JointKind::ball;
+  expect_spinning("--joint " + joint, "sigma_Z_exact",
+                  {ball, hip.conditions().walls.value()});
+  expect_spinning("--pressure exact --modulus-ratio 7 --loading back:15",
+                  "sigma_Z_exact_back:15",
+                  {ball, ElasticPair::from_modulus_ratio(7, 0.3, 0.3),
+                   InnerLoading::back(15 * degree)});
   // A patch of 80 deg leaves the contact no more than 100 deg.
   const ProgramResult beyond = folder.run(
       "hinge-table --theta0 60,110 --alpha 0,90 --pressure exact "
@@ -489,7 +469,7 @@ TEST(HingeTable, BallPressedFromBehind) {
   EXPECT_TRUE(has_text(beyond.err,
                        "points without a value: 2; the pressure "
                        "exact_back:80 ends at "));
-  EXPECT_EQ(csv_column(csv_rows(beyond.out), "chi_exact_back:80").at(2), "");
+  EXPECT_EQ(CsvTable(beyond.out).text(3, "chi_exact_back:80"), "");
 }
 
 TEST(HingeTable, Version) {

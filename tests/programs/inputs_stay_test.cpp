@@ -83,22 +83,18 @@ TEST_F(InputsStay, OfCasesAndStudies) {
   refuses("hinge-study s.toml", "--csv j.toml", "j.toml");
   refuses("hinge-study s.toml", "--output s.toml", "s.toml");
   // Files to resume from, and to merge.
-  ASSERT_EQ(folder_
-                .run(separate + " --checkpoint k --checkpoint-every 0.1 "
-                                "--output o.json")
-                .status,
-            0);
+  folder_.run_well(separate +
+                   " --checkpoint k --checkpoint-every 0.1 "
+                   "--output o.json");
   refuses(separate + " --resume k", "--output k", "k");
   ASSERT_LE(folder_.run("hinge-study s.toml --journal part").status, 1);
   refuses("hinge-study s.toml --merge part", "--csv part", "part");
 }
 
 TEST_F(InputsStay, UnderOtherNames) {
-  ASSERT_EQ(folder_
-                .run("ln -s points.csv soft.csv; ln points.csv hard.csv; "
-                     "mkdir sub; ln -s .. sub/up")
-                .status,
-            0);
+  folder_.run_well(
+      "ln -s points.csv soft.csv; ln points.csv hard.csv; "
+      "mkdir sub; ln -s .. sub/up");
   for (const std::string name :
        {"./points.csv", "sub/../points.csv", "soft.csv", "hard.csv",
         "sub/up/points.csv", "\"$PWD/points.csv\""}) {
@@ -110,12 +106,10 @@ TEST_F(InputsStay, UnderOtherNames) {
         << result.err;
     EXPECT_EQ(folder_.read("points.csv"), before) << name;
   }
-  const ProgramResult piped =
-      folder_.run("hinge-table --points - --output hard.csv < points.csv");
-  EXPECT_EQ(piped.status, 2);
-  EXPECT_EQ(piped.err,
-            "hinge-table: --output hard.csv must be another file than standard "
-            "input, which is read\n");
+  folder_.run_ill(
+      "hinge-table --points - --output hard.csv < points.csv", 2,
+      "hinge-table: --output hard.csv must be another file than standard "
+      "input, which is read\n");
 }
 
 // Inputs may be read twice, and by devices and pipes nothing is lost.
@@ -126,7 +120,7 @@ TEST_F(InputsStay, OthersMayBeWritten) {
                     "test $? -eq 2"),
         std::string("cat points.csv | hinge-table --points - --output "
                     "points.csv")}) {
-    EXPECT_EQ(folder_.run(run).status, 0) << run;
+    folder_.run_well(run);
   }
 }
 

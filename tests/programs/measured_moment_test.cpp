@@ -18,12 +18,12 @@ namespace {
 // A cell of the only row.
 std::string text(const ProgramResult& result, const std::string& column) {
   EXPECT_EQ(result.status, 0) << result.err;
-  const auto rows = csv_rows(result.out);
-  EXPECT_EQ(rows.size(), 2U);
-  return csv_column(rows, column).at(0);
+  const CsvTable table(result.out);
+  EXPECT_EQ(table.size(), 1U);
+  return table.text(column);
 }
 double number(const ProgramResult& result, const std::string& column) {
-  return cli::parse_number(text(result, column)).value_or(NAN);
+  return CsvTable(result.out).at(column);
 }
 
 struct Case {

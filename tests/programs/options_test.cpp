@@ -445,9 +445,9 @@ TEST_F(ComparedJoints, AllCombinationsTheLastKeyFastest) {
       "--set wall.backing=rigid,held");
   ASSERT_EQ(all.size(), 5u);
   EXPECT_EQ(csv_column(all, "wall.layer[1].thickness_mm"),
-            (std::vector<std::string>{"4", "4", "8", "8"}));
+            (Texts{"4", "4", "8", "8"}));
   EXPECT_EQ(csv_column(all, "wall.backing"),
-            (std::vector<std::string>{"rigid", "held", "rigid", "held"}));
+            (Texts{"rigid", "held", "rigid", "held"}));
   const auto theta0 = csv_column(all, "theta0_exact_deg");
   for (std::size_t i = 0; i < 4; ++i) {
     for (std::size_t j = 0; j < i; ++j) EXPECT_NE(theta0[i], theta0[j]);
@@ -455,7 +455,7 @@ TEST_F(ComparedJoints, AllCombinationsTheLastKeyFastest) {
 }
 
 TEST_F(ComparedJoints, PicturesNameThem) {
-  if (folder_.run("command -v gnuplot").status != 0) GTEST_SKIP();
+  if (!folder_.has_gnuplot()) GTEST_SKIP();
   for (const std::string program :
        {"hinge-angle --load 100:1000:log3",
         "hinge-pressure --load 1000 "

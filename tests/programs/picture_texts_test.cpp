@@ -1,7 +1,6 @@
 // Every picture that help, pages and the demonstration show, and those that
 // readers found cut: no text leaves the canvas, none lies over another one.
 // Sizes of texts are those by which pictures are laid out.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -99,9 +98,7 @@ void expect_readable(const std::string& svg, const std::string& of) {
 // Runs it and looks at all pictures that it leaves.
 void expect_good_pictures(const std::string& command) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   folder.run_well(command + " >table");
   int pictures = 0;
   for (const std::string& file : folder.files()) {

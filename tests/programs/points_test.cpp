@@ -46,13 +46,11 @@ TEST(Points, AreAnsweredLineByLine) {
 // A value of --summary.
 std::string value(const ProgramResult& summary, const std::string& quantity,
                   const std::string& column = "value") {
-  const auto rows = csv_rows(summary.out);
-  const auto names = csv_column(rows, "quantity");
-  const auto at = std::ranges::find(names, quantity) - names.begin();
-  return csv_column(rows, column).at(static_cast<std::size_t>(at));
+  const CsvTable table(summary.out);
+  return table.text(table.row_of(quantity), column);
 }
 double number(const ProgramResult& summary, const std::string& quantity) {
-  return cli::parse_number(value(summary, quantity)).value_or(NAN);
+  return CsvTable(summary.out).value(quantity);
 }
 
 // Peaks and means are those of the rows; the time is uneven.
@@ -64,18 +62,15 @@ TEST(Points, SummaryIsThatOfTheRows) {
                "1e5,d,90,\"1.75\"\n");
   const std::string run = joint + "--rate 2 --points cycle.csv ";
   const ProgramResult summary = folder.run_well(run + "--summary");
-  const auto rows = csv_rows(folder.run(run).out);
-  EXPECT_EQ(value(summary, "law"), csv_column(rows, "law")[0]);
-  EXPECT_EQ(value(summary, "pressure"), csv_column(rows, "pressure")[0]);
+  const CsvTable rows = folder.table(run);
+  EXPECT_EQ(value(summary, "law"), rows.text("law"));
+  EXPECT_EQ(value(summary, "pressure"), rows.text("pressure"));
   EXPECT_EQ(value(summary, "states"), "4");
   EXPECT_EQ(value(summary, "left_out"), "0");
   EXPECT_EQ(value(summary, "duration_s"), "1.75");
   for (const std::string name : {"R_N", "R_n_N", "M_t_N_m", "f_M", "p_peak_Pa",
                                  "theta0_deg", "power_W"}) {
-    std::vector<double> values;
-    for (const std::string& cell : csv_column(rows, name)) {
-      values.push_back(cli::parse_number(cell).value());
-    }
+    const std::vector<double>& values = rows[name];
     const auto larger = [](double a, double b) {
       return std::abs(a) < std::abs(b);
     };
@@ -140,18 +135,13 @@ TEST(Points, WhatIsLeftOutIsSaid) {
   EXPECT_TRUE(has_text(summary.err, "ERROR: line 3: R_N = x must be"));
   EXPECT_TRUE(has_text(summary.err, "rows without a value: 1;"));
 
-  for (const auto& [time, problem] :
-       {std::pair{"0.5",
-                  "time_s of state 3 must be a number that is not below "
-                  "the one before it"},
-        {"x",
-         "time_s of state 3 must be a number that is not below the one "
-         "before it"}}) {
-    folder.write("back.csv",
-                 "R_N,time_s\n1e3,0\n2e3,1\n1e3," + std::string(time) + "\n");
+  for (const std::string time : {"0.5", "x"}) {
+    folder.write("back.csv", "R_N,time_s\n1e3,0\n2e3,1\n1e3," + time + "\n");
     const ProgramResult back = folder.run_well(run + "back.csv");
-    EXPECT_TRUE(has_text(back.err, std::string("hinge-joint: warning: ") +
-                                       problem + "; the time is left out\n"));
+    EXPECT_TRUE(has_text(
+        back.err,
+        "hinge-joint: warning: time_s of state 3 must be a number that is not "
+        "below the one before it; the time is left out\n"));
     EXPECT_FALSE(has_text(back.out, "at_time_s"));
     EXPECT_FALSE(has_text(back.out, "dissipated"));
     EXPECT_NEAR(number(back, "mean_R_N"), 4000. / 3, 1e-12);
@@ -166,16 +156,14 @@ TEST(Points, SummaryAtRest) {
   const std::string run = joint + "--points rest.csv ";
   const ProgramResult summary = folder.run(run + "--summary");
   EXPECT_EQ(value(summary, "largest_utilisation"),
-            csv_column(csv_rows(folder.run(run).out), "utilisation")[1]);
+            folder.table(run).text(2, "utilisation"));
   EXPECT_FALSE(has_text(summary.out, "power"));
   EXPECT_FALSE(has_text(summary.out, "dissipated"));
 }
 
 TEST(Points, AreDrawn) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) {
-    GTEST_SKIP() << "gnuplot is not installed";
-  }
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   // Enough points to be thinned out, and one peak that must not get lost.
   std::string points = "t_s,R_N,b_deg\n";
   for (int i = 0; i < 5000; ++i) {

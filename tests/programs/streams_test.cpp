@@ -31,7 +31,7 @@ TEST_P(Streams, CostNoResult) {
     const ProgramResult expected = whole.run_well(run);
     ASSERT_TRUE(has_text(expected.err, "warning: ")) << run;
     const ProgramFolder folder;
-    EXPECT_EQ(folder.run(run + how).status, 0) << run;
+    folder.run_well(run + how);
     EXPECT_EQ(folder.files(), whole.files());
     for (const std::string name : {"h.csv", "o.json"}) {
       EXPECT_TRUE(folder.read(name) == whole.read(name)) << run << ' ' << name;
@@ -70,10 +70,9 @@ TEST(StandardStreams, HelpThatCannotBeWrittenIsAnError) {
     for (const auto& [where, why] :
          {std::pair{" >&-", "Bad file descriptor"},
           {" >/dev/full", "No space left on device"}}) {
-      const ProgramResult result = folder.run("hinge-table " + option + where);
-      EXPECT_EQ(result.status, 2) << option << where;
-      EXPECT_EQ(result.err, "hinge-table: cannot write standard output: " +
-                                std::string(why) + "\n");
+      folder.run_ill("hinge-table " + option + where, 2,
+                     "hinge-table: cannot write standard output: " +
+                         std::string(why) + "\n");
     }
     EXPECT_TRUE(has_text(folder.run_well("hinge-table " + option).out,
                          option == "--help" ? "--theta0" : "(libcontact)"));
@@ -177,10 +176,6 @@ std::string with_room(int bytes, const std::string& command) {
          command;
 }
 
-bool have_gnuplot(const ProgramFolder& folder) {
-  return folder.run("command -v gnuplot").status == 0;
-}
-
 TEST(FullDisk, ResultsAreWholeOrNotThere) {
   const std::string joint = "data/joints/hip_cocr_uhmwpe_infinite.toml";
   const std::string duty = "data/reference/duty/cycle_hip";
@@ -198,11 +193,9 @@ TEST(FullDisk, ResultsAreWholeOrNotThere) {
   for (const std::string& run : runs) {
     for (const int room : {0, 100}) {
       const ProgramFolder folder;
-      const ProgramResult result =
-          folder.run(with_room(room, run + " --output result"));
-      EXPECT_EQ(result.status, 2) << run;
-      EXPECT_EQ(result.err, run.substr(0, run.find(' ')) + ": cannot write " +
-                                "result: No space left on device\n");
+      folder.run_ill(with_room(room, run + " --output result"), 2,
+                     run.substr(0, run.find(' ')) + ": cannot write " +
+                         "result: No space left on device\n");
       EXPECT_TRUE(folder.files().empty());
     }
   }
@@ -211,12 +204,10 @@ TEST(FullDisk, ResultsAreWholeOrNotThere) {
 // A file has its name when it is on the disk and not before.
 TEST(FullDisk, FilesAreKeptBeforeTheyHaveTheirNames) {
   const ProgramFolder folder;
-  const ProgramResult result = folder.run(
+  folder.run_ill(
       "CONTACT_TEST_LATE=1 " +
-      with_room(0, "hinge-table --theta0 45 --alpha 30 --output result"));
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err,
-            "hinge-table: cannot write result: No space left on device\n");
+          with_room(0, "hinge-table --theta0 45 --alpha 30 --output result"),
+      2, "hinge-table: cannot write result: No space left on device\n");
   EXPECT_TRUE(folder.files().empty());
 }
 
@@ -243,7 +234,7 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
     }
     const ProgramFolder folder;
     folder.run_well(with_room(size, run + "--history " + name));
-    EXPECT_EQ(folder.files(), std::vector<std::string>{name});
+    EXPECT_EQ(folder.files(), Texts{name});
     EXPECT_EQ(folder.read(name).size(), whole.read(name).size());
   }
   // The events have room when the history has had none.
@@ -329,7 +320,7 @@ TEST(FullDisk, JournalsGoOn) {
 
 TEST(FullDisk, PicturesAreWholeOrNotThere) {
   const ProgramFolder folder;
-  if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   for (const std::string name : {"p.svg", "p.png", "p.pdf"}) {
     for (const int room : {0, 1000}) {
       const ProgramResult result = folder.run(with_room(
@@ -347,7 +338,7 @@ TEST(FullDisk, PicturesAreWholeOrNotThere) {
 // The same on a file system that is full for gnuplot too.
 TEST(FullDisk, PicturesOnASmallFileSystem) {
   const ProgramFolder folder;
-  if (!have_gnuplot(folder)) GTEST_SKIP() << "gnuplot is not installed";
+  if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
   // Pages of 4 KiB, one of which is the folder's.
   const auto small = [&folder](int pages, const std::string& command) {
     return folder.run(

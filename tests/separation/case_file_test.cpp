@@ -14,6 +14,7 @@
 #include "separation/case/system_of.hpp"
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -160,20 +161,15 @@ TEST(CaseFile, JointsThatAreAlikeShareTheirLaws) {
   const fs::path cases = fs::path(CONTACT_DATA_DIR) / "cases";
   const Case arms = separation::read_case(cases / "platform.toml");
   // A second body, whose joint names the same file.
-  const Case one_file = parsed(case_file().edit("30", R"([[body]]
-name = "leg"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
-[body.hinge]
-kind = "axis"
-carrier_point_m = [3, 0.5, 0]
-axis = [0, 0, 2]
-[[body.hinge.joint]]
-file = "@DATA@/joints/pin_joint.toml"
-[body.lock]
-body_point_m = [2, 0, 0]
-[[event]])"),
-                               {"exact", "exact"});
+  const Case one_file = parsed(
+      case_file().edit(
+          "30",
+          R"([[body]]; name = "leg"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
+[body.hinge]; kind = "axis"; carrier_point_m = [3, 0.5, 0]; axis = [0, 0, 2]
+[[body.hinge.joint]]; file = "@DATA@/joints/pin_joint.toml"
+[body.lock]; body_point_m = [2, 0, 0]
+[[event]])"_toml),
+      {"exact", "exact"});
   ASSERT_EQ(contacts(arms).size(), 6U);
   ASSERT_EQ(contacts(one_file).size(), 3U);
   for (const Case* c : {&arms, &one_file}) {

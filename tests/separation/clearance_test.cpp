@@ -15,6 +15,7 @@
 #include "separation/clearance/pair_way.hpp"
 #include "separation/results/run.hpp"
 #include "support/numbers.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -483,13 +484,10 @@ TEST(Clearance, OfAFairingIsContinuous) {
 TEST(Clearance, RunsFailWithoutADistance) {
   const auto failure = [](const std::string& position) {
     const separation::Case c = separation::parse_case(R"(
-name = "two cubes"
-run = { end_time_s = 1, output_step_s = 0.5 }
+name = "two cubes"; run = { end_time_s = 1, output_step_s = 0.5 }
 carrier = { name = "ground", fixed = true, shape = [{ kind = "box", size_m = [1, 1, 1] }] }
-[[body]]
-name = "cube"
-mass_kg = 1
-start = { position_m = )" + position + R"( }
+[[body]]; name = "cube"; mass_kg = 1
+start = { position_m = )"_toml + position + R"( }
 shape = [{ kind = "box", size_m = [1, 1, 1] }]
 )",
                                                       "cubes.toml");

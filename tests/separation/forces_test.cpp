@@ -19,10 +19,12 @@
 #include "separation/simulation/force_watch.hpp"
 #include "separation/simulation/simulation.hpp"
 #include "support/error_message.hpp"
+#include "support/toml_text.hpp"
 
 namespace {
 
 using contact::test::error_message;
+using contact::test::operator""_toml;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using multibody::BodyForce;
@@ -38,22 +40,13 @@ struct Forces {
 Forces forces_of(const std::string& force, double time,
                  const Vector3d& velocity = Vector3d::Zero()) {
   const separation::Case c = separation::parse_case(R"(
-name = "forces"
-run = { end_time_s = 1 }
-[carrier]
-name = "core"
-mass_kg = 10
-principal_inertia_kg_m2 = [1, 1, 1]
-[[body]]
-name = "tip"
-mass_kg = 2
-com_m = [1, 0, 0]
+name = "forces"; run = { end_time_s = 1 }
+[carrier]; name = "core"; mass_kg = 10; principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "tip"; mass_kg = 2; com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [1, 1, 1]
 hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [10, 0, 0] }
-[[force]]
-name = "f"
-body = "tip"
-)" + force,
+[[force]]; name = "f"; body = "tip"
+)"_toml + force,
                                                     "forces.toml");
   BodyMotion carrier{Vector3d::Zero(), Vector3d::Zero(), Matrix3d::Identity(),
                      Vector3d::Zero()};
@@ -244,35 +237,36 @@ const std::string ground =
     "name = \"d\"\nrun = { end_time_s = 2 }\n"
     "[carrier]\nname = \"ground\"\nfixed = true\n";
 
+// A case with a simulation of it.
+struct Simulated {
+  explicit Simulated(const std::string& text)
+      : of(separation::parse_case(ground + text, "d.toml")),
+        motion(of, separation::FrictionChoice::full) {}
+  double energy() const { return motion.sample().energy().balance(); }
+  std::vector<separation::ForceRecord> records() const {
+    std::vector<separation::ForceRecord> records(1);
+    separation::look_at_forces(motion, records);
+    return records;
+  }
+
+  separation::Case of;
+  separation::Simulation motion;
+};
+
 // 0.3 m are used when it begins, at a time or with an event: of a shorter
 // stroke nothing is left, and of a longer one 0.2 m push.
 TEST(Pusher, DoesNotBeginBehindItsStroke) {
   for (const char* const begin :
        {"starts_at_s = 0.7\n", "starts_at_event = \"go\"\n"}) {
     for (const double stroke : {0.2, 0.5}) {
-      const separation::Case c =
-          separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
-[[body]]
-name = "b"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
+      Simulated run(ball_text("a", 2, 1, 0) + R"(
+[[body]]; name = "b"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
 hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [0, 9, 0] }
-[[event]]
-name = "go"
-time_s = 0.5
-breaks = "hinge"
-bodies = ["b"]
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [0.7, 0, 0]
-direction = [1, 0, 0]
-first_force_N = 40
-)" + begin + fmt::format("stroke_m = {}\n", stroke),
-                                 "p.toml");
-      separation::Simulation motion(c, separation::FrictionChoice::full);
+[[event]]; name = "go"; time_s = 0.5; breaks = "hinge"; bodies = ["b"]
+[[force]]; name = "pusher"; kind = "pusher"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [0.7, 0, 0]; direction = [1, 0, 0]; first_force_N = 40
+)"_toml + begin + fmt::format("stroke_m = {}\n", stroke));
+      separation::Simulation& motion = run.motion;
       while (motion.advance_to(2) == separation::Simulation::Stop::event) {
         ASSERT_TRUE(motion.apply());
       }
@@ -290,37 +284,26 @@ first_force_N = 40
 // A thousandth of the stroke is what figures of some digits leave.
 TEST(Pusher, IsBehindByMoreThanAThousandthOfItsStroke) {
   for (const auto& [behind, fault] : {std::pair(0.9e-3, 0), {1.1e-3, 1}}) {
-    const separation::Case c =
-        separation::parse_case(ground + ball_text("a", 2, 1, 0) + R"(
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "a"
-point_m = [0, 0, 0]
-direction = [1, 0, 0]
-first_force_N = 40
-stroke_m = 0.5
-)" + fmt::format("carrier_point_m = [{}, 0, 0]\n", 1 + behind * 0.5),
-                               "p.toml");
-    const separation::Simulation motion(c, separation::FrictionChoice::full);
-    const separation::ForceInstant at{c, 1, motion.sample().motions(), 0, 0, 0};
-    EXPECT_EQ(c.forces[0].law->find_fault(at, true, true), fault) << behind;
+    const Simulated run(ball_text("a", 2, 1, 0) + R"(
+[[force]]; name = "pusher"; kind = "pusher"; body = "a"; point_m = [0, 0, 0]
+direction = [1, 0, 0]; first_force_N = 40; stroke_m = 0.5
+)"_toml + fmt::format("carrier_point_m = [{}, 0, 0]\n", 1 + behind * 0.5));
+    const separation::ForceInstant at{run.of, 1, run.motion.sample().motions(),
+                                      0,      0, 0};
+    EXPECT_EQ(run.of.forces[0].law->find_fault(at, true, true), fault)
+        << behind;
   }
 }
 
 // A moment is an act too.
 TEST(IdleForces, AreThoseWithoutForceAndMoment) {
   for (const int moment : {0, 3}) {
-    const separation::Case c = separation::parse_case(
-        ground + ball_text("a", 2, 1, 0) +
-            fmt::format("[[force]]\nname = \"f\"\nkind = \"applied\"\n"
-                        "body = \"a\"\nmoment_N_m = [0, {}, 0]\n",
-                        moment),
-        "i.toml");
-    const separation::Simulation motion(c, separation::FrictionChoice::full);
-    std::vector<separation::ForceRecord> records(1);
-    separation::look_at_forces(motion, records);
-    EXPECT_EQ(records[0].acted, moment != 0);
+    const Simulated run(
+        ball_text("a", 2, 1, 0) +
+        fmt::format("[[force]]\nname = \"f\"\nkind = \"applied\"\n"
+                    "body = \"a\"\nmoment_N_m = [0, {}, 0]\n",
+                    moment));
+    EXPECT_EQ(run.records()[0].acted, moment != 0);
   }
 }
 
@@ -329,20 +312,12 @@ TEST(IdleForces, AreThoseWithoutForceAndMoment) {
 TEST(Damper, OfTwoBodiesDecaysExponentially) {
   constexpr double m1 = 2, m2 = 3, c = 1.5, u0 = 1.2;
   constexpr double mu = m1 * m2 / (m1 + m2);
-  const separation::Case two = separation::parse_case(
-      ground + ball_text("a", m1, 1, u0) + ball_text("b", m2, 0, 0) + R"(
-[[force]]
-name = "damper"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-other_body = "b"
-other_point_m = [0.25, 0, 0]
-damping_N_s_per_m = 1.5
-)",
-      "d.toml");
-  separation::Simulation motion(two, separation::FrictionChoice::full);
-  const double begin = motion.sample().energy().balance();
+  Simulated two(ball_text("a", m1, 1, u0) + ball_text("b", m2, 0, 0) + R"(
+[[force]]; name = "damper"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+other_body = "b"; other_point_m = [0.25, 0, 0]; damping_N_s_per_m = 1.5
+)"_toml);
+  separation::Simulation& motion = two.motion;
+  const double begin = two.energy();
   for (const double t : {0.25, 0.5, 1.0, 2.0}) {
     ASSERT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
     const auto& sample = motion.sample();
@@ -366,30 +341,16 @@ TEST(Damper, HasItsLogarithmicDecrement) {
   constexpr double m = 2, k = 800, c = 8, x0 = 0.1;
   constexpr double b = c / (2 * m);
   const double w = std::sqrt(k / m - b * b);
-  const separation::Case one =
-      separation::parse_case(ground + ball_text("a", m, 1 + x0, 0) + R"(
-[[force]]
-name = "spring"
-kind = "spring"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [0, 0, 0]
-stiffness_N_per_m = 800
-free_length_m = 1
-[[force]]
-name = "damper"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [-0.5, 0, 0]
-damping_N_s_per_m = 8
-)",
-                             "d.toml");
-  separation::Simulation motion(one, separation::FrictionChoice::full);
-  const double begin = motion.sample().energy().balance();
+  Simulated one(ball_text("a", m, 1 + x0, 0) + R"(
+[[force]]; name = "spring"; kind = "spring"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [0, 0, 0]; stiffness_N_per_m = 800; free_length_m = 1
+[[force]]; name = "damper"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [-0.5, 0, 0]; damping_N_s_per_m = 8
+)"_toml);
+  const double begin = one.energy();
   const auto x_at = [&](double t) {
-    EXPECT_EQ(motion.advance_to(t), separation::Simulation::Stop::time);
-    return motion.sample().body(0).position.x() - 1;
+    EXPECT_EQ(one.motion.advance_to(t), separation::Simulation::Stop::time);
+    return one.motion.sample().body(0).position.x() - 1;
   };
   const double period = 2 * std::numbers::pi / w;
   for (int half = 1; half <= 6; ++half) {
@@ -404,7 +365,7 @@ damping_N_s_per_m = 8
     EXPECT_NEAR(x_at(peak), sign * x0 * std::exp(-b * peak), 3e-8);
   }
   // The same times the spring's largest force, 80 N.
-  EXPECT_NEAR(motion.sample().energy().balance(), begin, 2.4e-6);
+  EXPECT_NEAR(one.energy(), begin, 2.4e-6);
 }
 
 // Copies are joined one by one, and both ends have to be there.
@@ -423,50 +384,41 @@ TEST(Damper, NeedsTwoEnds) {
           "d.toml");
     });
   };
-  EXPECT_EQ(message("carrier_point_m = [1, 0, 0]\nbody = \"c\"\n"),
-            "(no error)");
-  EXPECT_EQ(message("other_point_m = [1, 0, 0]\nbody = \"a\"\n"
-                    "other_body = \"c 2\"\n"),
-            "(no error)");
+  const std::string place = "d.toml:28: force[1].";
+  for (const auto& [keys, said] :
+       std::vector<std::pair<std::string, std::string>>{
+           {R"(carrier_point_m = [1, 0, 0]; body = "c")"_toml, "(no error)"},
+           {R"(other_point_m = [1, 0, 0]; body = "a"; other_body = "c 2")"_toml,
+            "(no error)"},
+           {R"(body = "a"; other_point_m = [1, 0, 0])"_toml,
+            place + "other_point_m = [1, 0, 0] requires other_body"},
+           {R"(body = "a"; other_body = "b"; carrier_point_m = [1, 0, 0])"_toml,
+            place + "other_body = \"b\" conflicts with "
+                    "force[1].carrier_point_m (line 29)"},
+           {R"(body = "a"; other_body = "a")"_toml,
+            place + "other_body = \"a\" must be another one than body"},
+           {R"(body = "a"; other_body = "ground")"_toml,
+            place + "other_body = \"ground\" must be a body, not the carrier, "
+                    "whose point is carrier_point"},
+           {R"(body = "a"; other_body = "c")"_toml,
+            place + "other_body = \"c\" must be one body, or as many as body "
+                    "names"},
+           {R"(body = "a"; other_body = "bb")"_toml,
+            place + "other_body = \"bb\": unknown body \"bb\" (ground, a, b, "
+                    "c, c 1, c 2)"}}) {
+    EXPECT_EQ(message(keys + '\n'), said);
+  }
   EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n").substr(0, 45),
             "d.toml:22: force[1] requires other_point (in ");
-  EXPECT_EQ(
-      message("body = \"a\"\nother_point_m = [1, 0, 0]\n"),
-      "d.toml:28: force[1].other_point_m = [1, 0, 0] requires other_body");
-  EXPECT_EQ(message("body = \"a\"\nother_body = \"b\"\n"
-                    "carrier_point_m = [1, 0, 0]\n"),
-            "d.toml:28: force[1].other_body = \"b\" conflicts with "
-            "force[1].carrier_point_m (line 29)");
-  EXPECT_EQ(message("body = \"a\"\nother_body = \"a\"\n"),
-            "d.toml:28: force[1].other_body = \"a\" must be another one than "
-            "body");
-  EXPECT_EQ(message("body = \"a\"\nother_body = \"ground\"\n"),
-            "d.toml:28: force[1].other_body = \"ground\" must be a body, not "
-            "the carrier, whose point is carrier_point");
-  EXPECT_EQ(message("body = \"a\"\nother_body = \"c\"\n"),
-            "d.toml:28: force[1].other_body = \"c\" must be one body, or as "
-            "many as body names");
-  EXPECT_EQ(message("body = \"a\"\nother_body = \"bb\"\n"),
-            "d.toml:28: force[1].other_body = \"bb\": unknown body \"bb\" "
-            "(ground, a, b, c, c 1, c 2)");
 }
 
 TEST(Damper, OfNoLengthIsWarnedOf) {
-  const separation::Case c =
-      separation::parse_case(ground + ball_text("a", 1, 2, 1) + R"([[force]]
-name = "f"
-kind = "damper"
-body = "a"
-point_m = [0, 0, 0]
-carrier_point_m = [2, 0, 0]
-damping_N_s_per_m = 1
-)",
-                             "d.toml");
-  const separation::Simulation motion(c, separation::FrictionChoice::full);
-  std::vector<separation::ForceRecord> records(1);
-  separation::look_at_forces(motion, records);
+  const Simulated run(ball_text("a", 1, 2, 1) + R"(
+[[force]]; name = "f"; kind = "damper"; body = "a"; point_m = [0, 0, 0]
+carrier_point_m = [2, 0, 0]; damping_N_s_per_m = 1
+)"_toml);
   EXPECT_EQ(
-      separation::force_faults(c, records),
+      separation::force_faults(run.of, run.records()),
       std::vector<std::string>{
           "force \"f\" has no direction when it starts, t = 0 s: point on "
           "a and its other end are in one place"});

@@ -1,6 +1,5 @@
 // Parts of hinge-separation against independent routes: inertia of solids,
 // peaks, checkpoints.
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -10,11 +9,9 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "libcontact/base/error.hpp"
 #include "programs/separation/output/checkpoint.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/shape.hpp"
-#include "separation/clearance/clearance.hpp"
 #include "separation/clearance/pair_way.hpp"
 #include "separation/results/peaks.hpp"
 #include "separation/results/run.hpp"
@@ -35,6 +32,10 @@ using separation::Shape;
 using separation::ShapeKind;
 using separation::solid_properties;
 using separation::SolidProperties;
+
+separation::Case slosh() {
+  return separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+}
 
 void expect_close(const Matrix3d& a, const Matrix3d& b, double tolerance) {
   EXPECT_LE((a - b).norm(), tolerance * b.norm()) << a << "\n\n" << b;
@@ -201,8 +202,7 @@ TEST(Peaks, MayBeAQuarterHigherThanTheParabola) {
 }
 
 TEST(Summary, InfinityIsAText) {
-  separation::Case c =
-      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+  separation::Case c = slosh();
   c.end_time = 0.01;
   separation::Outcome outcome = separation::run_case(c, {});
   outcome.memory.bodies[0].peak_reaction = INFINITY;
@@ -220,8 +220,7 @@ TEST(Summary, InfinityIsAText) {
 class CheckpointFile : public testing::Test {
  protected:
   CheckpointFile() {
-    const separation::Case c =
-        separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+    const separation::Case c = slosh();
     separation::Simulation simulation(c, separation::FrictionChoice::full);
     separation::Recorder recorder(c, true, false, false);
     recorder.look(simulation);
@@ -246,8 +245,7 @@ class CheckpointFile : public testing::Test {
 
 // Damage to every byte of the first line and check sum, and to some between.
 TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
-  separation::Run run(
-      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  separation::Run run(slosh());
   const std::string bytes = separation::saved_bytes(run.save(), "a run");
   const auto expect_damaged = [](const std::string& text) {
     const std::string damaged = "the saved state: damaged: check sum ";
@@ -266,6 +264,13 @@ TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
   expect_damaged(bytes.substr(0, bytes.size() - 1));
   expect_damaged(bytes.substr(0, bytes.size() / 2));
   expect_damaged(bytes + '0');
+  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 50) {
+    EXPECT_NE(error_message([&] {
+                separation::saved_state(bytes.substr(0, i), "a run");
+              }),
+              "(no error)")
+        << i;
+  }
 }
 
 // Damage that SQLite does not see is in bytes that nobody reads.
@@ -313,8 +318,7 @@ TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
                 [this] { separation::CheckpointWriter(file_, "a run", 1); }),
             stranger);
   EXPECT_EQ(folder_.read("c"), "mine");
-  separation::Run run(
-      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml"));
+  separation::Run run(slosh());
   folder_.write("c", separation::saved_bytes(run.save(), "a run"));
   EXPECT_EQ(message(), stranger);
 }
@@ -329,8 +333,7 @@ TEST_F(CheckpointFile, MessagesHaveNoRawBytes) {
 // A note of the instant of a checkpoint may be taken back by the next one, by a
 // hinge that turns back.
 TEST_F(CheckpointFile, NotesOfItsOwnInstantMayGo) {
-  const separation::Case c =
-      separation::read_case(CONTACT_DATA_DIR "/cases/slosh.toml");
+  const separation::Case c = slosh();
   separation::Simulation simulation(c, separation::FrictionChoice::full);
   separation::Recorder recorder(c, true, false, false);
   recorder.look(simulation);

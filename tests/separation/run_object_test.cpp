@@ -146,7 +146,8 @@ TEST_P(Runs, GoOnFromSavedBytesToTheSameEnd) {
   expect_same(c, first.outcome(), second.outcome(), false);
 }
 
-TEST(SavedBytes, OfOthersAndDamagedOnesAreRefused) {
+// Damaged ones are those of parts_test.cpp.
+TEST(SavedBytes, OfOthersAreRefused) {
   const Case c = case_of("two_stage_turn");
   const std::string bytes = separation::saved_bytes(CaseRun(c).save(), "own");
   const auto message = [](const std::string& from, const char* identity) {
@@ -158,12 +159,6 @@ TEST(SavedBytes, OfOthersAndDamagedOnesAreRefused) {
   EXPECT_EQ(
       message("some text", "own"),
       "the saved state: the file must be a checkpoint of hinge-separation");
-  for (std::size_t i = 0; i < bytes.size(); i += bytes.size() / 50) {
-    std::string damaged = bytes;
-    damaged[i] = static_cast<char>(damaged[i] ^ 0x10);
-    EXPECT_NE(message(damaged, "own"), "(no error)") << i;
-    EXPECT_NE(message(bytes.substr(0, i), "own"), "(no error)") << i;
-  }
 }
 
 // Copies of a case share the laws of its joints.

@@ -13,6 +13,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 #include "separation/results/summary.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -51,24 +52,16 @@ name = "wheel"
 gravity_m_per_s2 = [0, 0, -)" +
                         std::to_string(weight) + R"(]
 run = { end_time_s = 0.5, output_step_s = 0.01 }
-[carrier]
-name = "base"
-mass_kg = 100
-principal_inertia_kg_m2 = [1, 1, 1]
+[carrier]; name = "base"; mass_kg = 100; principal_inertia_kg_m2 = [1, 1, 1]
 start = { rotation_deg = [0, 0, 90] }
 drive = { acceleration_m_per_s2 = [0, 0, 0] }
-[[body]]
-name = "wheel"
-mass_kg = 20
-principal_inertia_kg_m2 = [2, 3, 3]
+[[body]]; name = "wheel"; mass_kg = 20; principal_inertia_kg_m2 = [2, 3, 3]
 start = { angle_deg = 20, rate_deg_per_s = 200 }
-[body.hinge]
-kind = "axis"
-axis = [1, 0, 0]
-carrier_point_m = [1, 2, 3]
+[body.hinge]; kind = "axis"; axis = [1, 0, 0]; carrier_point_m = [1, 2, 3]
 zero_rotation_deg = [10, 0, 0]
 [[body.hinge.joint]]
-file = ")" + joint + "\"\n",
+file = ")"_toml + joint +
+                        "\"\n",
                     "c.toml");
 }
 
@@ -136,29 +129,17 @@ TEST(PressedHinge, BrakesWithoutLoad) {
 // A pendulum whose bush lifts off and closes as it swings.
 TEST(PressedHinge, SwingsThroughLiftOff) {
   const Case c = parse_case(R"(
-name = "pendulum"
-gravity_m_per_s2 = [0, 0, -10]
-[run]
-end_time_s = 6
-output_step_s = 0.01
-relative_tolerance = 1e-10
+name = "pendulum"; gravity_m_per_s2 = [0, 0, -10]
+[run]; end_time_s = 6; output_step_s = 0.01; relative_tolerance = 1e-10
 absolute_tolerance = 1e-9
-[carrier]
-name = "base"
-mass_kg = 100
-principal_inertia_kg_m2 = [1, 1, 1]
+[carrier]; name = "base"; mass_kg = 100; principal_inertia_kg_m2 = [1, 1, 1]
 drive = { acceleration_m_per_s2 = [0, 0, 0] }
-[[body]]
-name = "arm"
-mass_kg = 200
-principal_inertia_kg_m2 = [2, 3, 3]
-com_m = [0, 0, -0.3]
-start = { angle_deg = 80 }
-[body.hinge]
-kind = "axis"
-axis = [1, 0, 0]
+[[body]]; name = "arm"; mass_kg = 200; principal_inertia_kg_m2 = [2, 3, 3]
+com_m = [0, 0, -0.3]; start = { angle_deg = 80 }
+[body.hinge]; kind = "axis"; axis = [1, 0, 0]
 [[body.hinge.joint]]
-file = ")" + pressed_joint + "\"\n",
+file = ")"_toml + pressed_joint +
+                                "\"\n",
                             "c.toml");
   const double lift_off = read_joint(pressed_joint).contact().lift_off_force();
   const Outcome outcome = run_case(c, {});
@@ -208,30 +189,17 @@ TEST(HistoryVectors, HaveTheLengthsOfTheOtherColumns) {
 // principal axis.
 TEST(WithoutHinges, BodiesFlyOnParabolas) {
   const std::string file = R"(
-name = "stones"
-gravity_m_per_s2 = [0, 0, -10]
-run = { end_time_s = 2 }
-[carrier]
-name = "stone"
-mass_kg = 2
-principal_inertia_kg_m2 = [1, 2, 3]
-[carrier.start]
-velocity_m_per_s = [1, 2, 3]
+name = "stones"; gravity_m_per_s2 = [0, 0, -10]; run = { end_time_s = 2 }
+[carrier]; name = "stone"; mass_kg = 2; principal_inertia_kg_m2 = [1, 2, 3]
+[carrier.start]; velocity_m_per_s = [1, 2, 3]
 angular_velocity_rad_per_s = [0, 0, 0.3]
-[[force]]
-name = "push"
-body = "stone"
-kind = "applied"
-axes = "inertial"
+[[force]]; name = "push"; body = "stone"; kind = "applied"; axes = "inertial"
 force_N = [0, 4, 0]
-)";
+)"_toml;
   const std::string other = R"(
-[[body]]
-name = "other"
-mass_kg = 5
-principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "other"; mass_kg = 5; principal_inertia_kg_m2 = [1, 1, 1]
 start = { position_m = [9, 0, 0], velocity_m_per_s = [0, 1, 0] }
-)";
+)"_toml;
   for (const std::string& more : {std::string(), other}) {
     const Case c = parse_case(file + more, "c.toml");
     const Outcome outcome = run_case(c, {});
@@ -262,19 +230,12 @@ TEST(SmallestClearance, BetweenTheLooks) {
         const Case c =
             parse_case(
                 R"(
-name = "past"
-run = { end_time_s = 5, output_step_s = 5 }
-[carrier]
-name = "a"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
+name = "past"; run = { end_time_s = 5, output_step_s = 5 }
+[carrier]; name = "a"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
 shape = [{ kind = "capsule", from_m = [0, 0, 0], to_m = [0, 0, 0], radius_m = 0.5 }]
-[[body]]
-name = "b"
-mass_kg = 1
-com_m = [0, 0, 0]
+[[body]]; name = "b"; mass_kg = 1; com_m = [0, 0, 0]
 principal_inertia_kg_m2 = [1, 1, 1]
-shape = [{ kind = "capsule", from_m = [)" +
+shape = [{ kind = "capsule", from_m = [)"_toml +
                     rod + R"(, 0, 0], to_m = [-)" + rod +
                     R"(, 0, 0], radius_m = 0.5 }]
 start = )" + start + '\n',
@@ -311,19 +272,12 @@ TEST_P(TimeTables, JumpsGiveTheImpulseOfTheTable) {
 name = "stone"
 run = { end_time_s = 1.5, output_step_s = 0.05, integrator = ")" +
                                 GetParam() + R"(" }
-[carrier]
-name = "stone"
-mass_kg = 2
-principal_inertia_kg_m2 = [1, 1, 1]
-[[force]]
-name = "push"
-body = "stone"
-kind = "applied"
-starts_at_s = 0.1
+[carrier]; name = "stone"; mass_kg = 2; principal_inertia_kg_m2 = [1, 1, 1]
+[[force]]; name = "push"; body = "stone"; kind = "applied"; starts_at_s = 0.1
 time_s = [0, 0.2, 0.2, 0.7, 0.7, 1.1, 1.1]
 force_N = [[3, 0, 0], [5, 0, 0], [-2, 0, 0], [-2, 0, 0], [7, 0, 0], [0, 0, 0],
            [1, 0, 0]]
-)",
+)"_toml,
                             "c.toml");
   const Outcome outcome = run_case(c, {});
   ASSERT_EQ(outcome.failure, "");
@@ -371,20 +325,13 @@ void expect_fixed_carrier(const Outcome& outcome) {
 // forces: 1e-15 of them would make 5e-7 m.
 TEST(FixedCarrier, DoesNotDrift) {
   const Outcome outcome = run_case(parse_case(R"(
-name = "wheel"
-gravity_m_per_s2 = [1, -2, -10]
-run = { end_time_s = 3e4 }
-[carrier]
-name = "ground"
-fixed = true
+name = "wheel"; gravity_m_per_s2 = [1, -2, -10]; run = { end_time_s = 3e4 }
+[carrier]; name = "ground"; fixed = true
 start = { position_m = [1, 2, 3], rotation_deg = [10, 20, 30] }
-[[body]]
-name = "wheel"
-mass_kg = 4
+[[body]]; name = "wheel"; mass_kg = 4
 principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
-hinge = { kind = "axis", axis = [0, 0, 1] }
-start = { rate_deg_per_s = 1 }
-)",
+hinge = { kind = "axis", axis = [0, 0, 1] }; start = { rate_deg_per_s = 1 }
+)"_toml,
                                               "c.toml"),
                                    {});
   expect_fixed_carrier(outcome);
@@ -393,21 +340,13 @@ start = { rate_deg_per_s = 1 }
 // On a pin along z, of a turned carrier; angle 0 is upwards, along y.
 TEST(FixedCarrier, PhysicalPendulumOnAPin) {
   Case c = parse_case(R"(
-name = "pendulum"
-gravity_m_per_s2 = [0, -10, 0]
-run = { end_time_s = 1 }
-[carrier]
-name = "ground"
-fixed = true
+name = "pendulum"; gravity_m_per_s2 = [0, -10, 0]; run = { end_time_s = 1 }
+[carrier]; name = "ground"; fixed = true
 start = { position_m = [1, 2, 3], rotation_deg = [0, 0, 90] }
-[[body]]
-name = "arm"
-mass_kg = 4
-com_m = [0.3, 0, 0]
+[[body]]; name = "arm"; mass_kg = 4; com_m = [0.3, 0, 0]
 principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
-hinge = { kind = "axis", axis = [0, 0, 1] }
-start = { angle_deg = 120 }
-)",
+hinge = { kind = "axis", axis = [0, 0, 1] }; start = { angle_deg = 120 }
+)"_toml,
                       "c.toml");
   constexpr double mass = 4;
   constexpr double arm = 0.3;
@@ -451,18 +390,12 @@ TEST(FixedCarrier, ConicalPendulumOnABall) {
   const double rate = std::sqrt(
       mass * 10 * arm / ((0.5 + mass * arm * arm - 0.1) * std::cos(tilt)));
   Case c = parse_case(R"(
-name = "pendulum"
-gravity_m_per_s2 = [0, 0, -10]
-run = { end_time_s = 3 }
+name = "pendulum"; gravity_m_per_s2 = [0, 0, -10]; run = { end_time_s = 3 }
 carrier = { name = "ground", fixed = true }
-[[body]]
-name = "arm"
-mass_kg = 4
-com_m = [0.3, 0, 0]
-principal_inertia_kg_m2 = [0.1, 0.5, 0.5]
-hinge = { kind = "ball" }
+[[body]]; name = "arm"; mass_kg = 4; com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.5]; hinge = { kind = "ball" }
 start = { rotation_deg = [0, 60, 0] }
-)",
+)"_toml,
                       "c.toml");
   c.bodies[0].start.relative_angular_velocity =
       rate * Vector3d(-std::cos(tilt), 0, std::sin(tilt));
@@ -485,44 +418,22 @@ start = { rotation_deg = [0, 60, 0] }
 std::string shaken(const std::string& carrier) {
   std::string text = R"(
 name = "bodies"
-[run]
-end_time_s = 4
-relative_tolerance = 1e-11
-absolute_tolerance = 1e-11
-[carrier]
-name = "ground"
-)" + carrier + R"(
-[[body]]
-name = "arm"
-mass_kg = 40
-com_m = [0.3, 0, 0]
-principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
-start = { angle_deg = -60 }
-[body.hinge]
-kind = "axis"
-axis = [0, 1, 0]
+[run]; end_time_s = 4; relative_tolerance = 1e-11; absolute_tolerance = 1e-11
+[carrier]; name = "ground"
+)"_toml + carrier + R"(
+[[body]]; name = "arm"; mass_kg = 40; com_m = [0.3, 0, 0]
+principal_inertia_kg_m2 = [0.1, 0.5, 0.6]; start = { angle_deg = -60 }
+[body.hinge]; kind = "axis"; axis = [0, 1, 0]; joint = [{ file = "PIN" }]
+[[body]]; name = "wheel"; mass_kg = 40
+principal_inertia_kg_m2 = [0.5, 0.5, 0.5]; start = { rate_deg_per_s = 30 }
+[body.hinge]; kind = "axis"; axis = [0, 1, 0]; carrier_point_m = [0, -3, 0]
 joint = [{ file = "PIN" }]
-[[body]]
-name = "wheel"
-mass_kg = 40
-principal_inertia_kg_m2 = [0.5, 0.5, 0.5]
-start = { rate_deg_per_s = 30 }
-[body.hinge]
-kind = "axis"
-axis = [0, 1, 0]
-carrier_point_m = [0, -3, 0]
-joint = [{ file = "PIN" }]
-[[body]]
-name = "bob"
-mass_kg = 40
-com_m = [0.3, 0, 0]
+[[body]]; name = "bob"; mass_kg = 40; com_m = [0.3, 0, 0]
 principal_inertia_kg_m2 = [0.1, 0.5, 0.6]
 start = { rotation_deg = [0, 20, 0], angular_velocity_rad_per_s = [0, 0, 2] }
-[body.hinge]
-kind = "ball"
-carrier_point_m = [0, 3, 0]
+[body.hinge]; kind = "ball"; carrier_point_m = [0, 3, 0]
 joint = [{ file = "BALL" }]
-)";
+)"_toml;
   for (const auto& [word, file] :
        {std::pair("PIN", pin_joint), std::pair("BALL", ball_joint)}) {
     for (auto at = text.find(word); at != text.npos; at = text.find(word)) {

@@ -16,6 +16,7 @@
 #include "study/model/separation_model.hpp"
 #include "study/plan/design.hpp"
 #include "support/error_message.hpp"
+#include "support/program.hpp"
 
 namespace contact::test {
 namespace {
@@ -34,17 +35,9 @@ struct Draw {
 
 class DrawnKeys : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("contact_draws_") + info->name());
-    fs::create_directories(folder_);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
-
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
+    folder_.write(name, text);
+    return folder_.path() / name;
   }
   study::Plan plan(const std::string& of,
                    const std::vector<Draw>& draws) const {
@@ -58,7 +51,7 @@ class DrawnKeys : public testing::Test {
     return study::read_plan(write("s.toml", text));
   }
 
-  fs::path folder_;
+  const ProgramFolder folder_;
 };
 
 // All numbers to the last bit, or the same message.
@@ -193,10 +186,8 @@ TEST_F(DrawnKeys, ThatChangeTheBodiesReadTheCaseAnew) {
   }
   const study::Plan p = plan(of, {count, {"body[b].mass_kg", 0, false, true}});
   const study::SeparationModel model(p);
-  EXPECT_EQ(
-      error_message([&] {
-        model.case_of(std::vector<double>{4, 1, 1.1, 1.2});
-      }),
+  EXPECT_ERROR(
+      model.case_of(std::vector<double>{4, 1, 1.1, 1.2}),
       "body[1].pattern.count requires no draws of other keys for each copy");
 }
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <limits>
 #include <map>
 #include <numbers>
 #include <set>
@@ -23,6 +21,8 @@
 #include "study/rows/journal.hpp"
 #include "study/workers.hpp"
 #include "support/error_message.hpp"
+#include "support/numbers.hpp"
+#include "support/program.hpp"
 
 namespace contact::test {
 namespace {
@@ -61,33 +61,35 @@ const std::string ball_text =
 
 class StudyFolder : public testing::Test {
  protected:
-  void SetUp() override {
-    const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-    folder_ = fs::path(testing::TempDir()) /
-              (std::string("contact_study_") + info->name());
-    fs::create_directories(folder_);
-    write("j.toml", joint_text);
-  }
-  void TearDown() override { fs::remove_all(folder_); }
+  StudyFolder() { write("j.toml", joint_text); }
 
   std::string write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name, std::ios::binary) << text;
-    return (folder_ / name).string();
+    folder_.write(name, text);
+    return path(name);
   }
-  std::string read(const std::string& name) const {
-    std::ifstream file(folder_ / name, std::ios::binary);
-    return {std::istreambuf_iterator<char>(file), {}};
-  }
-  std::string ball(const std::string& from = "", const std::string& to = "") {
+  std::string ball(onst std::string& from = "", const std::string& to = "") {
     std::string text = ball_text;
     if (!from.empty()) text.replace(text.find(from), from.size(), to);
     return write("s.toml", text);
   }
   std::string path(const std::string& name) const {
-    return (folder_ / name).string();
+    return folder_.path() / name;
+  }
+  // A study of the arm, c.toml, with what else its file says.
+  std::string arm(const std::string& more) const {
+    return write("s.toml", "name = 's'\ncase = 'c.toml'\nruns = 10\n" + more);
+  }
+  // The same of its largest reaction.
+  std::string arm_reaction(const std::string& more) const {
+    return arm("quantities = 'arm.peak_reaction_N'\n" + more);
+  }
+  // The message about a study, without the name of its file.
+  static std::string message_of(const std::string& file) {
+    const std::string text = error_message([&] { const Study study(file); });
+    return text.starts_with(file) ? text.substr(file.size()) : text;
   }
 
-  fs::path folder_;
+  const ProgramFolder folder_;
 };
 
 using BallStudy = StudyFolder;
@@ -95,9 +97,8 @@ using BallStudy = StudyFolder;
 // By the library itself, with the draws that the columns show.
 TEST_F(BallStudy, RowsAreWhatTheJointSays) {
   const Study study(ball());
-  ASSERT_EQ(study.columns(), (std::vector<std::string>{
-                                 "friction.coefficient", "load.reaction_N",
-                                 "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
+  ASSERT_EQ(study.columns(), (Texts{"friction.coefficient", "load.reaction_N",
+                                    "M_t_N_m", "R_n_N", "p_peak_over_limit"}));
   JointSpec spec = read_joint(path("j.toml"));
   for (const std::uint64_t run : {1, 7, 40}) {
     const Row row = study.row(run);
@@ -182,43 +183,46 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
     }
     return text;
   };
-  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = 'M_t'"),
-            "s.toml:7: requirement[1].quantity = \"M_t\": unknown quantity "
-            "\"M_t\"; --quantities lists those of the nominal run");
-  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = 'M_t_Nm'"),
-            "s.toml:7: requirement[1].quantity = \"M_t_Nm\": unknown quantity "
-            "\"M_t_Nm\": did you mean \"M_t_N_m\"?; --quantities lists those "
-            "of the nominal run");
-  EXPECT_EQ(message("low = 0.05\n", "low = -0.01\n"),
-            "s.toml:11: dispersion[1].key = \"friction.coefficient\": j.toml "
-            "with friction.coefficient = -0.01: friction.coefficient = -0.01 "
-            "must be 0 or above");
-  EXPECT_EQ(message("key = 'friction.coefficient'", "key = 'friction.coef'"),
-            "s.toml:11: dispersion[1].key = \"friction.coef\": j.toml with "
-            "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
-            "adhesion, viscous_constant, viscous_pressure_slope, law, "
-            "static_coefficient, dynamic_coefficient, stribeck_velocity, "
-            "reference_pressure, exponent, pressures, "
-            "speeds_over_pressure, coefficients, curve)");
-  EXPECT_EQ(message("quantity = 'M_t_N_m'", "quantity = '*'"),
-            "s.toml:7: requirement[1].quantity = \"*\" must be a name of one "
-            "kind of number, not of Abar and M_t_N_m");
-  EXPECT_EQ(message("load.reaction_N", "load.reaction_kN"), "(no error)");
-  EXPECT_EQ(message("kind = 'uniform'\n", "kind = 'uniform'\neach = true\n"),
-            "s.toml:13: dispersion[1].each = true requires a case with bodies "
-            "that have a pattern");
+  const std::tuple<const char*, const char*, const char*> changes[] = {
+      {"quantity = 'M_t_N_m'", "quantity = 'M_t'",
+       "s.toml:7: requirement[1].quantity = \"M_t\": unknown quantity "
+       "\"M_t\"; --quantities lists those of the nominal run"},
+      {"quantity = 'M_t_N_m'", "quantity = 'M_t_Nm'",
+       "s.toml:7: requirement[1].quantity = \"M_t_Nm\": unknown quantity "
+       "\"M_t_Nm\": did you mean \"M_t_N_m\"?; --quantities lists those "
+       "of the nominal run"},
+      {"low = 0.05\n", "low = -0.01\n",
+       "s.toml:11: dispersion[1].key = \"friction.coefficient\": j.toml "
+       "with friction.coefficient = -0.01: friction.coefficient = -0.01 "
+       "must be 0 or above"},
+      {"key = 'friction.coefficient'", "key = 'friction.coef'",
+       "s.toml:11: dispersion[1].key = \"friction.coef\": j.toml with "
+       "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
+       "adhesion, viscous_constant, viscous_pressure_slope, law, "
+       "static_coefficient, dynamic_coefficient, stribeck_velocity, "
+       "reference_pressure, exponent, pressures, speeds_over_pressure, "
+       "coefficients, curve)"},
+      {"quantity = 'M_t_N_m'", "quantity = '*'",
+       "s.toml:7: requirement[1].quantity = \"*\" must be a name of one "
+       "kind of number, not of Abar and M_t_N_m"},
+      {"load.reaction_N", "load.reaction_kN", "(no error)"},
+      {"kind = 'uniform'\n", "kind = 'uniform'\neach = true\n",
+       "s.toml:13: dispersion[1].each = true requires a case with bodies "
+       "that have a pattern"}};
+  for (const auto& [from, to, said] : changes)
+    EXPECT_EQ(message(from, to), said);
 }
 
 // Dry friction does not know how fast it slides.
 TEST_F(BallStudy, KeysWithoutEffectAreNamed) {
   const std::vector<double> any(3, 0.0);
-  EXPECT_EQ(Study(ball()).idle_keys(any), std::vector<std::string>{});
+  EXPECT_EQ(Study(ball()).idle_keys(any), Texts{});
   const std::string key = "load.rate_rad_per_s";
   const std::string file =
       ball("[[dispersion]]", "[[dispersion]]\nkey = '" + key +
                                  "'\nkind = 'uniform'\nlow = 1\n"
                                  "high = 2\n[[dispersion]]");
-  EXPECT_EQ(Study(file).idle_keys(any), std::vector<std::string>{key});
+  EXPECT_EQ(Study(file).idle_keys(any), Texts{key});
 }
 
 // A run that fails is a row with its reason and a miss.
@@ -278,35 +282,34 @@ class FailingRuns : public StudyFolder {
 };
 
 TEST_F(FailingRuns, AreAtTheBadEndOfPercentiles) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
-  const auto most = findings(188, "at_most = 1e9", "0.5");
-  EXPECT_EQ(most.requirements[0].missing, 188u);
-  EXPECT_EQ(most.requirements[0].answer, study::Answer::not_met);
-  EXPECT_EQ(most.requirements[0].percentile.value, infinity);
-  EXPECT_EQ(most.requirements[0].percentile.low, infinity);
-  EXPECT_EQ(most.requirements[0].percentile.high, infinity);
-  const auto least = findings(188, "at_least = 1", "0.5");
-  EXPECT_EQ(least.requirements[0].percentile.value, -infinity);
-  EXPECT_EQ(least.requirements[0].percentile.high, -infinity);
+  const auto of = [&](std::size_t failing, const char* limit,
+                      const char* success) {
+    return findings(failing, limit, success).requirements[0];
+  };
+  const auto most = of(188, "at_most = 1e9", "0.5");
+  EXPECT_EQ(most.missing, 188u);
+  EXPECT_EQ(most.answer, study::Answer::not_met);
+  EXPECT_EQ(most.percentile.value, infinity);
+  EXPECT_EQ(most.percentile.low, infinity);
+  EXPECT_EQ(most.percentile.high, infinity);
+  const auto least = of(188, "at_least = 1", "0.5").percentile;
+  EXPECT_EQ(least.value, -infinity);
+  EXPECT_EQ(least.high, -infinity);
   // A few of them: the bounds are other order statistics of what is left.
-  const auto none = findings(0, "at_most = 1e9", "0.9");
-  const auto few = findings(5, "at_most = 1e9", "0.9");
-  EXPECT_GT(few.requirements[0].percentile.value,
-            none.requirements[0].percentile.value);
-  EXPECT_GE(*few.requirements[0].percentile.low,
-            *none.requirements[0].percentile.low);
-  EXPECT_GT(*few.requirements[0].percentile.high,
-            *none.requirements[0].percentile.high);
-  EXPECT_LT(*few.requirements[0].percentile.high, infinity);
+  const auto none = of(0, "at_most = 1e9", "0.9").percentile;
+  const auto few = of(5, "at_most = 1e9", "0.9").percentile;
+  EXPECT_GT(few.value, none.value);
+  EXPECT_GE(*few.low, *none.low);
+  EXPECT_GT(*few.high, *none.high);
+  EXPECT_LT(*few.high, infinity);
   // More than 10 % of all: there is an estimate, but no upper bound.
-  const auto tenth = findings(18, "at_most = 1e9", "0.9");
-  EXPECT_LT(tenth.requirements[0].percentile.value, infinity);
-  EXPECT_EQ(tenth.requirements[0].percentile.high, infinity);
+  const auto tenth = of(18, "at_most = 1e9", "0.9").percentile;
+  EXPECT_LT(tenth.value, infinity);
+  EXPECT_EQ(tenth.high, infinity);
 }
 
 // A run without the number may be at one end or the other.
 TEST_F(FailingRuns, WidenPercentilesOfNumbersWithoutALimit) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   const auto whole = findings(0, "at_most = 1e9", "0.9").quantities[0];
   EXPECT_EQ(whole.median.low, whole.median.high);
   const auto some = findings(30, "at_most = 1e9", "0.9").quantities[0];
@@ -399,8 +402,7 @@ TEST_F(StudyFolder, ADrivenCarriersMassHasNoEffect) {
       "[[dispersion]]\nkey = 'body[b].mass_kg'\nkind = 'uniform'\n"
       "low = 1\nhigh = 2\n";
   const Study study(write("s.toml", text));
-  EXPECT_EQ(study.idle_keys({0, 0}),
-            std::vector<std::string>{"carrier.mass_kg"});
+  EXPECT_EQ(study.idle_keys({0, 0}), Texts{"carrier.mass_kg"});
 }
 
 // An arm on a spring, and another body that turns fast: its inertia changes the
@@ -432,26 +434,19 @@ std::string dispersion(const std::string& key, double low, double high) {
 TEST_F(StudyFolder, StepsThatBecomeOthersAreNoEffect) {
   write("c.toml", arm_case);
   const std::string inertia = "body[other].principal_inertia_kg_m2[2]";
-  const Study study(write("s.toml",
-                          "name = 's'\ncase = 'c.toml'\nruns = 10\n"
-                          "quantities = 'arm.peak_reaction_N'\n" +
-                              dispersion(inertia, 1.9, 2.1) +
-                              dispersion("body[arm].mass_kg", 0.9, 1.1)));
+  const Study study(arm_reaction(dispersion(inertia, 1.9, 2.1) +
+                                 dispersion("body[arm].mass_kg", 0.9, 1.1)));
   ASSERT_EQ(study.idle_keys({0, 0}).size(), 0u);
   Journal journal(path("j"), study.identity(), study.columns(),
                   Journal::Use::write);
   for (std::uint64_t run = 0; run <= 10; ++run) journal.append(study.row(run));
-  EXPECT_EQ(study::find(study, journal).idle,
-            std::vector<std::string>{inertia});
+  EXPECT_EQ(study::find(study, journal).idle, Texts{inertia});
 }
 
 // A signal comes while a run is on its way: the run is no failure of the case.
 TEST_F(StudyFolder, ARunThatIsStoppedIsNoRow) {
   write("c.toml", arm_case);
-  const Study study(write("s.toml",
-                          "name = 's'\ncase = 'c.toml'\nruns = 10\n"
-                          "quantities = 'arm.peak_reaction_N'\n" +
-                              dispersion("body[arm].mass_kg", 0.9, 1.1)));
+  const Study study(arm_reaction(dispersion("body[arm].mass_kg", 0.9, 1.1)));
   Journal journal(path("j"), study.identity(), study.columns(),
                   Journal::Use::write);
   int steps = 0;
@@ -527,11 +522,7 @@ TEST_F(StudyFolder, InterferenceMayBeUnloaded) {
 TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
   write("c.toml", arm_case);
   const auto message = [&](const std::string& one, const std::string& two) {
-    const std::string name =
-        write("s.toml", "name = 's'\ncase = 'c.toml'\nruns = 3\n" +
-                            dispersion(one, 1, 1.1) + dispersion(two, 1, 1.1));
-    const std::string text = error_message([&] { const Study study(name); });
-    return text.starts_with(name) ? text.substr(name.size()) : text;
+    return message_of(arm(dispersion(one, 1, 1.1) + dispersion(two, 1, 1.1)));
   };
   EXPECT_EQ(message("body[arm].mass_kg", "body[1].mass_kg"),
             ":10: dispersion[2].key = \"body[1].mass_kg\" must be another key "
@@ -546,14 +537,9 @@ TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
 TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
   write("c.toml", arm_case);
   const auto message = [&](const std::string& quantity) {
-    const std::string name =
-        write("s.toml",
-              "name = 's'\ncase = 'c.toml'\nruns = 3\n[[requirement]]\n"
-              "quantity = '" +
-                  quantity + "'\nat_most = 1\nsuccess = 0.9\n" +
-                  dispersion("body[arm].mass_kg", 1, 1.1));
-    const std::string text = error_message([&] { const Study study(name); });
-    return text.starts_with(name) ? text.substr(name.size()) : text;
+    return message_of(arm("[[requirement]]\nquantity = '" + quantity +
+                          "'\nat_most = 1\nsuccess = 0.9\n" +
+                          dispersion("body[arm].mass_kg", 1, 1.1)));
   };
   const std::string place = ":5: requirement[1].quantity = \"";
   for (const std::string name :

@@ -28,17 +28,10 @@ double friction_coefficient(const Joint& joint, double force, SlipAxis axis) {
          friction.adhesion() * rho * rho / force * i.area.force;
 }
 
-// |f/tan g - 1| of the contact that a solution names.
-double residual(const RandomSlip& input, const JointSolution& s) {
-  const double f =
-      friction_coefficient(input.joint, s.normal_force, s.slip_axis);
-  return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
-}
-
 void check_solution(const RandomSlip& input, const JointSolution& s,
                     const std::string& label, JointSweep& sweep) {
   if (s.status != Status::ok) ++sweep.not_ok;
-  const double error = residual(input, s);
+  const double error = true_residual(input.joint, s);
   if (!(error <= sweep.residual)) {
     sweep.residual = error;
     sweep.worst_residual = label;
@@ -202,6 +195,11 @@ void follow(const Path& path, JointSweep& sweep) {
 }
 
 }  // namespace
+
+double true_residual(const Joint& joint, const JointSolution& s) {
+  const double f = friction_coefficient(joint, s.normal_force, s.slip_axis);
+  return f == s.force_coefficient ? 0 : std::abs(f / s.force_coefficient - 1);
+}
 
 void Histogram::add(int value) {
   ++counts_[std::clamp(value, 0, bins - 1)];

@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <string>
 
+#include "libcontact/joint/joint.hpp"
+
 namespace contact::test {
 
 /// Counts of whole numbers; the last bin takes all beyond it.
@@ -68,6 +70,10 @@ struct JointSweep {
   /// one of several roots to another. They do not count above.
   std::uint64_t folds = 0;
 };
+
+/// |f/tan g - 1| of the contact that a solution of dry friction names, by the
+/// friction integrals alone: the definition of a solution.
+double true_residual(const Joint& joint, const JointSolution& s);
 
 /// Solves `inputs` inputs of RandomSlips(seed), scans each for further roots,
 /// and follows inputs/100 random paths of 100 steps.

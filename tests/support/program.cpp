@@ -3,6 +3,7 @@
 #include <sys/wait.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -53,6 +54,13 @@ ProgramResult ProgramFolder::run_well(const std::string& command) const {
   return result;
 }
 
+void ProgramFolder::run_ill(const std::string& command, int status,
+                            const std::string& said) const {
+  const ProgramResult result = run(command);
+  EXPECT_EQ(result.status, status) << command;
+  EXPECT_EQ(result.err, said) << command;
+}
+
 void ProgramFolder::write(const std::string& name,
                           std::string_view text) const {
   std::ofstream(path_ / name) << text;
@@ -64,6 +72,12 @@ std::string ProgramFolder::read(const std::string& name) const {
 
 bool ProgramFolder::has(const std::string& name) const {
   return fs::exists(path_ / name);
+}
+
+bool ProgramFolder::has_page_libraries() const {
+  const std::string scripts = "ls /usr/share/javascript/";
+  return run(scripts + "three/three.min.js").status == 0 &&
+         run(scripts + "dygraphs/dygraph.min.js").status == 0;
 }
 
 std::vector<std::string> ProgramFolder::files() const {
@@ -119,6 +133,25 @@ std::vector<std::string> csv_column(
     column.push_back(rows[i].at(found - header.begin()));
   }
   return column;
+}
+
+const std::vector<double>& CsvTable::operator[](
+    const std::string& column) const {
+  auto& numbers = numbers_[column];
+  if (!numbers.empty()) return numbers;
+  for (const std::string& cell : texts(column)) {
+    char* end = nullptr;
+    const double number = std::strtod(cell.c_str(), &end);
+    numbers.push_back(cell.empty() || *end != '\0' ? NAN : number);
+  }
+  return numbers;
+}
+
+std::size_t CsvTable::row_of(const std::string& quantity) const {
+  const auto names = texts("quantity");
+  const auto found = std::find(names.begin(), names.end(), quantity);
+  if (found == names.end()) throw Error("no quantity " + quantity);
+  return static_cast<std::size_t>(found - names.begin()) + 1;
 }
 
 }  // namespace contact::test

@@ -16,6 +16,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/allocation_count.hpp"
+#include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
 // Joints tracked along paths against the solvers, which start from nothing
@@ -635,7 +636,6 @@ TEST(JointTracker, AContactThatJumpsIsNotTrusted) {
 
 // Wherever in its packet it is, and whatever kinds of joints there are.
 TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   for (const bool pins : {false, true}) {
     std::vector<Path> many = paths(9, pins ? 100 : 9);
     if (pins) std::erase_if(many, [](const Path& p) { return !p.is_pin(); });

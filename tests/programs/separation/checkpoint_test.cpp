@@ -22,6 +22,18 @@ void expect_another_case(const ProgramResult& result,
                             "these joints and these options\n");
 }
 
+// Histories, events and summaries of two runs, "a" and "b"; byte by byte, and
+// too long to be printed.
+void expect_same_results(const ProgramFolder& folder, const std::string& what) {
+  EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << what;
+  EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << what;
+  json a = json::parse(folder.read("a.json"));
+  json b = json::parse(folder.read("b.json"));
+  a.erase("counts");
+  b.erase("counts");
+  EXPECT_EQ(a, b) << what;
+}
+
 TEST(Checkpoint, ResumedRunIsTheSame) {
   const ProgramFolder folder;
   // The last checkpoint is gone on from: wheels that slide and rest, arms that
@@ -31,25 +43,15 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
     const std::string run = "hinge-separation data/cases/" + name + ".toml ";
     const std::string checkpoint =
         std::string(" --checkpoint-every ") + every + " --checkpoint ";
-    ASSERT_EQ(folder
-                  .run(run + "--history a.csv --events ae.csv --output a.json" +
-                       checkpoint + "c.db")
-                  .status,
-              0);
+    folder.run_well(run + "--history a.csv --events ae.csv --output a.json" +
+                    checkpoint + "c.db");
     folder.run_well(run +
                     "--history b.csv --events be.csv --output b.json "
                     "--resume c.db" +
                     checkpoint + "d.db");
-    // Byte by byte; too long to be printed.
-    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << name;
-    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << name;
-    json a = json::parse(folder.read("a.json"));
-    json b = json::parse(folder.read("b.json"));
-    a.erase("counts");
-    b.erase("counts");
-    EXPECT_EQ(a, b) << name;
+    expect_same_results(folder, name);
     // Without a checkpoint: other steps, the same motion to their tolerance.
-    ASSERT_EQ(folder.run(run + "--history s.csv").status, 0);
+    folder.run_well(run + "--history s.csv");
     const History with(folder.read("a.csv"));
     const History without(folder.read("s.csv"));
     ASSERT_EQ(with.size(), without.size()) << name;
@@ -60,29 +62,25 @@ TEST(Checkpoint, ResumedRunIsTheSame) {
   compare("platform", "2", "arm_2.friction_work_J");
   compare("soyuz", "5", "booster_1.x_m");
 
-  const std::string run = "hinge-separation data/cases/soyuz.toml ";
-  const ProgramResult other =
-      folder.run("hinge-separation data/cases/slosh.toml --resume c.db");
-  expect_another_case(other, "c.db");
+  expect_another_case(
+      folder.run("hinge-separation data/cases/slosh.toml --resume c.db"),
+      "c.db");
   folder.write("bad.db", "nonsense");
-  EXPECT_EQ(folder.run(run + "--resume bad.db").err,
-            "hinge-separation: bad.db: the file must be a checkpoint of "
-            "hinge-separation\n");
+  EXPECT_EQ(
+      folder.run("hinge-separation data/cases/soyuz.toml --resume bad.db").err,
+      "hinge-separation: bad.db: the file must be a checkpoint of "
+      "hinge-separation\n");
 }
 
 // Prolonged or cut short on resuming: as if the end had been so from the start.
 TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   const ProgramFolder folder;
-  const auto run = [&](const std::string& more) {
-    return folder.run("hinge-separation data/cases/platform.toml " + more);
-  };
-  const std::string every = " --checkpoint-every 2 --checkpoint ";
+  const std::string run = "hinge-separation data/cases/platform.toml ";
   const auto at_once = [&](const std::string& end) {
-    ASSERT_EQ(
-        run("--history a.csv --events ae.csv --output a.json --end-time " +
-            end + every + "a.db")
-            .status,
-        0);
+    folder.run_well(run +
+                    "--history a.csv --events ae.csv --output a.json "
+                    "--checkpoint-every 2 --checkpoint a.db --end-time " +
+                    end);
   };
   at_once("8");
   std::rename((folder.path() / "a.db").c_str(),
@@ -90,30 +88,21 @@ TEST(Checkpoint, ResumedRunsEndWhenTheyAreTold) {
   // 9.03 s is no output time.
   for (const std::string end : {"12", "9.03", "8"}) {
     at_once(end);
-    const ProgramResult resumed =
-        run("--history b.csv --events be.csv --output b.json "
-            "--resume c.db --end-time " +
-            end);
-    ASSERT_EQ(resumed.status, 0) << resumed.err;
-    EXPECT_TRUE(folder.read("a.csv") == folder.read("b.csv")) << end;
-    EXPECT_EQ(folder.read("ae.csv"), folder.read("be.csv")) << end;
-    json a = json::parse(folder.read("a.json"));
-    json b = json::parse(folder.read("b.json"));
-    EXPECT_EQ(b["end_time_s"], cli::parse_number(end).value());
-    a.erase("counts");
-    b.erase("counts");
-    EXPECT_EQ(a, b) << end;
+    folder.run_well(run +
+                    "--history b.csv --events be.csv --output b.json "
+                    "--resume c.db --end-time " +
+                    end);
+    expect_same_results(folder, end);
+    EXPECT_EQ(json::parse(folder.read("b.json"))["end_time_s"],
+              cli::parse_number(end).value());
   }
-  const ProgramResult early = run("--resume c.db --end-time 7.9");
-  EXPECT_EQ(early.status, 2);
-  EXPECT_EQ(early.err,
-            "hinge-separation: c.db: a checkpoint at t = 8 s requires "
-            "--end-time of 8 s or above: this run ends at 7.9 s\n");
+  folder.run_ill(run + "--resume c.db --end-time 7.9", 2,
+                 "hinge-separation: c.db: a checkpoint at t = 8 s requires "
+                 "--end-time of 8 s or above: this run ends at 7.9 s\n");
   // The row of an end that is no output time stays.
-  ASSERT_EQ(
-      run("--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db").status,
-      0);
-  ASSERT_EQ(run("--resume d.db --end-time 12 --history d.csv").status, 0);
+  folder.run_well(run +
+                  "--end-time 8.03 --checkpoint-every 8.01 --checkpoint d.db");
+  folder.run_well(run + "--resume d.db --end-time 12 --history d.csv");
   at_once("12");
   const History d(folder.read("d.csv"));
   const History a(folder.read("a.csv"));
@@ -130,11 +119,9 @@ TEST(Checkpoint, CheckpointsAreOfWhatTheCaseSays) {
     return folder.run("hinge-separation c.toml --history b.csv --resume c.db");
   };
   folder.write("c.toml", text);
-  ASSERT_EQ(folder
-                .run("hinge-separation c.toml --history a.csv --checkpoint "
-                     "c.db --checkpoint-every 1.5")
-                .status,
-            0);
+  folder.run_well(
+      "hinge-separation c.toml --history a.csv --checkpoint "
+      "c.db --checkpoint-every 1.5");
   for (const std::string& same :
        {"# by hand\n\n" + text,
         exchanged(text, "mass_kg = 10", "  mass_kg=1.0e1 #"),
@@ -158,9 +145,8 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   text.replace(begin, end - begin, "file = \"ball.toml\"\n");
   folder.write("c.toml", text);
   const std::string run = "hinge-separation c.toml --output o.json ";
-  ASSERT_EQ(folder.run(run + "--checkpoint c.db --checkpoint-every 1").status,
-            0);
-  EXPECT_EQ(folder.run(run + "--resume c.db").status, 0);
+  folder.run_well(run + "--checkpoint c.db --checkpoint-every 1");
+  folder.run_well(run + "--resume c.db");
   const std::string ball = exchanged(folder.read("ball.toml"),
                                      "coefficient = 0.2", "coefficient = 0.3");
   folder.write("ball.toml", ball);
@@ -178,7 +164,7 @@ TEST(Checkpoint, CheckpointsKnowTheirJoints) {
   folder.run_well(run +
                   "--checkpoint w.db "
                   "--checkpoint-every 1");
-  EXPECT_EQ(folder.run(run + "--resume w.db").status, 0);
+  folder.run_well(run + "--resume w.db");
   for (const auto& [thickness, backing] :
        {std::pair("4", "rigid"), std::pair("3", "held")}) {
     with_wall(thickness, backing);
@@ -193,17 +179,13 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   const ProgramFolder folder;
   const std::string run = "hinge-separation data/cases/slosh.toml ";
   const auto checkpoints = [&](const char* name, const char* every) {
-    EXPECT_EQ(folder
-                  .run(run + "--output o.json --history h.csv --checkpoint " +
-                       name + " --checkpoint-every " + every)
-                  .status,
-              0);
+    folder.run_well(run + "--output o.json --history h.csv --checkpoint " +
+                    name + " --checkpoint-every " + every);
   };
   // 0.3 s is no multiple of the output step of 0.05 s in doubles.
   checkpoints("c.db", "0.3");
   const std::string history = folder.read("h.csv");
-  EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"c.db", "h.csv", "o.json"}));
+  EXPECT_EQ(folder.files(), (Texts{"c.db", "h.csv", "o.json"}));
   // States at 11 s and at 19.9 s: they grow only by numbers that have more
   // digits.
   checkpoints("early.db", "11");
@@ -240,10 +222,10 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
     EXPECT_EQ(result.status, 2);
     EXPECT_EQ(result.err, "hinge-separation: m.db: " + expected + '\n');
   };
-  EXPECT_EQ(folder.run("mv m.db moved.db").status, 0);
+  folder.run_well("mv m.db moved.db");
   EXPECT_EQ(resumed("moved.db").status, 0);
   refused("cannot open: No such file or directory");
-  EXPECT_EQ(folder.run("mkdir m.db").status, 0);
+  folder.run_well("mkdir m.db");
   refused("cannot open: Is a directory");
   // Something else is not overwritten.
   folder.write("mine.txt", "mine");
@@ -263,7 +245,7 @@ TEST(Checkpoint, KilledRunsGoOn) {
   const std::string run =
       "hinge-separation data/cases/slosh.toml --output o.json --history ";
   const std::string every = " --checkpoint-every 0.05 --checkpoint c.db";
-  ASSERT_EQ(folder.run(run + "a.csv" + every).status, 0);
+  folder.run_well(run + "a.csv" + every);
   // As soon as the file has been seen to change so many times.
   for (const char* changes : {"1", "2", "5", "10", "20"}) {
     const ProgramResult killed =
@@ -287,47 +269,32 @@ TEST(Checkpoint, KilledRunsGoOn) {
 TEST(Checkpoint, GoesOnInTheMiddleOfASlowOnset) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
-name = "onset"
-gravity_m_per_s2 = [0, -9.81, 0]
+name = "onset"; gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20, output_step_s = 1, absolute_tolerance = 1e-14 }
-)" + carrier_at_rest("base") +
+)"_toml + carrier_at_rest("base") +
                              R"(
-[[body]]
-name = "station"
-mass_kg = 50
+[[body]]; name = "station"; mass_kg = 50
 principal_inertia_kg_m2 = [1e9, 1e9, 1e9]
-[body.hinge]
-kind = "ball"
-carrier_point_m = [0, 0, 0]
-[[body.hinge.joint]]
-name = "ball"
-kind = "ball"
+[body.hinge]; kind = "ball"; carrier_point_m = [0, 0, 0]
+[[body.hinge.joint]]; name = "ball"; kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 50 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.3 }
-[[force]]
-name = "torque"
-body = "station"
-kind = "applied"
-time_s = [0, 20]
-moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
-)");
+[[force]]; name = "torque"; body = "station"; kind = "applied"
+time_s = [0, 20]; moment_N_m = [[6.9, 0, 0], [7.3, 0, 1.5]]
+)"_toml);
   const std::string run = "hinge-separation c.toml ";
-  ASSERT_EQ(folder.run(run + "--history s.csv --output s.json").status, 0);
-  ASSERT_EQ(folder
-                .run(run + "--history a.csv --output a.json --checkpoint "
-                           "c.db --checkpoint-every 12")
-                .status,
-            0);
-  ASSERT_EQ(
-      folder.run(run + "--history b.csv --output b.json --resume c.db").status,
-      0);
+  folder.run_well(run + "--history s.csv --output s.json");
+  folder.run_well(run +
+                  "--history a.csv --output a.json --checkpoint "
+                  "c.db --checkpoint-every 12");
+  folder.run_well(run + "--history b.csv --output b.json --resume c.db");
   EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv"));
   const History without(folder.read("s.csv"));
   const History with(folder.read("a.csv"));
-  EXPECT_EQ(with.words("station.mode")[5], "resting");
-  EXPECT_EQ(with.words("station.mode")[12], "sliding");
+  EXPECT_EQ(with.texts("station.mode")[5], "resting");
+  EXPECT_EQ(with.texts("station.mode")[12], "sliding");
   for (const char* column : {"station.wx_rad_per_s", "station.wz_rad_per_s"}) {
     const double last = without[column].back();
     EXPECT_NEAR(with[column].back(), last, 1e-8 * std::abs(last)) << column;
@@ -341,17 +308,10 @@ class RunsThatCannotGetOn : public testing::Test {
  protected:
   RunsThatCannotGetOn() {
     const std::string text = pushed_case(0, 0, R"(ends_at_s = 0.2
-[[force]]
-name = "damper"
-body = "s"
-kind = "spring"
-point_m = [-0.2, 0, 0]
-carrier_point_m = [0.5, 0, 0]
-stiffness_N_per_m = 0
-free_length_m = 0.3
-damping_N_s_per_m = 1e8
-starts_at_s = 0.5
-)");
+[[force]]; name = "damper"; body = "s"; kind = "spring"; point_m = [-0.2, 0, 0]
+carrier_point_m = [0.5, 0, 0]; stiffness_N_per_m = 0; free_length_m = 0.3
+damping_N_s_per_m = 1e8; starts_at_s = 0.5
+)"_toml);
     folder_.write("c.toml",
                   exchanged(text, "end_time_s = 2",
                             "end_time_s = 1000\noutput_step_s = 0.25"));
@@ -427,19 +387,18 @@ TEST(Checkpoint, HasOneWriterAtATime) {
       "hinge-separation data/cases/slosh.toml --checkpoint-every 0.5 "
       "--output /dev/null --checkpoint ";
   const auto expect_locked_out = [&](const std::string& name) {
-    const ProgramResult refused = folder.run("flock c.db " + run + name);
-    EXPECT_EQ(refused.status, 2);
-    EXPECT_EQ(refused.err, "hinge-separation: " + name +
-                               ": another program writes to this "
-                               "checkpoint\n");
+    folder.run_ill("flock c.db " + run + name, 2,
+                   "hinge-separation: " + name +
+                       ": another program writes to this "
+                       "checkpoint\n");
   };
   expect_locked_out("c.db");
   // Remains of a program that was killed at its beginning lock nobody out.
   EXPECT_EQ(folder.read("c.db"), "");
-  EXPECT_EQ(folder.run(run + "c.db && ln -s c.db link.db").status, 0);
+  folder.run_well(run + "c.db && ln -s c.db link.db");
   expect_locked_out("link.db");
   // However they meet.
-  EXPECT_EQ(folder.run(run + "d.db & " + run + "d.db & wait").status, 0);
+  folder.run_well(run + "d.db & " + run + "d.db & wait");
   folder.run_well(
       "hinge-separation data/cases/slosh.toml --output o.json --resume d.db");
 }

@@ -23,18 +23,15 @@ TEST(HingeSeparation, EveryCaseKeepsItsEnergyAndLeavesNothingBehind) {
     const json j = run_json(
         folder, "data/cases/" + name + ".toml --history h.csv --events e.csv");
     EXPECT_FALSE(j.contains("failure")) << name;
-    EXPECT_EQ(folder.files(), (std::vector<std::string>{"e.csv", "h.csv"}))
-        << name;
+    EXPECT_EQ(folder.files(), (Texts{"e.csv", "h.csv"})) << name;
     const json& drift = j["energy"]["largest_drift_J"];
     EXPECT_EQ(drift.is_null(), name == "two_stage_turn");  // driven carrier
     if (drift.is_null()) continue;
     // Steps at a relative tolerance of 1e-8 to 1e-9, some hundreds of them.
-    EXPECT_LT(drift.get<double>(),
-              1e-8 * j["energy"]["largest_J"].get<double>())
-        << name;
+    EXPECT_LT(drift, 1e-8 * j["energy"]["largest_J"].get<double>()) << name;
     // Nothing touches anything.
     for (const json& pair : j["clearance"]) {
-      EXPECT_GT(pair["smallest_m"].get<double>(), 0.05) << name;
+      EXPECT_GT(pair["smallest_m"], 0.05) << name;
     }
     const History h(folder.read("h.csv"));
     EXPECT_EQ(h["time_s"].back(), j["end_time_s"].get<double>());
@@ -59,21 +56,21 @@ TEST(HingeSeparation, BoostersComeOffAtTheAngleAskedForAndDriftClear) {
     const json& release = body["at_release"];
     EXPECT_EQ(release["time_s"], upper[name]);
     // The root of the angle, to the tolerance of the steps.
-    EXPECT_NEAR(release["angle_deg"].get<double>(), 8, 1e-6);
-    EXPECT_GT(release["rate_deg_per_s"].get<double>(), 1);
+    EXPECT_NEAR(release["angle_deg"], 8, 1e-6);
+    EXPECT_GT(release["rate_deg_per_s"], 1);
     EXPECT_EQ(body["mode_at_end"], "released");
-    EXPECT_GT(body["work_of_friction_J"].get<double>(), 0);
+    EXPECT_GT(body["work_of_friction_J"], 0);
   }
   // Booster 3 is stronger, the others are each other's mirror images.
   EXPECT_LT(upper["booster 3"], upper["booster 1"]);
   EXPECT_NEAR(upper["booster 2"], upper["booster 4"], 1e-6);
   const History h(folder.read("h.csv"));
-  for (const std::string& column : h.columns()) {
+  for (const std::string& column : h.names()) {
     if (!column.starts_with("clearance.core")) continue;
     EXPECT_GT(h[column].back(), 50) << column;
   }
   // While it is locked a booster does not move against the core.
-  const auto mode = h.words("booster_1.mode");
+  const auto mode = h.texts("booster_1.mode");
   for (std::size_t i = 0; i < h.size() && mode[i] == "locked"; ++i) {
     EXPECT_NEAR(h["booster_1.angle_deg"][i], 2.63, 1e-12);
   }
@@ -117,8 +114,8 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
     const ProgramResult result = folder.run_well(
         "hinge-separation --compare data/cases/" + name + ".toml");
     const auto rows = csv_rows(result.out);
-    EXPECT_EQ(rows[0], (std::vector<std::string>{"body", "quantity", "ideal",
-                                                 "full", "traditional"}));
+    EXPECT_EQ(rows[0],
+              (Texts{"body", "quantity", "ideal", "full", "traditional"}));
     int compared = 0;
     for (const auto& row : rows) {
       if (row[1] != "rate_at_release_deg_per_s") continue;
@@ -138,22 +135,17 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
 TEST(HingeSeparation, CasesWithoutHingesRun) {
   const ProgramFolder folder;
   const std::string carrier = R"(
-name = "alone"
-run = { end_time_s = 1 }
-[carrier]
-name = "core"
-density_kg_per_m3 = 1000
+name = "alone"; run = { end_time_s = 1 }
+[carrier]; name = "core"; density_kg_per_m3 = 1000
 start = { velocity_m_per_s = [0, 1, 0] }
 shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
-)";
+)"_toml;
   folder.write("alone.toml", carrier);
   folder.write("free.toml", carrier + R"(
-[[body]]
-name = "stone"
-density_kg_per_m3 = 1000
+[[body]]; name = "stone"; density_kg_per_m3 = 1000
 start = { position_m = [0, 3, 0] }
 shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
-)");
+)"_toml);
   for (const std::string name : {"alone", "free"}) {
     const std::string run = "hinge-separation " + name + ".toml ";
     const ProgramResult first =
@@ -164,9 +156,9 @@ shape = [{ kind = "capsule", from = [0, 0, 0], to = [1, 0, 0], radius = 0.1 }]
     EXPECT_EQ(first.err, "");
     EXPECT_EQ(folder.read("e.csv"), "time_s,body,what\n");
     EXPECT_NEAR(History(folder.read("a.csv"))["core.y_m"].back(), 1, 1e-12);
-    EXPECT_EQ(folder.run(run + "--resume c.cbor --history b.csv").status, 0);
+    folder.run_well(run + "--resume c.cbor --history b.csv");
     EXPECT_EQ(folder.read("a.csv"), folder.read("b.csv"));
-    EXPECT_EQ(folder.run(run + "--history a.h5").status, 0);
+    folder.run_well(run + "--history a.h5");
   }
   EXPECT_TRUE(folder.has("p_clearance.svg"));
   EXPECT_NEAR(json::parse(folder.read("a.json"))["clearance"][0]["smallest_m"],
@@ -200,7 +192,7 @@ TEST(HingeSeparation, Hdf5HoldsWhatTheTableHolds) {
   const std::vector<std::string> modes = {"sliding", "resting", "locked",
                                           "released"};
   std::set<std::string> seen;
-  for (const std::string& column : h.columns()) {
+  for (const std::string& column : h.names()) {
     std::string path = column;
     std::replace(path.begin(), path.end(), '.', '/');
     const hid_t data = H5Dopen2(file, path.c_str(), H5P_DEFAULT);
@@ -209,7 +201,7 @@ TEST(HingeSeparation, Hdf5HoldsWhatTheTableHolds) {
     ASSERT_GE(H5Dread(data, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT,
                       values.data()),
               0);
-    const auto words = h.words(column);
+    const auto words = h.texts(column);
     for (std::size_t i = 0; i < h.size(); ++i) {
       if (column.ends_with(".mode")) {
         ASSERT_EQ(modes.at(static_cast<std::size_t>(values[i])), words[i]);
@@ -255,11 +247,10 @@ TEST(HingeSeparation, FitsAreSaid) {
 
 TEST(HingeSeparation, PicturesAreThere) {
   const ProgramFolder folder;
-  if (folder.run("command -v gnuplot").status != 0) GTEST_SKIP();
+  if (!folder.has_gnuplot()) GTEST_SKIP();
   run_json(folder, "data/cases/soyuz.toml --plot s.svg");
-  EXPECT_EQ(folder.files(),
-            (std::vector<std::string>{"s_angles.svg", "s_clearance.svg",
-                                      "s_rates.svg", "s_reactions.svg"}));
+  EXPECT_EQ(folder.files(), (Texts{"s_angles.svg", "s_clearance.svg",
+                                   "s_rates.svg", "s_reactions.svg"}));
 }
 
 }  // namespace

@@ -19,11 +19,11 @@ TEST(SeparationMotion, MomentaStayBeforeAndAfterTheRelease) {
   const ProgramFolder folder;
   folder.write("c.toml", alone);
   const json j = run_json(folder, "c.toml --history h.csv");
-  EXPECT_NEAR(j["bodies"][0]["at_release"]["time_s"].get<double>(), 1.1, 1e-12);
-  EXPECT_GT(j["bodies"][0]["work_of_friction_J"].get<double>(), 0);
+  EXPECT_NEAR(j["bodies"][0]["at_release"]["time_s"], 1.1, 1e-12);
+  EXPECT_GT(j["bodies"][0]["work_of_friction_J"], 0);
   // The pusher does push, and its stroke ends.
-  EXPECT_GT(j["energy"]["largest_J"].get<double>(), 0);
-  EXPECT_LT(j["energy"]["largest_drift_J"].get<double>(),
+  EXPECT_GT(j["energy"]["largest_J"], 0);
+  EXPECT_LT(j["energy"]["largest_drift_J"],
             1e-7 * j["energy"]["largest_J"].get<double>());
   const History h(folder.read("h.csv"));
   const auto momentum = [&](std::size_t i) -> Vector3d {
@@ -48,58 +48,36 @@ TEST(SeparationMotion, MomentaStayBeforeAndAfterTheRelease) {
 
 // A point mass on an arm of 1 m that is level at first.
 const std::string hanging_mass = R"(
-[[body]]
-name = "mass"
-mass_kg = 2
-com_m = [1, 0, 0]
+[[body]]; name = "mass"; mass_kg = 2; com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
-[body.hinge]
-kind = "axis"
-carrier_point_m = [0, 0, 0]
-axis = [0, 0, -1]
-)";
+[body.hinge]; kind = "axis"; carrier_point_m = [0, 0, 0]; axis = [0, 0, -1]
+)"_toml;
 
 // At a reaction level, at an angle already passed when it is armed, together.
 TEST(SeparationMotion, EventsOfAllKinds) {
   const ProgramFolder folder;
   const std::string head = R"(
-name = "pendulums"
-gravity_m_per_s2 = [0, -9.81, 0]
-[run]
-end_time_s = 4
-)" + carrier_at_rest("ceiling") +
+name = "pendulums"; gravity_m_per_s2 = [0, -9.81, 0]
+[run]; end_time_s = 4
+)"_toml + carrier_at_rest("ceiling") +
                            hanging_mass +
-                           R"([body.pattern]
-count = 2
-axis = [0, 0, 1]
-)";
+                           R"([body.pattern]; count = 2; axis = [0, 0, 1]
+)"_toml;
   // From level, the thread's force is 3 m g sin(angle); the second pendulum,
   // turned by 180 deg, swings the other way.
   folder.write("reaction.toml", head + R"(
-[[event]]
-name = "tears"
-reaction_N = 30
-bodies = "mass 1"
-breaks = "hinge"
-)");
+[[event]]; name = "tears"; reaction_N = 30; bodies = "mass 1"; breaks = "hinge"
+)"_toml);
   const json torn = run_json(folder, "reaction.toml");
-  EXPECT_NEAR(torn["bodies"][0]["at_release"]["angle_deg"].get<double>(),
+  EXPECT_NEAR(torn["bodies"][0]["at_release"]["angle_deg"],
               std::asin(30 / (3 * 2 * 9.81)) / degree, 1e-5);
   EXPECT_TRUE(torn["bodies"][1]["at_release"].is_null());
 
   folder.write("late.toml", head + R"(
-[[event]]
-name = "first"
-time_s = 0.3
-bodies = "mass 2"
+[[event]]; name = "first"; time_s = 0.3; bodies = "mass 2"; breaks = "hinge"
+[[event]]; name = "second"; after = "first"; angle_deg = 5; bodies = "mass 1"
 breaks = "hinge"
-[[event]]
-name = "second"
-after = "first"
-angle_deg = 5
-bodies = "mass 1"
-breaks = "hinge"
-)");
+)"_toml);
   const json late = run_json(folder, "late.toml");
   for (const json& body : late["bodies"]) {
     EXPECT_EQ(body["at_release"]["time_s"], 0.3) << body["name"];
@@ -107,22 +85,16 @@ breaks = "hinge"
   // Opposite turns of equal size.
   const double a = late["bodies"][0]["at_release"]["angle_deg"];
   EXPECT_GT(a, 5);
-  EXPECT_NEAR(late["bodies"][1]["at_release"]["angle_deg"].get<double>(), -a,
-              1e-6);
+  EXPECT_NEAR(late["bodies"][1]["at_release"]["angle_deg"], -a, 1e-6);
 
   folder.write("together.toml", head + R"(
-[[event]]
-name = "both"
-angle_deg = 60
-together = true
-breaks = "hinge"
-)");
+[[event]]; name = "both"; angle_deg = 60; together = true; breaks = "hinge"
+)"_toml);
   const json both = run_json(folder, "together.toml");
   EXPECT_EQ(both["bodies"][0]["at_release"]["time_s"],
             both["bodies"][1]["at_release"]["time_s"]);
   // The steps' absolute tolerance is 1e-8 rad, 6e-7 deg; 2.8e-6 was seen.
-  EXPECT_NEAR(both["bodies"][0]["at_release"]["angle_deg"].get<double>(), 60,
-              1e-5);
+  EXPECT_NEAR(both["bodies"][0]["at_release"]["angle_deg"], 60, 1e-5);
 }
 
 // A pendulum whose reaction is above the limit for some milliseconds: whether
@@ -133,16 +105,12 @@ TEST(SeparationMotion, OutputTimesDoNotChangeTheMotion) {
     std::vector<json> releases;
     for (const char* step : {"0.02", "0.001", "4"}) {
       folder.write("c.toml", std::string(R"(
-name = "pendulum"
-gravity_m_per_s2 = [0, -9.81, 0]
-[run]
-end_time_s = 4
-output_step_s = )") + step + R"(
+name = "pendulum"; gravity_m_per_s2 = [0, -9.81, 0]
+[run]; end_time_s = 4
+output_step_s = )"_toml) + step + R"(
 )" + carrier_at_rest("ceiling") + hanging_mass +
-                                 R"([[event]]
-name = "tears"
-breaks = "hinge"
-reaction_N = )" + limit + "\n");
+                                 R"([[event]]; name = "tears"; breaks = "hinge"
+reaction_N = )"_toml + limit + "\n");
       releases.push_back(run_json(folder, "c.toml")["bodies"][0]["at_release"]);
     }
     EXPECT_EQ(releases[0], releases[1]) << limit;
@@ -156,44 +124,30 @@ TEST(SeparationMotion, AnglesOfAxesCountFullTurns) {
   const ProgramFolder folder;
   folder.write("wheel.toml", R"(
 name = "wheel"
-[run]
-end_time_s = 3
-)" + carrier_at_rest("base") + R"(
-[[body]]
-name = "wheel"
-mass_kg = 2
-com_m = [0, 0, 0]
+[run]; end_time_s = 3
+)"_toml + carrier_at_rest("base") +
+                                 R"(
+[[body]]; name = "wheel"; mass_kg = 2; com_m = [0, 0, 0]
 principal_inertia_kg_m2 = [0.3, 0.3, 0.5]
-[body.hinge]
-kind = "axis"
-carrier_point_m = [0, 0, 0]
-axis = [0, 0, 1]
-[[force]]
-name = "motor"
-body = "wheel"
-kind = "motor"
-angle_deg = [0, 1440]
-moment_N_m = [10, 2]
-ends_at_event = "off"
-[[event]]
-name = "off"
-angle_deg = 800
-breaks = "hinge"
-)");
+[body.hinge]; kind = "axis"; carrier_point_m = [0, 0, 0]; axis = [0, 0, 1]
+[[force]]; name = "motor"; body = "wheel"; kind = "motor"
+angle_deg = [0, 1440]; moment_N_m = [10, 2]; ends_at_event = "off"
+[[event]]; name = "off"; angle_deg = 800; breaks = "hinge"
+)"_toml);
   const json wheel =
       run_json(folder, "wheel.toml --history h.csv")["bodies"][0];
   const json& release = wheel["at_release"];
-  EXPECT_NEAR(release["angle_deg"].get<double>(), 800, 1e-5);
+  EXPECT_NEAR(release["angle_deg"], 800, 1e-5);
   const double angle = 800 * degree;
   const double work =
       10 * angle - (10 - 2) / (8 * std::numbers::pi) * angle * angle / 2;
   const double rate = std::sqrt(2 * work / 0.5) / degree;
   // Tolerances of 1e-9 of the rate and 1e-8 rad/s in each step.
-  EXPECT_NEAR(release["rate_deg_per_s"].get<double>(), rate, 1e-6 * rate);
+  EXPECT_NEAR(release["rate_deg_per_s"], rate, 1e-6 * rate);
   // I x'' = 10 - c x: x = 10/c (1 - cos(w t)).
   const double c = 8 / (8 * std::numbers::pi);
   const double time = std::acos(1 - angle * c / 10) / std::sqrt(c / 0.5);
-  EXPECT_NEAR(release["time_s"].get<double>(), time, 1e-7);
+  EXPECT_NEAR(release["time_s"], time, 1e-7);
   const auto angles =
       csv_column(csv_rows(folder.read("h.csv")), "wheel.angle_deg");
   EXPECT_NEAR(std::stod(angles.back()),
@@ -204,35 +158,25 @@ breaks = "hinge"
 // of it: friction follows a velocity of next to nothing, which is stiff.
 TEST(SeparationMotion, OnsetsOfSlidingDoNotStall) {
   std::string text = R"(
-name = "two arms on a tumbling body"
-gravity_m_per_s2 = [0, 0, -10]
-[run]
-end_time_s = 10
-output_step_s = 0.02
+name = "two arms on a tumbling body"; gravity_m_per_s2 = [0, 0, -10]
+[run]; end_time_s = 10; output_step_s = 0.02
 TOLERANCE
-[carrier]
-name = "c"
-mass_kg = 50
-principal_inertia_kg_m2 = [1, 2, 2.5]
+[carrier]; name = "c"; mass_kg = 50; principal_inertia_kg_m2 = [1, 2, 2.5]
 start = { angular_velocity_rad_per_s = [0.5, 1, 0.2] }
-)";
+)"_toml;
   for (const std::string arm : {"1", "2"}) {
     text += "[[body]]\nname = \"w" + arm + "\"\nmass_kg = 4\n" +
             "com_m = [0.5, 0, -0." + arm + "]\n" + R"(
 principal_inertia_kg_m2 = [0.02, 0.03, 0.02]
 start = { rotation_deg = [3, 0, 0] }
-[body.hinge]
-kind = "ball"
-)" + "carrier_point_m = [" +
+[body.hinge]; kind = "ball"
+)"_toml + "carrier_point_m = [" +
             arm + ", 0, 0]\n" + R"(
-[[body.hinge.joint]]
-name = "b"
-kind = "ball"
+[[body.hinge.joint]]; name = "b"; kind = "ball"
 geometry = { radius_mm = 50, radial_clearance_um = 100 }
 materials = { pair = "data/materials/steel_bronze.toml" }
-friction = { coefficient = 1 }
-pressure = { law = "cosine" }
-)";
+friction = { coefficient = 1 }; pressure = { law = "cosine" }
+)"_toml;
   }
   for (const std::string tolerance : {"1e-8", "1e-10"}) {
     const ProgramFolder folder;
@@ -256,33 +200,20 @@ pressure = { law = "cosine" }
 TEST(SeparationMotion, FrictionThatCarriesNearlyAllOfTheReactionIsFound) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
-name = "ball under heavy friction"
-gravity_m_per_s2 = [0, -9.81, 0]
-[run]
-end_time_s = 0.25
-[carrier]
-name = "wall"
-mass_kg = 1000
+name = "ball under heavy friction"; gravity_m_per_s2 = [0, -9.81, 0]
+[run]; end_time_s = 0.25
+[carrier]; name = "wall"; mass_kg = 1000
 principal_inertia_kg_m2 = [100, 100, 100]
 drive = { acceleration_m_per_s2 = [0, 0, 0] }
-[[body]]
-name = "bob"
-mass_kg = 20
-principal_inertia_kg_m2 = [1, 1, 1]
-[body.start]
-angular_velocity_rad_per_s = [1, 2, 3]
-[body.hinge]
-kind = "ball"
-body_point_m = [-0.3, 0, 0]
+[[body]]; name = "bob"; mass_kg = 20; principal_inertia_kg_m2 = [1, 1, 1]
+[body.start]; angular_velocity_rad_per_s = [1, 2, 3]
+[body.hinge]; kind = "ball"; body_point_m = [-0.3, 0, 0]
 carrier_point_m = [0, 0, 0]
-[[body.hinge.joint]]
-kind = "ball"
-name = "ball"
-inner_body = "body"
+[[body.hinge.joint]]; kind = "ball"; name = "ball"; inner_body = "body"
 geometry = { radius_mm = 300, relative_clearance = 0.002 }
 materials = { pair = "data/materials/steel_steel.toml" }
 friction = { adhesion_MPa = 20, coefficient = 0.1 }
-)");
+)"_toml);
   folder.run_well("hinge-separation c.toml");
 }
 
@@ -293,28 +224,19 @@ friction = { adhesion_MPa = 20, coefficient = 0.1 }
 TEST(SeparationMotion, ViscousWheelSlowsDownExponentially) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
-name = "viscous wheel"
-gravity_m_per_s2 = [0, -9.81, 0]
+name = "viscous wheel"; gravity_m_per_s2 = [0, -9.81, 0]
 run = { end_time_s = 20 }
-)" + carrier_at_rest("wall") +
+)"_toml + carrier_at_rest("wall") +
                              R"(
-[[body]]
-name = "wheel"
-mass_kg = 50
-principal_inertia_kg_m2 = [0.005, 0.005, 0.008]
-start = { rate_rad_per_s = 6 }
-[body.hinge]
-kind = "axis"
-carrier_point_m = [0, 0, 0]
-axis = [0, 0, 1]
-[[body.hinge.joint]]
-name = "pin"
-kind = "pin"
+[[body]]; name = "wheel"; mass_kg = 50
+principal_inertia_kg_m2 = [0.005, 0.005, 0.008]; start = { rate_rad_per_s = 6 }
+[body.hinge]; kind = "axis"; carrier_point_m = [0, 0, 0]; axis = [0, 0, 1]
+[[body.hinge.joint]]; name = "pin"; kind = "pin"
 geometry = { radius_mm = 40, radial_clearance_um = 60, length_mm = 50 }
 materials = { pair = "data/materials/steel_bronze.toml" }
 pressure = { law = "cosine" }
 friction = { viscous_constant_kPa_s_per_m = 2, viscous_pressure_slope_s_per_m = 2e-4 }
-)");
+)"_toml);
   const json j = run_json(folder, "c.toml --history h.csv");
   const History h(folder.read("h.csv"));
   const double rho = 0.04, length = 0.05;
@@ -334,7 +256,7 @@ friction = { viscous_constant_kPa_s_per_m = 2, viscous_pressure_slope_s_per_m = 
   // It does not come to rest, and its energy goes into friction.
   EXPECT_TRUE(j["events"].empty());
   EXPECT_EQ(j["bodies"][0]["mode_at_end"], "sliding");
-  EXPECT_NEAR(j["bodies"][0]["work_of_friction_J"].get<double>(),
+  EXPECT_NEAR(j["bodies"][0]["work_of_friction_J"],
               0.004 * 36 * (1 - std::exp(-40 * c)), 1e-7);
 }
 
@@ -377,13 +299,9 @@ TEST(SeparationMotion, PusherPushesOnceAndOnlyInItsTime) {
   // Before the pusher starts the body goes past its end and is drawn back,
   // x = t - t^2 until 0.9 s: that does not use up the stroke.
   EXPECT_NEAR(relative(pushed_case(0, 1, R"(starts_at_s = 0.925
-[[force]]
-name = "back"
-body = "s"
-kind = "applied"
-force_N = [-10, 0, 0]
+[[force]]; name = "back"; body = "s"; kind = "applied"; force_N = [-10, 0, 0]
 ends_at_s = 0.9
-)")),
+)"_toml)),
               pushed(0.07, 0.8), bound);
 }
 
@@ -392,24 +310,12 @@ TEST(SeparationMotion, LockBreaksBeforeTheHingeAndEachOnce) {
   const ProgramFolder folder;
   std::string text = alone;
   const auto begin = text.find("[[event]]");
-  text.replace(begin, text.find("[[force]]") - begin, R"([[event]]
-name = "off"
-time_s = 0.4
-breaks = "hinge"
-[[event]]
-name = "lock opens"
-time_s = 0.4
-breaks = "lock"
-[[event]]
-name = "again"
-after = "off"
-delay_s = 0.5
-breaks = "hinge"
-[[event]]
-name = "lock again"
-time_s = 1
-breaks = "lock"
-)");
+  text.replace(begin, text.find("[[force]]") - begin,
+               R"([[event]]; name = "off"; time_s = 0.4; breaks = "hinge"
+[[event]]; name = "lock opens"; time_s = 0.4; breaks = "lock"
+[[event]]; name = "again"; after = "off"; delay_s = 0.5; breaks = "hinge"
+[[event]]; name = "lock again"; time_s = 1; breaks = "lock"
+)"_toml);
   folder.write("c.toml", text);
   const json result = run_json(folder, "c.toml");
   std::vector<std::string> breaks;
@@ -419,8 +325,7 @@ breaks = "lock"
       EXPECT_EQ(event["time_s"], 0.4);
     }
   }
-  EXPECT_EQ(breaks, (std::vector<std::string>{"lock opens: lock breaks",
-                                              "off: hinge breaks"}));
+  EXPECT_EQ(breaks, (Texts{"lock opens: lock breaks", "off: hinge breaks"}));
   EXPECT_EQ(result["bodies"][0]["at_release"]["time_s"], 0.4);
 }
 
@@ -428,44 +333,32 @@ TEST(SeparationMotion, LockTakesItsShareOfTheReaction) {
   // A bar of 10 kg between hinge and lock, its middle at 3/4 of the way.
   const ProgramFolder folder;
   folder.write("c.toml", R"(
-name = "bar"
-gravity_m_per_s2 = [0, -10, 0]
-[run]
-end_time_s = 0.1
-)" + carrier_at_rest("wall") +
+name = "bar"; gravity_m_per_s2 = [0, -10, 0]
+[run]; end_time_s = 0.1
+)"_toml + carrier_at_rest("wall") +
                              R"(
-[[body]]
-name = "bar"
-mass_kg = 10
-com_m = [1.5, 0, 0]
+[[body]]; name = "bar"; mass_kg = 10; com_m = [1.5, 0, 0]
 principal_inertia_kg_m2 = [0, 1, 1]
 hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
 lock = { body_point_m = [2, 0, 0] }
-)");
+)"_toml);
   const json j = run_json(folder, "c.toml");
-  EXPECT_NEAR(j["bodies"][0]["peak_lock_reaction_N"].get<double>(), 75, 1e-9);
-  EXPECT_NEAR(j["bodies"][0]["peak_reaction_N"].get<double>(), 25, 1e-9);
+  EXPECT_NEAR(j["bodies"][0]["peak_lock_reaction_N"], 75, 1e-9);
+  EXPECT_NEAR(j["bodies"][0]["peak_reaction_N"], 25, 1e-9);
   EXPECT_EQ(j["bodies"][0]["mode_at_end"], "locked");
 
   // A growing push at the middle: the lock has 3/4 of it, and breaks at 300 N.
   folder.write("lever.toml", folder.read("c.toml") + R"(
-[[event]]
-name = "lock tears"
-reaction_N = 300
-node = "lock"
+[[event]]; name = "lock tears"; reaction_N = 300; node = "lock"
 breaks = "lock"
-[[force]]
-name = "push"
-kind = "applied"
-body = "bar"
-time_s = [0, 0.1]
+[[force]]; name = "push"; kind = "applied"; body = "bar"; time_s = [0, 0.1]
 force_N = [[0, 0, 0], [0, -1000, 0]]
-)");
+)"_toml);
   const json torn = run_json(folder, "lever.toml");
   ASSERT_EQ(torn["events"].size(), 1U);
   EXPECT_EQ(torn["events"][0]["what"], "lock tears: lock breaks");
   // 0.75 (100 N + 10,000 N/s t) = 300 N
-  EXPECT_NEAR(torn["events"][0]["time_s"].get<double>(), 0.03, 1e-9);
+  EXPECT_NEAR(torn["events"][0]["time_s"], 0.03, 1e-9);
   EXPECT_EQ(torn["bodies"][0]["mode_at_end"], "sliding");
 }
 
@@ -474,59 +367,39 @@ TEST(SeparationMotion, PeaksBetweenOutputTimes) {
   const ProgramFolder folder;
   const std::string head = R"(
 name = "bar"
-[run]
-end_time_s = 2
-output_step_s = 2
-)" + carrier_at_rest("wall") +
+[run]; end_time_s = 2; output_step_s = 2
+)"_toml + carrier_at_rest("wall") +
                            R"(
-[[carrier.shape]]
-kind = "capsule"
-from_m = [3, -1, 0]
-to_m = [3, -1, 0]
+[[carrier.shape]]; kind = "capsule"; from_m = [3, -1, 0]; to_m = [3, -1, 0]
 radius_m = 0.5
-[[body]]
-name = "bar"
-mass_kg = 10
-com_m = [1, 0, 0]
+[[body]]; name = "bar"; mass_kg = 10; com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
 hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
-[[body.shape]]
-kind = "capsule"
-from_m = [1, 0, 0]
-to_m = [1, 0, 0]
+[[body.shape]]; kind = "capsule"; from_m = [1, 0, 0]; to_m = [1, 0, 0]
 radius_m = 0.25
-)";
+)"_toml;
   // A pull that grows to 1000 N at 1 s and ends: its last value counts.
   folder.write("pull.toml", head + R"(
-[[force]]
-name = "pull"
-body = "bar"
-kind = "applied"
-ends_at_s = 1
-time_s = [0, 1]
-force_N = [[0, 0, 0], [1000, 0, 0]]
-)");
+[[force]]; name = "pull"; body = "bar"; kind = "applied"; ends_at_s = 1
+time_s = [0, 1]; force_N = [[0, 0, 0], [1000, 0, 0]]
+)"_toml);
   const json pull = run_json(folder, "pull.toml")["bodies"][0];
-  EXPECT_NEAR(pull["peak_reaction_N"].get<double>(), 1000, 1e-9);
-  EXPECT_NEAR(pull["peak_reaction_time_s"].get<double>(), 1, 1e-15);
+  EXPECT_NEAR(pull["peak_reaction_N"], 1000, 1e-9);
+  EXPECT_NEAR(pull["peak_reaction_time_s"], 1, 1e-15);
 
   // A pendulum from level, g = 10 m/s^2: 3 m g at the bottom. On its way it
   // passes the ball at (3, -1). The nearest step is some hundredths of a
   // radian away.
   folder.write("swing.toml", head + R"(
-[[force]]
-name = "weight"
-body = "bar"
-kind = "applied"
-axes = "inertial"
+[[force]]; name = "weight"; body = "bar"; kind = "applied"; axes = "inertial"
 force_N = [0, -100, 0]
-)");
+)"_toml);
   const json swing = run_json(folder, "swing.toml");
-  EXPECT_NEAR(swing["bodies"][0]["peak_reaction_N"].get<double>(), 300, 1e-6);
+  EXPECT_NEAR(swing["bodies"][0]["peak_reaction_N"], 300, 1e-6);
   const json& gap = swing["clearance"][0];
   const double nearest = std::hypot(3, 1) - 1 - 0.75;
-  EXPECT_GT(gap["smallest_m"].get<double>(), nearest - 1e-5);
-  EXPECT_LT(gap["smallest_m"].get<double>(), nearest + 0.05);
+  EXPECT_GT(gap["smallest_m"], nearest - 1e-5);
+  EXPECT_LT(gap["smallest_m"], nearest + 0.05);
 }
 
 // A point mass of 10 kg on an arm of 1 m, let go phi from the bottom in
@@ -543,24 +416,17 @@ name = "pendulum"
 run = { end_time_s = 6, output_step_s = 6, relative_tolerance = )" +
                                  both + ", absolute_tolerance = " + both +
                                  " }\n" + carrier_at_rest("wall") + R"(
-[[body]]
-name = "bob"
-mass_kg = 10
-com_m = [1, 0, 0]
+[[body]]; name = "bob"; mass_kg = 10; com_m = [1, 0, 0]
 principal_inertia_kg_m2 = [0, 0, 0]
 hinge = { kind = "axis", carrier_point_m = [0, 0, 0], axis = [0, 0, 1] }
-start = { angle_deg = )" + std::to_string(phi - 90) +
+start = { angle_deg = )"_toml + std::to_string(phi - 90) +
                                  R"( }
-[[force]]
-name = "weight"
-body = "bob"
-kind = "applied"
-axes = "inertial"
+[[force]]; name = "weight"; body = "bob"; kind = "applied"; axes = "inertial"
 force_N = [0, -100, 0]
-)");
+)"_toml);
       const json body = run_json(folder, "c.toml")["bodies"][0];
       const double peak = 100 * (3 - 2 * std::cos(phi * degree));
-      EXPECT_NEAR(body["peak_reaction_N"].get<double>(), peak, allowed * peak)
+      EXPECT_NEAR(body["peak_reaction_N"], peak, allowed * peak)
           << phi << ' ' << tolerance;
     }
   }
@@ -576,7 +442,7 @@ TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
   const json other = run_json(folder, "short.toml")["bodies"];
   const auto compare = [](const json& a, const json& b, const char* key) {
     const double exact = b[key];
-    EXPECT_NEAR(a[key].get<double>(), exact, 1e-7 * exact) << key;
+    EXPECT_NEAR(a[key], exact, 1e-7 * exact) << key;
   };
   for (std::size_t i = 0; i < one.size(); ++i) {
     compare(one[i], other[i], "peak_reaction_N");

@@ -3,14 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
-#include <cmath>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
-#include <vector>
 
 #include "cli/number.hpp"
 #include "support/program.hpp"
+#include "support/toml_text.hpp"
 
 /// Runs of hinge-separation and cases that several tests run.
 namespace contact::test {
@@ -18,25 +16,11 @@ namespace contact::test {
 using Eigen::Vector3d;
 using nlohmann::json;
 
-/// A time history; no value is NaN.
-class History {
+/// A time history, whose vectors have rows from 0.
+class History : public CsvTable {
  public:
-  explicit History(const std::string& csv) : rows_(csv_rows(csv)) {}
+  using CsvTable::CsvTable;
 
-  std::size_t size() const { return rows_.size() - 1; }
-  const std::vector<std::string>& columns() const { return rows_.front(); }
-  std::vector<std::string> words(const std::string& name) const {
-    return csv_column(rows_, name);
-  }
-  const std::vector<double>& operator[](const std::string& name) const {
-    auto& column = numbers_[name];
-    if (column.empty()) {
-      for (const std::string& cell : words(name)) {
-        column.push_back(cli::parse_number(cell).value_or(NAN));
-      }
-    }
-    return column;
-  }
   Vector3d vector(const std::string& body, const char* x, const char* y,
                   const char* z, std::size_t row) const {
     return {(*this)[body + x][row], (*this)[body + y][row],
@@ -58,18 +42,12 @@ class History {
         vector(body, ".wx_rad_per_s", ".wy_rad_per_s", ".wz_rad_per_s", row);
     return q * inertia.cwiseProduct(w);
   }
-
- private:
-  std::vector<std::vector<std::string>> rows_;
-  mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
 /// Output of a run that goes well.
 inline json run_json(const ProgramFolder& folder,
                      const std::string& arguments) {
-  const ProgramResult result = folder.run("hinge-separation " + arguments);
-  EXPECT_EQ(result.status, 0) << arguments << '\n' << result.err;
-  return json::parse(result.out);
+  return json::parse(folder.run_well("hinge-separation " + arguments).out);
 }
 
 /// A text with another one in the place of what is found first.
@@ -92,68 +70,36 @@ inline std::string sample_case(const std::string& name) {
 /// Table of a carrier that stays where it is.
 inline std::string carrier_at_rest(const std::string& name) {
   return "[carrier]\nname = \"" + name + R"("
-mass_kg = 1000
-principal_inertia_kg_m2 = [1, 1, 1]
-drive = { acceleration_m_per_s2 = [0, 0, 0] })";
+mass_kg = 1000; principal_inertia_kg_m2 = [1, 1, 1]
+drive = { acceleration_m_per_s2 = [0, 0, 0] })"_toml;
 }
 
 /// Two bodies that only push each other: nothing from outside.
 inline const std::string alone = R"(
 name = "alone"
-[run]
-end_time_s = 3
-output_step_s = 0.05
-[carrier]
-name = "core"
-mass_kg = 100
-principal_inertia_kg_m2 = [10, 12, 14]
+[run]; end_time_s = 3; output_step_s = 0.05
+[carrier]; name = "core"; mass_kg = 100; principal_inertia_kg_m2 = [10, 12, 14]
 start = { velocity_m_per_s = [1, 2, -0.5], angular_velocity_rad_per_s = [0.1, -0.2, 0.3] }
-[[body]]
-name = "tip"
-mass_kg = 20
-com_m = [0.2, 0.1, 0]
+[[body]]; name = "tip"; mass_kg = 20; com_m = [0.2, 0.1, 0]
 principal_inertia_kg_m2 = [1, 2, 2.5]
-[body.hinge]
-kind = "ball"
-carrier_point_m = [1, 0, 0]
-[[body.hinge.joint]]
-name = "ball"
-kind = "ball"
+[body.hinge]; kind = "ball"; carrier_point_m = [1, 0, 0]
+[[body.hinge.joint]]; name = "ball"; kind = "ball"
 geometry = { radius_mm = 30, radial_clearance_um = 60 }
 materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
 friction = { coefficient = 0.2, adhesion_MPa = 1 }
-[body.lock]
-body_point_m = [0.5, 0, 0]
-[[event]]
-name = "lock opens"
-time_s = 0.4
-breaks = "lock"
-[[event]]
-name = "hinge breaks"
-after = "lock opens"
-delay_s = 0.7
+[body.lock]; body_point_m = [0.5, 0, 0]
+[[event]]; name = "lock opens"; time_s = 0.4; breaks = "lock"
+[[event]]; name = "hinge breaks"; after = "lock opens"; delay_s = 0.7
 breaks = "hinge"
-[[force]]
-name = "pusher"
-kind = "pusher"
-body = "tip"
-point_m = [0.1, 0.3, 0]
-carrier_point_m = [1.1, 0.3, 0]
-direction = [-0.5, 1, 0.2]
-first_force_N = 200
-last_force_N = 50
+[[force]]; name = "pusher"; kind = "pusher"; body = "tip"
+point_m = [0.1, 0.3, 0]; carrier_point_m = [1.1, 0.3, 0]
+direction = [-0.5, 1, 0.2]; first_force_N = 200; last_force_N = 50
 stroke_mm = 60
-[[force]]
-name = "spring"
-kind = "spring"
-body = "tip"
-point_m = [0, 0, 0.4]
-carrier_point_m = [0.5, 0.1, 0.5]
-stiffness_N_per_m = 300
-free_length_m = 0.9
-damping_N_s_per_m = 5
-)";
+[[force]]; name = "spring"; kind = "spring"; body = "tip"
+point_m = [0, 0, 0.4]; carrier_point_m = [0.5, 0.1, 0.5]
+stiffness_N_per_m = 300; free_length_m = 0.9; damping_N_s_per_m = 5
+)"_toml;
 
 /// A pusher of 100 to 40 N over 0.1 m between bodies of 10 and 5 kg, with the
 /// part of its stroke that is used at the start and what else its table says.
@@ -161,31 +107,17 @@ inline std::string pushed_case(double used, double speed,
                                const std::string& more) {
   return R"(
 name = "pushed"
-[run]
-end_time_s = 2
-[carrier]
-name = "c"
-mass_kg = 10
-principal_inertia_kg_m2 = [1, 1, 1]
-[[body]]
-name = "s"
-mass_kg = 5
-principal_inertia_kg_m2 = [1, 1, 1]
+[run]; end_time_s = 2
+[carrier]; name = "c"; mass_kg = 10; principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "s"; mass_kg = 5; principal_inertia_kg_m2 = [1, 1, 1]
 [body.start]
-position_m = [)" +
+position_m = [)"_toml +
          cli::number_text(1 + used) + ", 0, 0]\nvelocity_m_per_s = [" +
          cli::number_text(speed) + R"(, 0, 0]
-[[force]]
-name = "push"
-body = "s"
-kind = "pusher"
-point_m = [-0.2, 0, 0]
-carrier_point_m = [0.8, 0, 0]
-direction = [1, 0, 0]
-first_force_N = 100
-last_force_N = 40
-stroke_m = 0.1
-)" + more;
+[[force]]; name = "push"; body = "s"; kind = "pusher"; point_m = [-0.2, 0, 0]
+carrier_point_m = [0.8, 0, 0]; direction = [1, 0, 0]; first_force_N = 100
+last_force_N = 40; stroke_m = 0.1
+)"_toml + more;
 }
 
 }  // namespace contact::test

@@ -29,15 +29,13 @@ TEST(SeparationWarnings, ForcesThatDoNotDoWhatTheyShouldAreWarnedOf) {
   }
   EXPECT_EQ(warnings(pushed_case(0, 0, "starts_at_s = 5")),
             warning + "\"push\" did not begin for s\n");
-  EXPECT_EQ(warnings(pushed_case(0, 0, R"([[force]]
-name = "off"
-body = "c"
-kind = "thrust"
-point_m = [0, 0, 0]
-direction = [1, 0, 0]
-thrust_N = 0
-)")),
-            warning + "\"off\" never acted on c\n");
+  EXPECT_EQ(
+      warnings(pushed_case(
+          0, 0,
+          R"([[force]]; name = "off"; body = "c"; kind = "thrust"; point_m = [0, 0, 0]
+direction = [1, 0, 0]; thrust_N = 0
+)"_toml)),
+      warning + "\"off\" never acted on c\n");
   // Before it is used the body is behind; the other way round both centres of
   // mass are where it pushes to.
   EXPECT_EQ(warnings(pushed_case(-0.05, 0, "")),
@@ -51,18 +49,16 @@ thrust_N = 0
                 "\"push\" pushes s and the carrier together: when it "
                 "starts, t = 0 s, direction leads from s to the "
                 "carrier\n");
-  const auto with_spring =
-      [](const std::string& end, double free_length, const std::string& more) {
-        return pushed_case(0, 0,
-                           R"([[force]]
-name = "spring"
-body = "s"
-kind = "spring"
-point_m = [-0.2, 0, 0]
+  const auto with_spring = [](const std::string& end, double free_length,
+                              const std::string& more) {
+    return pushed_case(
+        0, 0,
+        R"([[force]]; name = "spring"; body = "s"; kind = "spring"; point_m = [-0.2, 0, 0]
 stiffness_N_per_m = 10
-carrier_point_m = )" + end + "\nfree_length_m = " +
-                               cli::number_text(free_length) + "\n" + more);
-      };
+carrier_point_m = )"_toml +
+            end + "\nfree_length_m = " + cli::number_text(free_length) + "\n" +
+            more);
+  };
   EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 1, "")),
             warning +
                 "\"spring\" has no direction when it starts, t = 0 s: "
@@ -76,15 +72,12 @@ carrier_point_m = )" + end + "\nfree_length_m = " +
 TEST(SeparationWarnings, SpringsThatPullBackAreWarnedOf) {
   const ProgramFolder folder;
   const auto warnings = [&](const std::string& more) {
-    folder.write("c.toml", alone + R"([[force]]
-name = "tie"
-kind = "spring"
-body = "tip"
-point_m = [0.2, 0.1, 0]
-carrier_point_m = [0.2, 0.1, 0]
-stiffness_N_per_m = 5000
-free_length_m = 1.05
-)" + more);
+    folder.write(
+        "c.toml",
+        alone +
+            R"([[force]]; name = "tie"; kind = "spring"; body = "tip"; point_m = [0.2, 0.1, 0]
+carrier_point_m = [0.2, 0.1, 0]; stiffness_N_per_m = 5000; free_length_m = 1.05
+)"_toml + more);
     return folder.run_well("hinge-separation c.toml --history h.csv").err;
   };
   const std::string pulls = warnings("");
@@ -98,21 +91,11 @@ free_length_m = 1.05
 TEST(SeparationWarnings, WhatDidNotHappenIsReported) {
   const ProgramFolder folder;
   folder.write("c.toml", alone + R"(
-[[event]]
-name = "far"
-angle_deg = 179
-breaks = "hinge"
-[[event]]
-name = "after far"
-after = "far"
-breaks = "hinge"
-[[force]]
-name = "late"
-body = "core"
-kind = "applied"
-force_N = [1, 0, 0]
+[[event]]; name = "far"; angle_deg = 179; breaks = "hinge"
+[[event]]; name = "after far"; after = "far"; breaks = "hinge"
+[[force]]; name = "late"; body = "core"; kind = "applied"; force_N = [1, 0, 0]
 starts_at_event = "far"
-)");
+)"_toml);
   const ProgramResult result = folder.run_well("hinge-separation c.toml");
   EXPECT_EQ(result.err,
             "hinge-separation: warning: event \"far\" did not occur for tip\n"
@@ -193,19 +176,14 @@ TEST(SeparationWarnings, TheEndOfALawEndsTheRun) {
     const bool ball = kind == "ball";
     return "name = \"press and turn\"\n[run]\nend_time_s = 4\n" + run +
            carrier_at_rest("wall") + R"(
-[[body]]
-name = "arm"
-mass_kg = 1000
+[[body]]; name = "arm"; mass_kg = 1000
 principal_inertia_kg_m2 = [1e5, 1e5, 1e5]
-[body.hinge]
-carrier_point_m = [0, 0, 0]
-)" + (ball ? "kind = \"ball\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
-           R"([[body.hinge.joint]]
-name = "bearing"
-inner_body = "body"
+[body.hinge]; carrier_point_m = [0, 0, 0]
+)"_toml + (ball ? "kind = \"ball\"\n" : "kind = \"axis\"\naxis = [0, 0, 1]\n") +
+           R"([[body.hinge.joint]]; name = "bearing"; inner_body = "body"
 materials = { pair = "data/materials/steel_steel.toml" }
 friction = { coefficient = 0.2 }
-)" +
+)"_toml +
            (ball
                 ? "kind = \"ball\"\n"
                   "geometry = { radius_mm = 100, relative_clearance = 0.001 }\n"
@@ -213,19 +191,11 @@ friction = { coefficient = 0.2 }
                   "geometry = { radius_mm = 100, relative_clearance = 0.001, "
                   "length_mm = 100 }\n") +
            R"(
-[[force]]
-name = "press"
-kind = "applied"
-body = "arm"
-time_s = [0, 1]
+[[force]]; name = "press"; kind = "applied"; body = "arm"; time_s = [0, 1]
 force_MN = [[0, 0, 0], [30, 0, 0]]
-[[force]]
-name = "turn"
-kind = "applied"
-body = "arm"
-time_s = [1, 10]
+[[force]]; name = "turn"; kind = "applied"; body = "arm"; time_s = [1, 10]
 moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
-)";
+)"_toml;
   };
   for (const std::string kind : {"ball", "pin"}) {
     for (const std::string run : {"", "integrator = \"rk4\"\nstep_ms = 10\n"}) {
@@ -279,29 +249,15 @@ TEST(SeparationWarnings, FailedRunsAreKeptToTheirEnd) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
 name = "a force that nothing can bear"
-[run]
-end_time_s = 1
-output_step_s = 0.4
-[carrier]
-name = "wall"
-mass_kg = 1000
+[run]; end_time_s = 1; output_step_s = 0.4
+[carrier]; name = "wall"; mass_kg = 1000
 principal_inertia_kg_m2 = [100, 100, 100]
-[[body]]
-name = "arm"
-mass_kg = 1
-principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
-[body.hinge]
-kind = "ball"
-body_point_m = [-0.3, 0, 0]
+[[body]]; name = "arm"; mass_kg = 1; principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
+[body.hinge]; kind = "ball"; body_point_m = [-0.3, 0, 0]
 carrier_point_m = [1, 0, 0]
-[[force]]
-name = "push"
-kind = "applied"
-body = "arm"
-axes = "inertial"
-force_N = [0, 1e308, 0]
-starts_at_s = 0.55
-)");
+[[force]]; name = "push"; kind = "applied"; body = "arm"; axes = "inertial"
+force_N = [0, 1e308, 0]; starts_at_s = 0.55
+)"_toml);
   const ProgramResult result =
       folder.run("hinge-separation c.toml --history h.csv");
   EXPECT_EQ(result.status, 1) << result.err;

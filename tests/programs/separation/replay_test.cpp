@@ -16,6 +16,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/clearance/clearance.hpp"
 #include "support/program.hpp"
+#include "support/toml_text.hpp"
 
 namespace contact::test {
 namespace {
@@ -148,21 +149,13 @@ TEST(Replay, KeyFramesKeepToTheMotion) {
 // A wheel turns ten times between two rows; a free body may not.
 TEST(Replay, SaysWhatRowsCannotShow) {
   const std::string text = R"(
-name = "spin"
-run = { end_time_s = 10, output_step_s = 1 }
+name = "spin"; run = { end_time_s = 10, output_step_s = 1 }
 carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
-[[body]]
-name = "wheel"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
-hinge = { kind = "axis", axis = [0, 0, 1] }
-start = { rate_deg_per_s = 3600 }
-[[body]]
-name = "top"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "wheel"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
+hinge = { kind = "axis", axis = [0, 0, 1] }; start = { rate_deg_per_s = 3600 }
+[[body]]; name = "top"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1, 1]
 start = { angular_velocity_deg_per_s = [0, 90, 0] }
-)";
+)"_toml;
   const Case c = separation::parse_case(text, "spin.toml");
   const Outcome outcome = separation::run_case(c);
   const auto faults = separation::replay_faults({c, {{"", &outcome}}, {}, ""});
@@ -209,12 +202,9 @@ TEST(Replay, TumblingBodiesAreRightBetweenRows) {
 name = "tumble"
 run = { end_time_s = 8, output_step_s = 0.2, relative_tolerance = 1e-11, absolute_tolerance = 1e-11 }
 carrier = { name = "a", mass_kg = 1, principal_inertia_kg_m2 = [1, 1, 1] }
-[[body]]
-name = "top"
-mass_kg = 1
-principal_inertia_kg_m2 = [1, 1.4, 2]
+[[body]]; name = "top"; mass_kg = 1; principal_inertia_kg_m2 = [1, 1.4, 2]
 start = { angular_velocity_deg_per_s = [20, 170, 60] }
-)",
+)"_toml,
                                   "tumble.toml");
   const Outcome coarse = separation::run_case(c);
   c.output_step /= 4;
@@ -249,58 +239,24 @@ TEST(Replay, RowsAboutEventsAreKept) {
 // its stroke is used up, air and a moment: by their definitions, from the rows.
 TEST(Replay, ForcesAreThoseOfTheCase) {
   const Case c = separation::parse_case(R"(
-name = "forces"
-run = { end_time_s = 3, output_step_s = 0.05 }
+name = "forces"; run = { end_time_s = 3, output_step_s = 0.05 }
 carrier = { name = "a", mass_kg = 50, principal_inertia_kg_m2 = [9, 9, 9] }
-[[body]]
-name = "b"
-mass_kg = 2
-principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "b"; mass_kg = 2; principal_inertia_kg_m2 = [1, 1, 1]
 start = { position_m = [0, 0, 1], angular_velocity_deg_per_s = [0, 40, 0] }
-[[event]]
-name = "cut"
-time_s = 1
-breaks = "hinge"
-bodies = "c"
-[[body]]
-name = "c"
-mass_kg = 3
-principal_inertia_kg_m2 = [1, 1, 1]
+[[event]]; name = "cut"; time_s = 1; breaks = "hinge"; bodies = "c"
+[[body]]; name = "c"; mass_kg = 3; principal_inertia_kg_m2 = [1, 1, 1]
 hinge = { kind = "axis", axis = [0, 0, 1], carrier_point_m = [4, 0, 0] }
-[[force]]
-name = "engine"
-body = "b"
-kind = "thrust"
-point_m = [0, 0.1, -0.2]
-direction = [0, 0, 1]
-thrust_N = 5
-cutoff_at_event = "cut"
-decay_s = 0.5
-[[force]]
-name = "spring"
-body = "b"
-kind = "spring"
-point_m = [0, 0, -0.2]
-carrier_point_m = [0, 0, 0.2]
-stiffness_N_per_m = 10
-free_length_m = 2
+[[force]]; name = "engine"; body = "b"; kind = "thrust"
+point_m = [0, 0.1, -0.2]; direction = [0, 0, 1]; thrust_N = 5
+cutoff_at_event = "cut"; decay_s = 0.5
+[[force]]; name = "spring"; body = "b"; kind = "spring"; point_m = [0, 0, -0.2]
+carrier_point_m = [0, 0, 0.2]; stiffness_N_per_m = 10; free_length_m = 2
 ends_at_event = "cut"
-[[force]]
-name = "pusher"
-body = "b"
-kind = "pusher"
-point_m = [0, 0, -0.2]
-carrier_point_m = [0, 0, 0.6]
-direction = [0, 0, 1]
-first_force_N = 3
-last_force_N = 3
-stroke_m = 0.5
-[[force]]
-name = "motor"
-body = "c"
-kind = "motor"
-moment_N_m = 0.3
-)",
+[[force]]; name = "pusher"; body = "b"; kind = "pusher"; point_m = [0, 0, -0.2]
+carrier_point_m = [0, 0, 0.6]; direction = [0, 0, 1]; first_force_N = 3
+last_force_N = 3; stroke_m = 0.5
+[[force]]; name = "motor"; body = "c"; kind = "motor"; moment_N_m = 0.3
+)"_toml,
                                         "forces.toml");
   const Outcome outcome = separation::run_case(c);
   const Rows& rows = outcome.memory.rows;
@@ -379,16 +335,8 @@ json data_of(const std::string& page) {
   return json::parse(page.substr(at, page.find("</script>", at) - at));
 }
 
-bool has_libraries() {
-  return ProgramFolder()
-             .run(
-                 "ls /usr/share/javascript/three/three.min.js "
-                 "/usr/share/javascript/dygraphs/dygraph.min.js")
-             .status == 0;
-}
-
 TEST(Replay, PagesThatWouldBeTooLongHaveFewerRows) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!ProgramFolder().has_page_libraries()) GTEST_SKIP() << "libjs-three";
   const Case c = case_of("soyuz");
   const Outcome outcome = separation::run_case(c);
   const separation::PageParts parts("a.html");
@@ -422,11 +370,9 @@ TEST(Replay, WithoutItsLibrariesAPageIsRefusedBeforeTheRun) {
             "(three/three.min.js is missing): apt install libjs-three "
             "libjs-dygraphs\n");
   EXPECT_TRUE(folder.files().empty());
-  EXPECT_EQ(folder
-                .run("XDG_DATA_DIRS=/nowhere hinge-separation "
-                     "data/cases/soyuz.toml --replay a.glb")
-                .status,
-            0);
+  folder.run_well(
+      "XDG_DATA_DIRS=/nowhere hinge-separation "
+      "data/cases/soyuz.toml --replay a.glb");
 }
 
 }  // namespace

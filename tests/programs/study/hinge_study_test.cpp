@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <csignal>
-#include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -246,13 +245,11 @@ TEST_F(HingeStudy, RunsAboveALimitOfPressureAreCounted) {
 
 TEST_F(HingeStudy, AnotherStudysJournalIsRefused) {
   results("a");
-  const auto result =
-      folder_.run("hinge-study s.toml --csv x.csv --journal a --seed 2");
-  EXPECT_EQ(result.status, 2);
-  EXPECT_EQ(result.err,
-            "hinge-study: a: the study of this journal must be the same, with "
-            "the same files, seed and version; remove it or name another one "
-            "with --journal\n");
+  folder_.run_ill(
+      "hinge-study s.toml --csv x.csv --journal a --seed 2", 2,
+      "hinge-study: a: the study of this journal must be the same, with "
+      "the same files, seed and version; remove it or name another one "
+      "with --journal\n");
   EXPECT_FALSE(folder_.has("x.csv"));
 }
 
@@ -387,13 +384,10 @@ TEST_F(HingeStudy, SignalsEndPicturesAndReports) {
 // A name of a picture or a replay is that of no other file.
 TEST_F(HingeStudy, PicturesOverwriteNothing) {
   for (const std::string option : {"--journal", "--csv", "--hdf5"}) {
-    const auto result =
-        folder_.run("hinge-study s.toml --plot p.svg " + option + " p_1.svg");
-    EXPECT_EQ(result.status, 2);
-    EXPECT_EQ(result.err,
-              "hinge-study: --plot p_1.svg must be another file "
-              "than that of " +
-                  option + "\n");
+    folder_.run_ill("hinge-study s.toml --plot p.svg " + option + " p_1.svg", 2,
+                    "hinge-study: --plot p_1.svg must be another file "
+                    "than that of " +
+                        option + "\n");
   }
 }
 
@@ -410,14 +404,13 @@ TEST_F(HingeStudy, WithoutGnuplotAReportHasTables) {
 // Without gnuplot there are tables; where one picture fails, that is a failure.
 TEST_F(HingeStudy, AReportWithoutAPictureSaysSo) {
   if (folder_.run("gnuplot --version").status != 0) GTEST_SKIP() << "gnuplot";
-  const auto result = folder_.run(
+  folder_.run_ill(
       "printf '#!/bin/sh\\ngrep -q input0 $1 && exit 1\\nexec '"
       "\"$(command -v gnuplot)\"' \"$@\"\\n' >gnuplot; chmod +x gnuplot; "
-      "PATH=.:$PATH; hinge-study s.toml --report r.html --output -");
-  EXPECT_EQ(result.status, 1);
-  EXPECT_EQ(result.err,
-            "hinge-study: warning: not all pictures in r.html: gnuplot: "
-            "failed\n");
+      "PATH=.:$PATH; hinge-study s.toml --report r.html --output -",
+      1,
+      "hinge-study: warning: not all pictures in r.html: gnuplot: "
+      "failed\n");
   EXPECT_EQ(times_in(folder_.read("r.html"), "<svg"), 2);
 }
 
@@ -429,16 +422,8 @@ const std::string turns =
     "[[dispersion]]\nkey = 'body[stage].mass_t'\nrelative = true\n"
     "kind = 'uniform'\nlow = 0.9\nhigh = 1.1\n";
 
-bool has_libraries() {
-  return ProgramFolder()
-             .run(
-                 "ls /usr/share/javascript/three/three.min.js "
-                 "/usr/share/javascript/dygraphs/dygraph.min.js")
-             .status == 0;
-}
-
 TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!folder_.has_page_libraries()) GTEST_SKIP() << "libjs-three";
   folder_.write("c.toml", turns);
   run("c.toml --report 'a \"#b.html'");
   const std::string page = folder_.read("a \"#b.html");
@@ -463,7 +448,7 @@ TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
 
 // The stage is let go after the end, and passes through the carrier before.
 TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
-  if (!has_libraries()) GTEST_SKIP() << "libjs-three or libjs-dygraphs";
+  if (!folder_.has_page_libraries()) GTEST_SKIP() << "libjs-three";
   std::ifstream file(CONTACT_DATA_DIR "/cases/two_stage_turn.toml");
   std::string text(std::istreambuf_iterator<char>(file), {});
   for (const auto& [old, now] :

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+namespace contact::test {
+
+/// TOML with several lines in one: "; " ends a line as a newline does, so that
+/// a case is seen at a glance and messages have the numbers of TOML's lines.
+inline std::string operator""_toml(const char* text, std::size_t size) {
+  std::string lines(text, size);
+  for (auto at = lines.find("; "); at != lines.npos; at = lines.find("; ")) {
+    lines.replace(at, 2, "\n");
+  }
+  return lines;
+}
+
+}  // namespace contact::test
