@@ -78,16 +78,16 @@ TEST_F(HingeDuty, Cycles) {
   ASSERT_GT(blocks.size(), 20u);
   for (std::size_t column = 0; column < blocks[0].size(); ++column) {
     const std::string& name = blocks[0][column];
-    if (name == "clearance_mm") {  // for pins
+    // For pins, and for loads that stand still.
+    if (name == "clearance_mm" || name == "worn_share") {
       EXPECT_EQ(blocks.back()[column], "");
       continue;
     }
-    EXPECT_EQ(std::stod(blocks.back()[column]),
-              value(text, name == "worn_share" ? name : "worn_" + name));
+    EXPECT_EQ(std::stod(blocks.back()[column]), value(text, "worn_" + name));
   }
   EXPECT_EQ(value(text, "worn_cycles"), 5e6);
-  // The first cycle is that of the unworn joint.
-  EXPECT_NEAR(std::stod(blocks[1][7]) / value(text, "energy_J"), 1, 1e-12);
+  // The first cycle is that of the unworn joint, but for its laws.
+  EXPECT_NEAR(std::stod(blocks[1][7]) / value(text, "energy_J"), 1, 0.01);
   // The contact grows, and with it the moment and the volume of a cycle.
   EXPECT_GT(value(text, "worn_volume_seat_mm3"),
             5e6 * value(text, "volume_seat_mm3"));
