@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
 # the limit half-angles of other materials, pressure profiles, the error of
-# leaving walls out, the torque of a pin with interference, a separation of
-# boosters and the sketch of a hinge:
+# leaving walls out, the torque of a pin with interference, pressures on seats
+# that end, a separation of boosters and the sketch of a hinge:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
@@ -127,6 +127,33 @@ for eps in $clearances; do
 done
 rm bush.toml
 
+# Pressure on seats that end, over the seat and in the plane of the load, and
+# what the seat without an end would have.
+seat() { # NAME JOINT LOAD DIRECTION
+  local joint=(--joint "$plots/../data/joints/$2.toml" --load "$3")
+  "$programs/hinge-pressure" "${joint[@]}" --direction "$4" --points 91 \
+    --output "$1.csv" 2>seat.log
+  awk -F, 'NR > 1 { if ($3 != v) print ""; v = $3; print $3, $4, $5 }' \
+    "$1.csv" >"$1.dat"
+  awk -F, 'NR > 1 && $4 == 0 { v[++n] = $3; print $3, $5 }
+    END { for (; n > 0; n--) print v[n], 0 }' "$1.csv" >"$1_cut.dat"
+  "$programs/hinge-pressure" "${joint[@]}" --law exact --pressure exact \
+    2>>seat.log | tail -n +2 | tr , ' ' >"$1_free.dat"
+}
+seat seat_ring spherical_plain_bearing_ge50 100kN 90
+seat seat_cup hip_cup 2kN 65
+over() { # FILE JOINT COLUMNS OPTIONS: a table of loads or directions
+  "$programs/hinge-pressure" --joint "$plots/../data/joints/$2.toml" \
+    --columns "$3" --output "seat_loads_$1.csv" "${@:4}" 2>>seat.log
+}
+loads=1kN:200kN:log100
+over ring spherical_plain_bearing_ge50 \
+  load_N,half_width_deg,p_peak_Pa,p_at_load_Pa --load $loads --direction 90
+over free spherical_plain_bearing_ge50 load_N,theta0_deg,p_peak_Pa \
+  --load $loads --law exact --pressure exact --summary
+over cup hip_cup direction_deg,p_peak_Pa,p_at_load_Pa --load 2kN \
+  --direction 0:85:1
+
 # Four boosters leaving a core.
 times='0.5 1 1.4 2.2 3'
 "$programs/hinge-separation" "$plots/../data/cases/soyuz.toml" \
@@ -154,6 +181,9 @@ draw pressure_profiles "size 1160,520 font 'sans,18'" \
   "size 1740,780 font 'sans,21'"
 draw wall_errors "size 1080,900 font 'sans,18'" "size 1620,1350 font 'sans,21'"
 draw preload "size 840,520 font 'sans,18'" "size 1260,780 font 'sans,21'"
+draw seat_pressure "size 1000,833 font 'sans,16'" \
+  "size 1500,1250 font 'sans,21'"
+draw seat_loads "size 1260,460 font 'sans,17'" "size 2100,766 font 'sans,22'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"
 draw separation "size 900,553 font 'sans,17'" "size 1350,830 font 'sans,20'"

@@ -68,7 +68,7 @@ struct WearIn {
 /// Wear of a joint on a duty cycle, with the geometry that it changes.
 ///
 /// **Where the load stands still in the seat** (JointCycle::contact_spread() at
-/// most 0.1 of the half-angle before wear, the mean with the weight of p v):
+/// most 0.05 of the half-angle before wear, the mean with the weight of p v):
 /// blocks of cycles in which v grows by at most 10 % of g(theta0), see
 /// WornHalfAngle and RunningInPressure. The mean of g over the cycle has the
 /// weight of p v. Where a ball does not mostly spin, the half-angle is within

@@ -1,6 +1,5 @@
 #include "libcontact/joint/moment_set.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +7,7 @@
 #include <limits>
 
 #include "libcontact/base/root_finding.hpp"
+#include "libcontact/joint/motion_left.hpp"
 
 namespace contact {
 namespace {
@@ -164,60 +164,15 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia,
   if (most_sliding_ == 0) {  // no friction
     return {free, Vector3d::Zero(), Status::ok, 0, 0};
   }
-  // Along a unit vector u the best length is r(u) = gain(u)/(u . W u), where
-  // gain = u . W free - Phi(u), and the function falls to -gain r/2. It is
-  // positive in the direction in which the set's edge opposes W free.
+  // In the direction in which the set's edge opposes W free.
   const Split split(wanted, normal_);
   const SlipAxis start = axis_of_moment(split.across, std::abs(split.along));
-  Vector3d u = start.cos * split.direction +
-               std::copysign(start.sin, split.along) * normal_;
-  const auto gain_along = [&](const Vector3d& v) {
-    return v.dot(wanted) - support(v);
-  };
-  const auto value = [&](const Vector3d& v, double gain) {
-    return gain > 0 ? -gain * gain / (2 * v.dot(inertia * v)) : 0.0;
-  };
-  double gain = gain_along(u);
-  // On the edge, up to the rounding of its two parts: no motion.
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
-  if (gain <= rounding) return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
-  double best = value(u, gain);
-
-  // Newton's method on the convex function, with halved steps where it does
-  // not fall; 3 to 6 steps.
-  constexpr int step_limit = 60;
-  constexpr double tolerance = 1e-13;
-  Prox result{};
-  for (result.iterations = 0;; ++result.iterations) {
-    const double r = gain / u.dot(inertia * u);
-    result.angular_velocity = r * u;
-    result.moment = moment(u);
-    const Vector3d gradient =
-        inertia * (result.angular_velocity - free) - result.moment;
-    result.residual = gradient.norm() / size;
-    if (result.residual <= tolerance || result.iterations == step_limit) break;
-    const Matrix3d second = inertia + curvature(u) / r;
-    const Vector3d step = -second.llt().solve(gradient);
-    // Changes of the function below this are rounding.
-    const double unseen = -2 * best * rounding / gain;
-    bool moved = false;
-    for (double share = 1; share > 1e-10 && !moved; share /= 2) {
-      const Vector3d next =
-          (result.angular_velocity + share * step).normalized();
-      const double next_gain = gain_along(next);
-      const double next_value = value(next, next_gain);
-      if (next_gain > 0 && next_value <= best + unseen) {
-        u = next;
-        gain = next_gain;
-        best = next_value;
-        moved = true;
-      }
-    }
-    if (!moved) break;
-  }
-  // Rounding of the moments leaves less than this.
-  result.status = result.residual <= 1e-12 ? Status::ok : Status::not_converged;
-  return result;
+  const Vector3d u = start.cos * split.direction +
+                     std::copysign(start.sin, split.along) * normal_;
+  return detail::motion_left([&](const Vector3d& v) { return support(v); },
+                             [&](const Vector3d& v) { return moment(v); },
+                             [&](const Vector3d& v) { return curvature(v); },
+                             inertia, free, u);
 }
 
 }  // namespace contact

@@ -42,6 +42,15 @@ LayeredPair pair_of(const JointSpec& joint) {
   return pair;
 }
 
+// Between two places on the sphere, a longitude apart.
+double angle_between(double v1, double v2, double longitude) {
+  const double across = std::sin(longitude / 2);
+  const double along = std::sin((v1 - v2) / 2);
+  return 2 * std::asin(std::sqrt(std::min(
+                 along * along + std::sin(v1) * std::sin(v2) * across * across,
+                 1.0)));
+}
+
 Eigen::Vector2d in_plane(const Eigen::Vector3d& force) {
   return {std::hypot(force.x(), force.y()), force.z()};
 }
@@ -127,6 +136,7 @@ void SeatContact::set_free(double half_angle, double direction,
   state.peak_place = {direction, 0};
   state.lower_end = std::max(0.0, direction - half_angle);
   state.upper_end = std::min(pi, direction + half_angle);
+  state.half_width = half_angle;
   state.force_ratio = contact_.sum_of_pressures(load, half_angle) / load;
   state.area = contact_.area(half_angle);
   set_rims(state);
@@ -157,6 +167,7 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
   const auto ends = read.ends(0);
   state.lower_end = ends.lower;
   state.upper_end = ends.upper;
+  if (on_seat) state.half_width = read.half_width(direction);
   state.force_ratio = patch.sum * windows_->unit_force() / state.force.norm();
   const Eigen::MatrixXd covered = read.covered();
   for (int j = 0; j <= solver.order(); ++j) {
@@ -175,6 +186,23 @@ void SeatContact::set_rims(SeatState& state) const {
     state.rims[1].distance = zone_.to() - state.upper_end;
   }
   for (SeatRim& rim : state.rims) rim.gap = radius_ * rim.distance;
+}
+
+double SeatContact::pressure(const SeatState& state,
+                             const SeatPlace& place) const {
+  const double v = place.polar_angle;
+  if (state.is_free) {
+    const double load = state.force.norm();
+    const double direction = detail::polar_angle(state.force);
+    const double angle = angle_between(v, direction, place.longitude);
+    const double half_angle = contact_.half_angle(load).half_angle;
+    return angle < half_angle ? contact_.pressure(angle, load, half_angle) : 0;
+  }
+  if (!state.solution) return nan;
+  const detail::SeatReadout read(*state.solution->solver,
+                                 state.solution->patch);
+  return contact_.pair().effective_modulus() / (4 * radius_) *
+         read.pressure(v, place.longitude);
 }
 
 Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {

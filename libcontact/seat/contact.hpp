@@ -83,6 +83,10 @@ struct SeatState {
   /// rad; 0 or pi where it goes on over the pole. NaN if nothing is there.
   double lower_end = std::numeric_limits<double>::quiet_NaN();
   double upper_end = std::numeric_limits<double>::quiet_NaN();
+  /// From the load to the contact's end across the plane of the load, rad; NaN
+  /// where the load meets no seat, and from a table. To 1 deg
+  /// (seat/seat_test.cpp).
+  double half_width = std::numeric_limits<double>::quiet_NaN();
   /// S: the sum of the pressures without regard to their direction over |F|.
   double force_ratio = std::numeric_limits<double>::quiet_NaN();
   double area = std::numeric_limits<double>::quiet_NaN();  ///< m^2
@@ -137,6 +141,13 @@ class SeatContact {
   SeatState under(const Eigen::Vector3d& force) const;
   /// The same, begun from a state that is near.
   SeatState under(const Eigen::Vector3d& force, const SeatState& near) const;
+
+  /// Pressure at a place on the seat, Pa: 0 outside the contact, infinite at a
+  /// rim that is reached, NaN of a state without a contact or from a table. As
+  /// pressures of SeatState, and linear between the grid's longitudes: 3e-3
+  /// (seat/seat_test.cpp).
+  /// @param place  longitude from the plane of the load, on either side, rad
+  double pressure(const SeatState& state, const SeatPlace& place) const;
 
   /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
   /// (a set of cells has a stiffness of its own): eight solutions. NaN without

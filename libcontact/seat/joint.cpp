@@ -10,17 +10,10 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/seat/friction.hpp"
+#include "libcontact/seat/seat_work.hpp"
 #include "libcontact/seat/table.hpp"
 
 namespace contact {
-
-// A contact that was found, with what friction needs of it.
-struct detail::SeatWork {
-  SeatState state;
-  SeatHarmonics harmonics;
-  const SeatBasis* basis = nullptr;
-  int evaluations = 0;
-};
 
 namespace {
 
@@ -299,6 +292,17 @@ SeatRestSolution SeatJoint::rest(const Joint::Hold& hold, Work& work) const {
   }
   result.slip.contact.status = SeatStatus::not_converged;
   return result;
+}
+
+SeatMomentSet SeatJoint::moment_set(const SeatJointSolution& solution) const& {
+  auto work = std::make_shared<Work>();
+  work->state = solution.contact;
+  const Vector3d force = from_seat_.transpose() * solution.contact.force;
+  work->state.force = force;
+  if (solution.contact.status == SeatStatus::ok && !work->state.is_free) {
+    find_contact(force, *work);
+  }
+  return {*this, std::move(work)};
 }
 
 std::vector<std::string> SeatJoint::notes(const SeatJointSolution& s) const {

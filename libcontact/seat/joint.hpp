@@ -8,6 +8,7 @@
 
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/seat/contact.hpp"
+#include "libcontact/seat/moment_set.hpp"
 
 namespace contact {
 
@@ -60,7 +61,7 @@ struct SeatRestSolution {
 /// If the contact of the seat without end stays inside the rims, Joint answers
 /// with the laws `exact`, to the last bit. Friction is dry or viscous.
 ///
-/// Accuracy (seat/joint_test.cpp, by another program): docs/seat_methods.md.
+/// Accuracy (seat/joint_test.cpp, by another program): docs/seat_joint.md.
 class SeatJoint {
  public:
   /// @throws Error without a seat that ends or friction, for a friction stress,
@@ -88,6 +89,11 @@ class SeatJoint {
   /// no u was found.
   SeatRestSolution at_rest(const Joint::Hold& hold) const;
 
+  /// The moments that the contact of a solution may have.
+  SeatMomentSet moment_set(const SeatJointSolution& solution) const&;
+  /// Would refer to a joint that is gone.
+  SeatMomentSet moment_set(const SeatJointSolution&) const&& = delete;
+
   /// Notes on a solution, a sentence each: why there is none, or what the model
   /// leaves out beside a rim.
   std::vector<std::string> notes(const SeatJointSolution& solution) const;
@@ -97,6 +103,7 @@ class SeatJoint {
   const Joint& unbounded() const { return joint_; }
 
  private:
+  friend class SeatMomentSet;
   struct Pull {
     Eigen::Vector3d force, moment;
   };

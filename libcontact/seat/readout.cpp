@@ -67,6 +67,36 @@ double SeatReadout::pressure(double v, int j) const {
   return cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
 }
 
+double SeatReadout::pressure(double v, double longitude) const {
+  const int last = solver_.order();
+  const double turn = std::abs(std::remainder(longitude, 2 * pi));
+  const double at = turn / solver_.longitude(1);
+  const int j = std::min(static_cast<int>(at), last - 1);
+  const double share = at - j;
+  return (1 - share) * pressure(v, j) + share * pressure(v, j + 1);
+}
+
+double SeatReadout::half_width(double direction) const {
+  const auto at = [&](double t) {
+    const double v = std::acos(std::cos(t) * std::cos(direction));
+    const double phi =
+        std::atan2(std::sin(t), std::cos(t) * std::sin(direction));
+    const bool on_seat = v >= cells_.window.from && v <= cells_.window.to;
+    return on_seat ? pressure(v, phi) : 0;
+  };
+  const double step = solver_.longitude(1);
+  double end = 0;
+  while (end < pi && at(end) > 0) end += step / 8;
+  // At the end the longitudes are too coarse. Before it p^2 is straight, over a
+  // thin layer p.
+  const double power = cells_.edge_width < step ? 1 : 2;
+  const double far = end - 1.5 * step;
+  const double p = std::pow(at(far), power);
+  const double before = std::pow(at(far - step), power);
+  if (!(far > step && before > p && p > 0)) return end;
+  return std::clamp(far + step * p / (before - p), end - step, end);
+}
+
 SeatReadout::Peak SeatReadout::peak(double rim_distance) const {
   const SeatWindow& window = cells_.window;
   const double low = window.from + (window.rim[0] ? rim_distance : 0);

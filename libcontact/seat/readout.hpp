@@ -18,6 +18,11 @@ class SeatReadout {
   /// Pressure at a node's longitude and any polar angle: g(v) times the
   /// parabola through the means of five cells, 1e-3 away from rims.
   double pressure(double v, int j) const;
+  /// Pressure at any longitude, linear between its nodes.
+  double pressure(double v, double longitude) const;
+  /// From a polar angle at the longitude 0 to the contact's end across it, on
+  /// a great circle, rad; 0 without contact.
+  double half_width(double v) const;
 
   struct Peak {
     double pressure;

@@ -68,16 +68,16 @@ TEST_F(HingeDuty, Cycles) {
   const CsvTable blocks(folder_.read("blocks.csv"));
   ASSERT_GE(blocks.size(), 20u);
   for (const std::string& name : blocks.names()) {
-    if (name == "clearance_mm") {  // for pins
+    // For pins, and for loads that stand still.
+    if (name == "clearance_mm" || name == "worn_share") {
       EXPECT_EQ(blocks.text(blocks.size(), name), "");
       continue;
     }
-    EXPECT_EQ(blocks.at(blocks.size(), name),
-              value(text, name == "worn_share" ? name : "worn_" + name));
+    EXPECT_EQ(blocks.at(blocks.size(), name), value(text, "worn_" + name));
   }
   EXPECT_EQ(value(text, "worn_cycles"), 5e6);
-  // The first cycle is that of the unworn joint.
-  EXPECT_NEAR(blocks.at(blocks.names()[7]) / value(text, "energy_J"), 1, 1e-12);
+  // The first cycle is that of the unworn joint, but for its laws.
+  EXPECT_NEAR(blocks.at(blocks.names()[7]) / value(text, "energy_J"), 1, 0.01);
   // The contact grows, and with it the moment and the volume of a cycle.
   EXPECT_GT(value(text, "worn_volume_seat_mm3"),
             5e6 * value(text, "volume_seat_mm3"));

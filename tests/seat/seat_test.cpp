@@ -166,6 +166,43 @@ TEST(Seat, MatchesTheReference) {
   }
 }
 
+// The pressures at places make up the force, on points that are dense beside
+// rims; the half-width is that of a finer grid.
+TEST(Seat, PressuresMakeUpTheLoad) {
+  const ReferenceTable table("edges/edges_ball.csv");
+  AccuracyReport sum("sum of pressures over the load", 3e-3);
+  AccuracyReport width("half-width on two grids, of 1 deg", 1);
+  for (const ReferenceTable::Row row : table) {
+    if (is_cut(row) || row.text("id") == "thrust") continue;
+    const SeatContact seat(joint_of(row), zone_of(row));
+    const SeatState state = seat.under(force_of(row));
+    const double from = seat.zone().from(), to = seat.zone().to();
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+    constexpr int parts = 240;
+    for (int i = 0; i < parts; ++i) {
+      const double x = pi * (i + 0.5) / parts;
+      const double v = (from + to - (to - from) * std::cos(x)) / 2;
+      const double dv = (to - from) * std::sin(x) / 2 * pi / parts;
+      for (int j = 0; j < parts; ++j) {
+        const double phi = pi * (j + 0.5) / parts;
+        force += seat.pressure(state, {v, phi}) * 2 * pi / parts * dv *
+                 std::sin(v) *
+                 Eigen::Vector3d(std::sin(v) * std::cos(phi), 0, std::cos(v));
+      }
+    }
+    force *= std::pow(row.value("rho"), 2);
+    sum.add_error((force - state.force).norm() / state.force.norm(),
+                  row.label());
+    const SeatContact finer(joint_of(row), zone_of(row),
+                            {.cells = 40, .longitudes = 144});
+    if (std::isnan(state.half_width)) continue;
+    width.add_error(
+        std::abs(state.half_width - finer.under(force_of(row)).half_width) /
+            degree,
+        row.label());
+  }
+}
+
 TEST(Seat, TheCutRow) {
   const ReferenceTable table("edges/edges_ball.csv");
   int count = 0;

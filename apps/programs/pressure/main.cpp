@@ -18,13 +18,15 @@ void add_options(cli::Program& program, Options& o) {
       {{"--direction", &o.direction, "ANGLES",
         "angle of the load from the axis of a seat that ends, deg, 0 to 180",
         "--load",
-        "--load-parameter --x --summary --points --plot --law "
+        "--load-parameter --x --summary --plot --law "
         "--pressure"}});
   program.add("Profile",
               {{"--summary", &o.summary, "",
                 "peak, mean, area and S in place of profiles", "", "--points"},
                {"--points", cli::count("--points", o.points, 2, 1'000'000), "N",
-                "rows from the centre to the edge; default 101"}});
+                "rows from the centre to the edge, default 101; with "
+                "--direction angles "
+                "and longitudes of a map of the seat"}});
   program.add_output(o.output);
   add_fileless_joint_options(program, o.joint);
 }

@@ -136,7 +136,8 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
         if (options.summary) {
           tables[j].write_summary(contact, row);
         } else {
-          tables[j].write_profile(contact, options.points, row);
+          tables[j].write_profile(
+              contact, options.points > 0 ? options.points : 101, row);
         }
       },
       [](const cli::RowBlock&) {});

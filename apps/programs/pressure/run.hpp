@@ -13,7 +13,7 @@ struct Options {
   hinge_angle::LoadOptions load;
   /// Sweep of the load's angle from the axis of a seat that ends.
   std::string direction;
-  int points = 101;
+  int points = 0;  ///< 0: not given
   bool summary = false;
   cli::OutputOptions output;
 };

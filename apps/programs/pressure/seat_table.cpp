@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <set>
 #include <string>
 #include <vector>
@@ -36,7 +37,8 @@ class Rows {
         directions_("--direction", options.direction, {0, 180, "deg"},
                     Dimension::angle) {}
 
-  cli::ExitStatus write(const Columns& columns, cli::RowWriter& row) const {
+  cli::ExitStatus write(const Columns& columns, int points,
+                        cli::RowWriter& row) const {
     contact::LargestContact largest;
     std::set<std::string> notes;
     bool all_good = true;
@@ -46,13 +48,20 @@ class Rows {
         const SeatState s =
             seat_.under(loads_[i] * Eigen::Vector3d(std::sin(direction), 0,
                                                     std::cos(direction)));
-        cli::write_differences(joint_.differences, row);
-        row.number(loads_[i]);
-        row.number(directions_[k]);
-        row.number(seat_.nominal_area());
-        row.number(loads_[i] / seat_.nominal_area());
-        for (const auto& column : columns) row.number(column(s) + 0.0);
-        row.end();
+        const auto begin = [&] {
+          cli::write_differences(joint_.differences, row);
+          row.number(loads_[i]);
+          row.number(directions_[k]);
+        };
+        if (points > 0) {
+          write_map(s, points, begin, row);
+        } else {
+          begin();
+          row.number(seat_.nominal_area());
+          row.number(loads_[i] / seat_.nominal_area());
+          for (const auto& column : columns) row.number(column(s) + 0.0);
+          row.end();
+        }
         largest.add(0, s.peak_pressure);
         for (const std::string& note : seat_.notes(s)) notes.insert(note);
         all_good = all_good && seat_.note(s).empty();
@@ -72,6 +81,27 @@ class Rows {
     return *zone;
   }
 
+  // From rim to rim, as far from them as largest pressures are looked for.
+  template <class Begin>
+  void write_map(const SeatState& state, int points, const Begin& begin,
+                 cli::RowWriter& row) const {
+    const contact::SeatZone& zone = seat_.zone();
+    const double near = contact::SeatContact::Grid().report_distance;
+    const double from = zone.from() + (zone.has_lower_rim() ? near : 0);
+    const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
+    for (int i = 0; i < points; ++i) {
+      for (int j = 0; j < points; ++j) {
+        const contact::SeatPlace place{from + (to - from) * i / (points - 1),
+                                       std::numbers::pi * j / (points - 1)};
+        begin();
+        row.number(place.polar_angle / contact::degree);
+        row.number(place.longitude / contact::degree);
+        row.number(seat_.pressure(state, place));
+        row.end();
+      }
+    }
+  }
+
   const cli::Joint& joint_;
   contact::SeatContact seat_;
   cli::Sweep loads_;
@@ -83,16 +113,21 @@ class Rows {
 cli::ExitStatus run_in_seat(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   const Columns columns = columns_of(contact::seat_quantities());
-  std::vector<std::string> names = {"load_N", "direction_deg",
-                                    "nominal_area_m2", "p_nominal_Pa"};
-  for (const auto& column : columns) names.push_back(column.name);
+  std::vector<std::string> names = {"load_N", "direction_deg"};
+  if (options.points > 0) {
+    names.insert(names.end(), {"v_deg", "phi_deg", "p_Pa"});
+  } else {
+    names.insert(names.end(), {"nominal_area_m2", "p_nominal_Pa"});
+    for (const auto& column : columns) names.push_back(column.name);
+  }
   warn_of_validity("hinge-pressure", joints);
   cli::ExitStatus status = cli::all_good;
   cli::write_table(options.output, cli::joint_columns(joints, {names}),
                    [&](cli::RowWriter& row) {
                      for (const cli::Joint& joint : joints) {
                        const Rows rows(options, joint);
-                       status = std::max(status, rows.write(columns, row));
+                       status = std::max(
+                           status, rows.write(columns, options.points, row));
                      }
                    });
   return status;

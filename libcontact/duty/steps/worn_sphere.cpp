@@ -46,8 +46,7 @@ WornSphere::WornSphere(const LayeredPair& pair, const Vector3d& pole,
       cells_(window_to(reach), latitudes_of(reach, step),
              pair.relative_thickness()),
       compliance_(pair, cells_, order_),
-      transform_(2 * order_, 2 * order_),
-      power_(pair.relative_thickness() < step ? 1 : 2.0 / 3) {
+      transform_(2 * order_, 2 * order_) {
   axes_.col(2) = pole;
   axes_.col(0) = pole.unitOrthogonal();
   axes_.col(1) = pole.cross(axes_.col(0));
@@ -256,8 +255,25 @@ WornSphere::Contact WornSphere::press(const Vector3d& load, const Map& gap,
   return contact;
 }
 
-// On every meridian to where the gap begins, which grows as s^(3/2) there, on a
-// layer thinner than a cell as s.
+// How many cells before the first of three gaps they begin, (0, 1]. Beyond the
+// end of an elastic contact a gap grows as s^(3/2), beyond that of a worn bed
+// or on a thin layer as s: these are a s^(3/2) + b s.
+double begin_of(double first, double second, double third) {
+  const auto excess = [&](double s) {
+    const double one = second / (s + 1) - first / s;
+    const double two = third / (s + 2) - second / (s + 1);
+    return one * (std::sqrt(s + 2) - std::sqrt(s + 1)) -
+           two * (std::sqrt(s + 1) - std::sqrt(s));
+  };
+  double low = 0, high = 1;
+  for (int k = 0; k < 20; ++k) {
+    const double middle = (low + high) / 2;
+    (excess(middle) < 0 ? low : high) = middle;
+  }
+  return high;
+}
+
+// On every meridian to where the gap begins.
 double WornSphere::cap(const Map& pressure, const Map& open) const {
   const auto rows = static_cast<int>(pressure.rows());
   const auto middle = [&](int i) {
@@ -265,16 +281,18 @@ double WornSphere::cap(const Map& pressure, const Map& open) const {
   };
   const auto edge = [&](int i, int j, int side) {
     const int first = i + side;
-    const int second = first + side;
     if (first < 0) return 0.0;
     if (first >= rows) return cells_.window.to;
-    const auto root = [&](int k) {
-      return std::pow(std::max(open(k, j), 0.0), power_);
+    const auto gap = [&](int k) {
+      const int at = first + k * side;
+      const bool is_open = at >= 0 && at < rows && !(pressure(at, j) > 0);
+      return is_open ? std::max(open(at, j), 0.0) : -1;
     };
-    const double near = root(first);
-    const double far = second >= 0 && second < rows ? root(second) : 2 * near;
-    const double share = far > near ? std::min(near / (far - near), 1.0) : 0;
-    return middle(first) - share * (middle(first) - middle(i));
+    const double near = std::max(gap(0), 1e-300);
+    const double next = gap(1) > near ? gap(1) : 3 * near;
+    const double far = gap(2) > next ? gap(2) : 2 * next - near;
+    return middle(first) -
+           begin_of(near, next, far) * (middle(first) - middle(i));
   };
   double sum = 0;
   for (int j = 0; j < pressure.cols(); ++j) {

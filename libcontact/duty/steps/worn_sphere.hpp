@@ -70,7 +70,6 @@ class WornSphere {
   SeatCells cells_;
   SeatCompliance compliance_;
   Map transform_;  // orthogonal: from longitudes to their harmonics
-  double power_;   // power in which gaps beside an edge are linear
   std::vector<Map> lever_;
   Map unit_;
 };

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <Eigen/Core>
+#include <limits>
+
+#include "libcontact/joint/moment_set.hpp"
+
+namespace contact::detail {
+
+/// MomentSet::prox() of any set of friction moments, where it does not hold
+/// W free: Newton's method on the convex function with halved steps, 3 to 6.
+///
+/// Along a unit vector u the best length is r(u) = gain(u)/(u . W u), where
+/// gain = u . W free - Phi(u), and the function falls to -gain r/2.
+///
+/// @param support    Phi(u)
+/// @param moment     -dPhi/du
+/// @param curvature  the second derivative of Phi at a unit vector
+/// @param u          where gain(u) > 0 unless W free lies on the set's edge, as
+///                   where the edge opposes W free
+template <class Support, class Moment, class Curvature>
+MomentSet::Prox motion_left(const Support& support, const Moment& moment,
+                            const Curvature& curvature,
+                            const Eigen::Matrix3d& inertia,
+                            const Eigen::Vector3d& free, Eigen::Vector3d u) {
+  using Eigen::Matrix3d;
+  using Eigen::Vector3d;
+  const Vector3d wanted = inertia * free;
+  const double size = wanted.norm();
+  const auto gain_along = [&](const Vector3d& v) {
+    return v.dot(wanted) - support(v);
+  };
+  const auto value = [&](const Vector3d& v, double gain) {
+    return gain > 0 ? -gain * gain / (2 * v.dot(inertia * v)) : 0.0;
+  };
+  double gain = gain_along(u);
+  // On the edge, up to the rounding of its two parts: no motion.
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
+  if (gain <= rounding) return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
+  double best = value(u, gain);
+
+  constexpr int step_limit = 60;
+  constexpr double tolerance = 1e-13;
+  MomentSet::Prox result{};
+  for (result.iterations = 0;; ++result.iterations) {
+    const double r = gain / u.dot(inertia * u);
+    result.angular_velocity = r * u;
+    result.moment = moment(u);
+    const Vector3d gradient =
+        inertia * (result.angular_velocity - free) - result.moment;
+    result.residual = gradient.norm() / size;
+    if (result.residual <= tolerance || result.iterations == step_limit) break;
+    const Matrix3d second = inertia + curvature(u) / r;
+    const Vector3d step = -second.llt().solve(gradient);
+    // Changes of the function below this are rounding.
+    const double unseen = -2 * best * rounding / gain;
+    bool moved = false;
+    for (double share = 1; share > 1e-10 && !moved; share /= 2) {
+      const Vector3d next =
+          (result.angular_velocity + share * step).normalized();
+      const double next_gain = gain_along(next);
+      const double next_value = value(next, next_gain);
+      if (next_gain > 0 && next_value <= best + unseen) {
+        u = next;
+        gain = next_gain;
+        best = next_value;
+        moved = true;
+      }
+    }
+    if (!moved) break;
+  }
+  // Rounding of the moments leaves less than this.
+  result.status = result.residual <= 1e-12 ? Status::ok : Status::not_converged;
+  return result;
+}
+
+}  // namespace contact::detail
