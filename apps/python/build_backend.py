@@ -144,7 +144,7 @@ def build_package(build, package):
     (installed / "bin").rename(package / f"{NAME}.data" / "scripts")
     libraries = package / f"{NAME}.data" / "data" / "lib"
     libraries.mkdir(parents=True)
-    for library in installed.glob("lib/**/libcontact_fmu_*.so"):  # of hinge-fmu
+    for library in installed.glob("lib/**/libcontact_fmu_*.so"):  # for hinge-fmu
         library.rename(libraries / library.name)
     python = installed / "lib" / "python3" / "dist-packages"
     (python / "libcontact").rename(package / "libcontact")

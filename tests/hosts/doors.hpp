@@ -13,7 +13,7 @@ using Three = std::array<double, 3>;
 struct DoorRow {
   Three reaction;  ///< N
   Three rate;      ///< Dw, rad/s
-  Three axis;      ///< of a pin; 0 of a ball
+  Three axis;      ///< a pin's; 0 for a ball
   Three moment;    ///< N m
 };
 

@@ -106,7 +106,7 @@ Moments by_python(const std::string& file, const Rows& rows) {
 }
 #endif
 
-// Where no simulator is installed: random states, with the moments of C++.
+// Random states with the moments of C++, for machines without a simulator.
 Rows drawn_rows(const std::string& file, bool pin, int count) {
   std::srand(1);
   Rows rows(count);

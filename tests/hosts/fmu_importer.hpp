@@ -119,7 +119,7 @@ class Fmu {
   void* library_;
 };
 
-/// What an FMU has said last.
+/// The last message of an FMU.
 inline std::string& last_message() {
   static std::string text;
   return text;

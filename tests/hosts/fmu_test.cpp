@@ -43,7 +43,7 @@ std::unique_ptr<Fmu> fmu_of(const std::string& file, int version = 2) {
 class Versions : public testing::TestWithParam<int> {};
 INSTANTIATE_TEST_SUITE_P(Fmi, Versions, testing::Values(2, 3));
 
-// What the system has anywhere is the C and C++ runtime; all else is inside.
+// Every system has the C and C++ runtime; all else is inside.
 TEST_P(Versions, CarryWhatTheyNeed) {
   for (const std::string& file : {folder + "ball.toml", cases + "soyuz.toml"}) {
     const auto fmu = fmu_of(file, GetParam());

@@ -20,7 +20,7 @@ struct Callbacks {
   void* environment;
 };
 
-/// What the host is told at the end of an event.
+/// Answer to the host at the end of an event.
 struct EventInfo {
   int newDiscreteStatesNeeded;
   int terminateSimulation;

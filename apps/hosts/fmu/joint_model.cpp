@@ -86,7 +86,7 @@ void valued(contact_status status) {
 // All that has been.
 struct State {
   contact_step last;  // the accepted one, from which the next begins
-  contact_step now;   // of the present inputs
+  contact_step now;   // friction of the present inputs
   double way[3];      // model exchange: direction of the slip, unit
   int rests;          // model exchange
   int released;       // let go at the last event, and not yet under way

@@ -27,7 +27,7 @@ struct NoValue : std::runtime_error {
   using runtime_error::runtime_error;
 };
 
-/// What an FMU does, behind the functions of any version of FMI.
+/// Behaviour of an FMU, behind the functions of any version of FMI.
 ///
 /// Functions throw std::runtime_error with one line.
 class Model {

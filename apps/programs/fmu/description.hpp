@@ -8,11 +8,11 @@ namespace hinge_fmu {
 
 /// Text of modelDescription.xml.
 struct Description {
-  std::string name;        ///< of the model
+  std::string name;        ///< modelName
   std::string identifier;  ///< name of the shared object
   std::string token;
-  int version;          ///< of FMI: 2 or 3
-  bool model_exchange;  ///< of FMI 2.0, beside co-simulation
+  int version;          ///< 2 or 3: of FMI
+  bool model_exchange;  ///< beside co-simulation; FMI 2.0 alone
   double stop_time;     ///< s; 0: none
 
   std::string text(const contact_hosts::fmu::Model& model) const;

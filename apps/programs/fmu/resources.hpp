@@ -7,8 +7,8 @@
 
 namespace hinge_fmu {
 
-/// What an FMU has of a joint or case file: the file and those that it names,
-/// side by side, and its numbers.
+/// Content of a joint or case file for an FMU: the file and those that it
+/// names, side by side, and its numbers.
 struct Resources {
   struct Key {
     std::string name;  ///< as in settings: "body[1].hinge.joint[2].radius_mm"

@@ -11,7 +11,7 @@ namespace hinge_fmu {
 struct Options {
   std::string file;    ///< joint or case
   std::string output;  ///< "": named after the file
-  int version = 2;     ///< of FMI
+  int version = 2;     ///< 2 or 3: of FMI
 };
 
 /// The whole program. Throws contact::Error for files that are wrong.

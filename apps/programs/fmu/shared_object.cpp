@@ -12,7 +12,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// What the loader says of a shared object: lines "NAME => PATH (ADDRESS)".
+// Words of the loader on a shared object: lines "NAME => PATH (ADDRESS)".
 std::string said_by_loader(const fs::path& object) {
   const std::string quoted =
       std::regex_replace(object.string(), std::regex("'"), "'\\''");
