@@ -11,13 +11,14 @@
 #   fuzz      every fuzz program runs for a minute, or CONTACT_FUZZ_SECONDS
 #   packages  Debian packages of build/ install, work and go in a clean root
 #   hosts     adapters to simulators (apps/hosts) build, and their tests pass
+#   fmu       descriptions of FMUs fit the schemas of FMI, in $FMI_SCHEMAS
 #   all       all of them
 # Format and symbols are tests of the gate too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,14s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,15s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -136,6 +137,24 @@ check_packages() {
     "$(. /etc/os-release && echo "$VERSION_CODENAME")" -
 }
 
+# The schemas have a licence of their own, and are not in the repository:
+# https://github.com/modelica/fmi-standard, the folder schema of v2.0.x and 3.0.x.
+check_fmu() {
+  [ -d "${FMI_SCHEMAS:-}" ] || missing "FMI_SCHEMAS, the folder of the schemas"
+  command -v xmllint >/dev/null || missing xmllint
+  local work file version
+  work=$(mktemp -d)
+  for file in tests/hosts/ball.toml tests/hosts/pin.toml data/cases/*.toml; do
+    for version in 2 3; do
+      build/bin/hinge-fmu "$file" --fmi "$version" --output "$work/it.fmu"
+      unzip -p "$work/it.fmu" modelDescription.xml > "$work/it.xml"
+      xmllint --noout --schema \
+        "$FMI_SCHEMAS/fmi${version}ModelDescription.xsd" "$work/it.xml"
+    done
+  done
+  rm -r "$work"
+}
+
 check_hosts() {
   [ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
     scripts/setup.sh scripts/packages-hosts.txt
@@ -146,7 +165,7 @@ check_hosts() {
 
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

@@ -142,6 +142,10 @@ def build_package(build, package):
         )  # fmt: skip
     (package / f"{NAME}.data").mkdir()
     (installed / "bin").rename(package / f"{NAME}.data" / "scripts")
+    libraries = package / f"{NAME}.data" / "data" / "lib"
+    libraries.mkdir(parents=True)
+    for library in installed.glob("lib/**/libcontact_fmu_*.so"):  # for hinge-fmu
+        library.rename(libraries / library.name)
     python = installed / "lib" / "python3" / "dist-packages"
     (python / "libcontact").rename(package / "libcontact")
     shutil.rmtree(installed)

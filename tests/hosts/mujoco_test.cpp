@@ -6,7 +6,6 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <fstream>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -269,40 +268,6 @@ TEST(HostMujoco, HoldsALoop) {
   for (int i = 0; i < 6'000; ++i) friction.step(world.data);
   RecordProperty("turns", friction.turns());
   EXPECT_EQ(world.angles(), angles);
-}
-
-// Asked in the axes of the world where the adapter asks in those of the body:
-// the same to rounding. What C says is what C++ and Python say (tests/c,
-// tests/python).
-TEST(HostMujoco, MomentIsThatOfC) {
-  World world(pendulum);
-  HingeFriction friction(world.model);
-  friction.add("hip", ball_file);
-  const auto joint = contact_hosts::read_joint(ball_file, "", CONTACT_BALL);
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  double worst = 0;
-  for (int i = 0; i < 1000; ++i) {
-    mjData* const d = world.data;
-    for (int k = 0; k < 4; ++k) d->qpos[k] = normal(random);
-    mju_normalize4(d->qpos);
-    for (int k = 0; k < 3; ++k) d->qvel[k] = normal(random);
-    mj_forward(world.model, d);
-    friction.note_reactions(d);
-    mju_zero(d->qfrc_passive, 3);
-    friction.add_torque(d);
-    const Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>> axes(
-        d->xmat + 9);
-    contact_slip slip{};
-    std::copy_n(d->cfrc_int + 9, 3, slip.reaction);
-    Vector3d::Map(slip.angular_velocity) = axes * Vector3d(d->qvel);
-    contact_solution s;
-    ASSERT_EQ(contact_joint_solve(joint.get(), &slip, nullptr, &s), CONTACT_OK);
-    const Vector3d wanted = axes.transpose() * Vector3d(s.friction_moment);
-    worst = std::max(
-        worst, (Vector3d(d->qfrc_passive) - wanted).norm() / wanted.norm());
-  }
-  EXPECT_LT(worst, 1e-12);
 }
 
 TEST(HostMujoco, SaysWhatIsWrong) {

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -282,42 +281,6 @@ TEST(HostSimbody, HoldsALoop) {
     // The other hinge stays within the tolerance of the constraint, 1e-10 m.
     EXPECT_LT((w.state.getQ() - q).normInf(), 1e-9);
   }
-}
-
-// The moment is that of C under the reaction that it causes; C agrees with C++
-// and Python (tests/c, tests/python).
-TEST(HostSimbody, MomentIsThatOfC) {
-  World w;
-  add_pendulum(w);
-  const auto joint = contact_hosts::read_joint(ball_file, "", CONTACT_BALL);
-  std::mt19937 random(1);
-  std::normal_distribution<double> normal;
-  const auto vector = [&] {
-    return Vec3(normal(random), normal(random), normal(random));
-  };
-  double worst = 0;
-  for (int i = 0; i < 1000; ++i) {
-    w.bodies[0].setQToFitRotation(
-        w.state, Rotation(Pi * normal(random), UnitVec3(vector())));
-    w.bodies[0].setUToFitAngularVelocity(w.state, vector());
-    w.system.realize(w.state, Stage::Acceleration);
-    const Vec3 reaction =
-        w.bodies[0].findMobilizerReactionOnBodyAtMInGround(w.state)[1];
-    const Vec3 rate = w.bodies[0].getBodyAngularVelocity(w.state);
-    contact_slip slip{};
-    for (int k = 0; k < 3; ++k) {
-      slip.reaction[k] = reaction[k];
-      slip.angular_velocity[k] = rate[k];
-    }
-    contact_solution s;
-    must(contact_joint_solve(joint.get(), &slip, nullptr, &s));
-    const Vec3 wanted(s.friction_moment[0], s.friction_moment[1],
-                      s.friction_moment[2]);
-    const double* const own = w.friction.hinge(0).friction_moment;
-    worst = std::max(
-        worst, (Vec3(own[0], own[1], own[2]) - wanted).norm() / wanted.norm());
-  }
-  EXPECT_LT(worst, 1e-12);
 }
 
 // The lagged fit is near the converged one, and asks for no accelerations.

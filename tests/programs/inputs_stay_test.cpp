@@ -81,6 +81,7 @@ TEST_F(InputsStay, OfCasesAndStudies) {
   refuses(separate, "--output case.toml", "case.toml");
   refuses(separate, "--output ball.toml", "ball.toml");
   refuses("hinge-study s.toml", "--csv j.toml", "j.toml");
+  refuses("hinge-fmu case.toml", "--output ball.toml", "ball.toml");
   refuses("hinge-study s.toml", "--output s.toml", "s.toml");
   // Files to resume from, and to merge.
   folder_.run_well(separate +

@@ -96,7 +96,7 @@ TEST_P(Messages, AreOneLineAndLeaveNoFile) {
 INSTANTIATE_TEST_SUITE_P(Of, Messages,
                          testing::Values("table", "angle", "pressure", "joint",
                                          "separation", "output", "duty",
-                                         "identify", "study"),
+                                         "identify", "study", "fmu"),
                          [](const auto& name) { return name.param; });
 
 // Every example in every program's --help runs as it is printed.
@@ -118,7 +118,8 @@ INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                          testing::Values("hinge-table", "hinge-angle",
                                          "hinge-joint", "hinge-pressure",
                                          "hinge-separation", "hinge-duty",
-                                         "hinge-identify", "hinge-study"));
+                                         "hinge-identify", "hinge-study",
+                                         "hinge-fmu"));
 
 }  // namespace
 }  // namespace contact::test

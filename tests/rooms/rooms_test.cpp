@@ -57,15 +57,17 @@ const std::vector<std::string> rooms = {
     "apps/programs/separation/replay",
     "apps/programs/separation",
     "apps/programs/study",
-    "apps/python",
     "apps/hosts",
+    "apps/programs/fmu",
+    "apps/python",
 };
 
 // Folders and headers that the repository's own programs may include beside the
 // installed ones: hinge-table compares the routes of the friction integrals,
 // hinge-angle prints Hertz' peak, hinge-joint traces the paper's loop, the
-// multibody library tracks joints, cases and studies are TOML files too. What
-// is said of laws stands in their registries.
+// multibody library tracks joints, cases and studies are TOML files too,
+// hinge-fmu looks at files as an FMU does. What is said of laws stands in their
+// registries.
 const std::vector<std::string> for_programs = {
     "libcontact/base",
     "libcontact/friction/elliptic",
@@ -76,6 +78,7 @@ const std::vector<std::string> for_programs = {
     "libcontact/joint/fixed_point.hpp",
     "libcontact/tracking",
     "libcontact/files",
+    "libcontact/c",
     "libcontact/reference",
     "libcontact/quantities"};
 

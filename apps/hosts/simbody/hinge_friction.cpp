@@ -331,6 +331,8 @@ void HingeFriction::settle(State& state) const {
   for (Hinge& h : friction_->hinges) {
     h.go_along(state, h.rate(state));
   }
+  // Moments so far are those of other directions.
+  state.invalidateAllCacheAtOrAbove(Stage::Velocity);
   friction_->settle(state);
 }
 

@@ -1,0 +1,152 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <stdexcept>
+#include <string>
+#include <type_traits>
+#include <utility>
+
+#include "hosts/fmu/model.hpp"
+
+/// Parts of FMI's functions that do not depend on its version.
+namespace contact_hosts::fmu {
+
+/// FMI's numbers for the outcome of a call.
+enum Status { ok = 0, discard = 2, error = 3 };
+
+/// An FMU that a host has made.
+struct Instance {
+  std::string resources;
+  std::unique_ptr<Model> model;
+  /// Hands a line to the host.
+  std::function<void(Status, const std::string&)> log;
+  bool exchange = false;
+  double start_time = 0;  // FMI 2.0 gives it before the initialization
+};
+
+/// Runs the body of a function of FMI; the host is told what is thrown.
+template <class Work>
+Status guarded(void* instance, const Work& work) noexcept {
+  if (!instance) return error;
+  auto& i = *static_cast<Instance*>(instance);
+  const auto tell = [&i](Status status, const char* why) {
+    if (i.log) i.log(status, why);
+    return status;
+  };
+  try {
+    work(i);
+    return ok;
+  } catch (const NoValue& none) {
+    return tell(discard, none.what());
+  } catch (const std::exception& wrong) {
+    return tell(error, wrong.what());
+  }
+}
+
+/// @param token  that the host has read in modelDescription.xml
+/// @return null if it cannot be made; the host is told why
+inline Instance* make_instance(Instance parts, const char* token) noexcept {
+  try {
+    auto made = std::make_unique<Instance>(std::move(parts));
+    made->model = make_model(made->resources);
+    if (!token || made->model->token() != token) {
+      throw std::runtime_error(
+          "guid, or instantiation token, must be that of "
+          "modelDescription.xml");
+    }
+    return made.release();
+  } catch (const std::exception& wrong) {
+    if (parts.log) parts.log(error, wrong.what());
+    return nullptr;
+  }
+}
+
+/// A number, or a Boolean as 0 or 1.
+/// @throws std::runtime_error for a variable of the other type
+template <class Value>
+std::size_t place_of(const Model& model, std::size_t reference) {
+  const auto& all = model.variables();
+  if (reference >= all.size() ||
+      all[reference].is_flag == std::is_same_v<Value, double>) {
+    throw std::runtime_error("value reference " + std::to_string(reference) +
+                             " must be that of a variable of this type");
+  }
+  return reference;
+}
+
+template <class Value>
+Status get(void* instance, const unsigned* references, std::size_t count,
+           Value* values) noexcept {
+  return guarded(instance, [=](Instance& i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      values[k] = static_cast<Value>(
+          i.model->get(place_of<Value>(*i.model, references[k])));
+    }
+  });
+}
+
+template <class Value>
+Status set(void* instance, const unsigned* references, std::size_t count,
+           const Value* values) noexcept {
+  return guarded(instance, [=](Instance& i) {
+    for (std::size_t k = 0; k < count; ++k) {
+      i.model->set(place_of<Value>(*i.model, references[k]),
+                   std::is_same_v<Value, double>
+                       ? static_cast<double>(values[k])
+                       : static_cast<double>(values[k] != 0));
+    }
+  });
+}
+
+/// Begins again as a new instance does.
+inline Status reset(void* instance) noexcept {
+  return guarded(instance,
+                 [](Instance& i) { i.model = make_model(i.resources); });
+}
+
+// States of an instance, which FMI hands about as pointers, are texts of
+// Model::save().
+
+/// @param state  one to write over, or null for a new one
+inline Status get_state(void* instance, void** state) noexcept {
+  return guarded(instance, [=](Instance& i) {
+    std::string bytes = i.model->save();
+    if (!*state) *state = new std::string;
+    *static_cast<std::string*>(*state) = std::move(bytes);
+  });
+}
+inline Status set_state(void* instance, void* state) noexcept {
+  return guarded(instance, [=](Instance& i) {
+    if (!state) throw std::runtime_error("state must be other than null");
+    i.model->restore(*static_cast<std::string*>(state));
+  });
+}
+inline Status free_state(void** state) noexcept {
+  if (!state) return ok;
+  delete static_cast<std::string*>(*state);
+  *state = nullptr;
+  return ok;
+}
+inline Status serialized_size(void* instance, void* state,
+                              std::size_t* size) noexcept {
+  return guarded(instance, [=](Instance&) {
+    *size = static_cast<std::string*>(state)->size();
+  });
+}
+inline Status serialize(void* instance, void* state, void* bytes,
+                        std::size_t size) noexcept {
+  return guarded(instance, [=](Instance&) {
+    const auto& text = *static_cast<std::string*>(state);
+    if (size < text.size()) throw std::runtime_error("size is too small");
+    text.copy(static_cast<char*>(bytes), text.size());
+  });
+}
+inline Status deserialize(void* instance, const void* bytes, std::size_t size,
+                          void** state) noexcept {
+  return guarded(instance, [=](Instance&) {
+    *state = new std::string(static_cast<const char*>(bytes), size);
+  });
+}
+
+}  // namespace contact_hosts::fmu

@@ -1,0 +1,105 @@
+#include "programs/fmu/resources.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <sstream>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
+#include "libcontact/c/contact.h"
+#include "libcontact/files/toml_nodes.hpp"
+#include "separation/c/run.h"
+
+namespace hinge_fmu {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A file's keys are those of the table that names it.
+class Packer {
+ public:
+  explicit Packer(Resources& to) : to_(to) {}
+
+  // The name that the file has in the FMU.
+  std::string add(const fs::path& file, const std::string& name,
+                  const std::string& path) {
+    toml::table root = toml::parse(contact::detail::file_text(file));
+    walk(root, file.parent_path(), path);
+    std::ostringstream text;
+    text << root << '\n';
+    to_.files[name] = text.str();
+    return name;
+  }
+
+ private:
+  void walk(toml::table& table, const fs::path& folder,
+            const std::string& path) {
+    for (auto&& [key, node] : table) {
+      const std::string name(key.str());
+      if (node.is_string() && (name == "file" || name == "pair")) {
+        const fs::path file = *node.value<std::string>();
+        const std::string packed =
+            fmt::format("{}_{}", ++count_, file.filename().string());
+        node.ref<std::string>() = add(folder / file, packed, path);
+      } else {
+        look_at(node, folder, path.empty() ? name : path + '.' + name);
+      }
+    }
+  }
+
+  void look_at(toml::node& node, const fs::path& folder,
+               const std::string& path) {
+    if (node.is_number()) {
+      // An infinite one (a rigid body) stays.
+      const double value = *node.value<double>();
+      if (std::isfinite(value)) to_.keys.push_back({path, value});
+    } else if (auto* const table = node.as_table()) {
+      walk(*table, folder, path);
+    } else if (auto* const array = node.as_array()) {
+      const bool is_long = array->size() > 3;
+      int i = 0;
+      for (toml::node& element : *array) {
+        ++i;
+        if (element.is_array() || (is_long && element.is_number())) continue;
+        look_at(element, folder, fmt::format("{}[{}]", path, i));
+      }
+    }
+  }
+
+  Resources& to_;
+  int count_ = 0;
+};
+
+// Readers of joints and cases say what is wrong with a file.
+void check(const std::string& file, bool is_joint) {
+  contact_joint* joint = nullptr;
+  contact_run* run = nullptr;
+  const contact_status status =
+      is_joint ? contact_joint_read(file.c_str(), nullptr, 0, &joint)
+               : contact_run_open(file.c_str(), nullptr, 0, &run);
+  contact_joint_free(joint);
+  contact_run_free(run);
+  if (status != CONTACT_OK) throw contact::Error(contact_last_message());
+}
+
+// A case has bodies. A text that is no TOML is refused as a joint's.
+bool is_joint_file(const std::string& file) {
+  try {
+    return !toml::parse(contact::detail::file_text(file)).contains("body");
+  } catch (const toml::parse_error&) {
+    return true;
+  }
+}
+
+}  // namespace
+
+Resources read_resources(const fs::path& file) {
+  Resources all;
+  all.is_joint = is_joint_file(file);
+  check(file, all.is_joint);
+  Packer(all).add(file, "model.toml", "");
+  return all;
+}
+
+}  // namespace hinge_fmu

@@ -1,0 +1,131 @@
+#include "programs/fmu/run.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <regex>
+#include <sstream>
+#include <vector>
+
+#include "cli/output.hpp"
+#include "cli/output_names.hpp"
+#include "cli/refuse.hpp"
+#include "hosts/fmu/model.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
+#include "libcontact/version.hpp"
+#include "programs/fmu/archive.hpp"
+#include "programs/fmu/description.hpp"
+#include "programs/fmu/resources.hpp"
+#include "programs/fmu/shared_object.hpp"
+#include "separation/c/run.h"
+
+namespace hinge_fmu {
+namespace {
+
+namespace fs = std::filesystem;
+
+// A folder that goes when the program has done.
+class TemporaryFolder {
+ public:
+  TemporaryFolder() {
+    std::string name = (fs::temp_directory_path() / "hinge-fmu-XXXXXX");
+    if (!mkdtemp(name.data())) throw contact::Error(name + ": cannot be made");
+    path_ = name;
+  }
+  ~TemporaryFolder() {
+    std::error_code ignored;
+    fs::remove_all(path_, ignored);
+  }
+  TemporaryFolder(const TemporaryFolder&) = delete;
+  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
+
+  const fs::path& path() const { return path_; }
+
+ private:
+  fs::path path_;
+};
+
+// Text by which hosts know an FMU: one for each content (FNV-1a).
+std::string token_of(const Resources& resources) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  const auto add = [&hash](std::string_view text) {
+    for (const char c : text) {
+      hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3;
+    }
+  };
+  add(contact::version);
+  for (const auto& [name, text] : resources.files) add(name + '\n' + text);
+  return fmt::format("{{libcontact-{:016x}}}", hash);
+}
+
+// The parameters, as the FMU reads them (hosts/fmu/model.hpp).
+void add_keys(Resources& resources) {
+  std::string text = token_of(resources) + '\n';
+  for (const auto& [name, value] : resources.keys) {
+    text += fmt::format("{} {}\n", value, name);
+  }
+  resources.files[fs::path(contact_hosts::fmu::keys_file).filename()] = text;
+}
+
+std::string output_of(const Options& o) {
+  return o.output.empty() ? fs::path(o.file).stem().string() + ".fmu"
+                          : o.output;
+}
+
+double end_of(const std::string& file) {
+  contact_run* run = nullptr;
+  contact_run_open(file.c_str(), nullptr, 0, &run);
+  const double end = contact_run_end_time(run);
+  contact_run_free(run);
+  return end;
+}
+
+std::string zipped(const Options& o, const Resources& resources) {
+  const TemporaryFolder folder;
+  for (const auto& [name, text] : resources.files) {
+    std::ofstream(folder.path() / name) << text;
+  }
+  const bool is_joint = resources.is_joint;
+  const auto model = is_joint ? contact_hosts::fmu::joint_model(folder.path())
+                              : contact_hosts::fmu::case_model(folder.path());
+  const std::string kind = is_joint ? "joint" : "case";
+  const Description description = {fs::path(o.file).stem(),
+                                   "contact_" + kind,
+                                   model->token(),
+                                   o.version,
+                                   is_joint && o.version == 2,
+                                   is_joint ? 0 : end_of(o.file)};
+  const fs::path zip = folder.path() / "fmu.zip";
+  Archive archive(zip);
+  archive.add("modelDescription.xml", description.text(*model));
+  for (const auto& [name, text] : resources.files) {
+    archive.add("resources/" + name, text);
+  }
+  const std::string binaries = "binaries/" + platform(o.version) + '/';
+  const fs::path object = shared_object("libcontact_fmu_" + kind + ".so");
+  archive.add(binaries + description.identifier + ".so",
+              contact::detail::file_text(object));
+  for (const auto& [name, path] : carried_libraries(object)) {
+    archive.add(binaries + name, contact::detail::file_text(path));
+  }
+  archive.close();
+  return contact::detail::file_text(zip);
+}
+
+}  // namespace
+
+cli::ExitStatus run(const Options& options) {
+  const std::string name = output_of(options);
+  cli::OutputNames().add("--output", name);
+  Resources resources = read_resources(options.file);
+  add_keys(resources);
+  cli::Output output(name);
+  output.write(zipped(options, resources));
+  output.commit();
+  return cli::all_good;
+}
+
+}  // namespace hinge_fmu

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace contact::test {
+
+using Three = std::array<double, 3>;
+
+/// A sliding state that a simulator has been in, and its friction moment. All
+/// in one frame.
+struct DoorRow {
+  Three reaction;  ///< N
+  Three rate;      ///< Dw, rad/s
+  Three axis;      ///< a pin's; 0 for a ball
+  Three moment;    ///< N m
+};
+
+/// Random states of simulators whose adapters are built.
+std::vector<DoorRow> mujoco_rows(const std::string& file, bool pin, int count);
+std::vector<DoorRow> simbody_rows(const std::string& file, bool pin, int count);
+
+}  // namespace contact::test

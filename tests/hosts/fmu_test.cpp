@@ -1,0 +1,416 @@
+// FMUs of joints and cases, by an importer that knows nothing of libcontact.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
+
+#include "hosts/fmu_importer.hpp"
+#include "hosts/joint_handle.hpp"
+#include "separation/c/run.h"
+
+namespace contact::test {
+namespace {
+
+using contact_hosts::must;
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const std::string folder = CONTACT_HOST_TESTS;
+const std::string cases = CONTACT_SOURCE_DIR "/data/cases/";
+
+// Tests may run side by side.
+fs::path work() {
+  return fs::path(testing::TempDir()) /
+         ("contact_fmu_" +
+          std::string(
+              testing::UnitTest::GetInstance()->current_test_info()->name()));
+}
+
+/// FMU of a file, by the program.
+std::unique_ptr<Fmu> fmu_of(const std::string& file, int version = 2) {
+  fs::create_directories(work());
+  const fs::path fmu = work() / "it.fmu";
+  const std::string command = CONTACT_PROGRAMS "/hinge-fmu '" + file +
+                              "' --fmi " + std::to_string(version) +
+                              " --output '" + fmu.string() + "'";
+  if (std::system(command.c_str()) != 0) throw std::runtime_error(command);
+  return std::make_unique<Fmu>(fmu,
+                               work() / ("unzipped" + std::to_string(version)));
+}
+
+class Versions : public testing::TestWithParam<int> {};
+INSTANTIATE_TEST_SUITE_P(Fmi, Versions, testing::Values(2, 3));
+
+// Every system has the C and C++ runtime; all else is inside.
+TEST_P(Versions, CarryWhatTheyNeed) {
+  for (const std::string& file : {folder + "ball.toml", cases + "soyuz.toml"}) {
+    const auto fmu = fmu_of(file, GetParam());
+    std::FILE* const pipe =
+        popen(("ldd '" + fmu->binary().string() + "'").c_str(), "r");
+    int inside = 0;
+    for (char line[1000]; std::fgets(line, sizeof line, pipe);) {
+      const std::string text = line;
+      const bool is_inside =
+          text.find(fmu->binary().parent_path().string()) != std::string::npos;
+      inside += is_inside;
+      bool is_runtime = false;
+      for (const char* const name : {"linux-vdso", "ld-linux", "libc.so",
+                                     "libm.so", "libgcc_s", "libstdc++"}) {
+        is_runtime = is_runtime || text.find(name) != std::string::npos;
+      }
+      EXPECT_TRUE(is_inside || is_runtime) << text;
+    }
+    pclose(pipe);
+    EXPECT_EQ(inside > 0, file != folder + "ball.toml") << file;
+  }
+}
+
+TEST_P(Versions, SaveAndGoOn) {
+  const auto fmu = fmu_of(folder + "ball.toml", GetParam());
+  const FmuInstance first(*fmu);
+  first.set("friction.coefficient", 0.3);
+  ASSERT_EQ(first.enter(), 0);
+  first.set("reaction", Vector3d(100, 200, 900));
+  first.set("rate", Vector3d(1, -0.3, 0.2));
+  ASSERT_EQ(first.start(), 0);
+  ASSERT_EQ(first.step(0, 0.1), 0);
+  void* state = nullptr;
+  ASSERT_EQ(first.call("GetFMUstate", &state), 0);
+  std::size_t size = 0;
+  ASSERT_EQ(first.call("SerializedFMUstateSize", state, &size), 0);
+  std::string bytes(size, '\0');
+  ASSERT_EQ(first.call("SerializeFMUstate", state, bytes.data(), size), 0);
+  const Vector3d moment = first.vector("moment");
+
+  // Another instance, which has other parameters, goes on in its place.
+  const FmuInstance second(*fmu);
+  void* read = nullptr;
+  ASSERT_EQ(second.call("DeSerializeFMUstate", bytes.data(), size, &read), 0);
+  ASSERT_EQ(second.call("SetFMUstate", read), 0);
+  EXPECT_EQ(second.vector("moment"), moment);
+  EXPECT_EQ(second.get("time"), 0.1);
+  for (const FmuInstance* it : {&first, &second}) {
+    it->set("rate", Vector3d(0.2, 0.4, 1));
+  }
+  EXPECT_EQ(first.vector("moment"), second.vector("moment"));
+  // And the first goes back.
+  ASSERT_EQ(first.call("SetFMUstate", state), 0);
+  EXPECT_EQ(first.vector("moment"), moment);
+  for (void** it : {&state, &read}) {
+    first.call("FreeFMUstate", it);
+    EXPECT_EQ(*it, nullptr);
+  }
+}
+
+// The history of a case, with a parameter of a file that it names; what runs
+// from C give to the last bit.
+TEST_P(Versions, RunACase) {
+  const auto fmu = fmu_of(cases + "flywheels.toml", GetParam());
+  const char* const key =
+      "body[1].hinge.joint[1].materials.inner.youngs_modulus_GPa";
+  const FmuInstance it(*fmu);
+  ASSERT_EQ(it.set(key, 190), 0);
+  ASSERT_EQ(it.enter(5), 0);
+  ASSERT_EQ(it.start(), 0);
+  const contact_setting setting = {key, "190"};
+  contact_run* run = nullptr;
+  must(contact_run_open((cases + "flywheels.toml").c_str(), &setting, 1, &run));
+  const std::size_t count = contact_run_column_count(run);
+  std::vector<double> wanted(count);
+  std::vector<double> values(count);
+  std::vector<unsigned> references;
+  for (std::size_t i = 0; i < count; ++i) {
+    references.push_back(fmu->reference(contact_run_column(run, i)));
+  }
+  void* state = nullptr;
+  for (int step = 0; step < 8; ++step) {
+    ASSERT_EQ(it.step(5 + step, 1), 0);
+    must(contact_run_advance(run, step + 1));
+    if (step == 3) {
+      it.call("GetFMUstate", &state);
+      void* bytes;
+      std::size_t size;
+      must(contact_run_save(run, &bytes, &size));
+      contact_free(bytes);
+    }
+    must(contact_run_values(run, wanted.data(), count));
+    it.call("GetReal", references.data(), count, values.data(), count);
+    for (std::size_t i = 0; i < count; ++i) {
+      if (std::isnan(wanted[i])) continue;
+      EXPECT_EQ(values[i], wanted[i]) << contact_run_column(run, i);
+    }
+  }
+  const double end = it.get("wheel_x.angle_deg");
+  it.call("SetFMUstate", state);
+  EXPECT_NE(it.get("wheel_x.angle_deg"), end);
+  EXPECT_EQ(it.get("time"), 9);
+  for (int step = 4; step < 8; ++step) it.step(5 + step, 1);
+  EXPECT_EQ(it.get("wheel_x.angle_deg"), end);
+  it.call("FreeFMUstate", &state);
+  contact_run_free(run);
+  // Beyond its end it says so, as what a host may do otherwise.
+  EXPECT_EQ(it.step(13, 1e3), 2);
+  EXPECT_EQ(last_message(), "the case ends at 40.000000 s");
+}
+
+TEST_P(Versions, SayWhatIsWrong) {
+  const auto fmu = fmu_of(folder + "pin.toml", GetParam());
+  const FmuInstance it(*fmu);
+  EXPECT_EQ(it.set("moment_x", 1), 3);
+  EXPECT_EQ(last_message(), "moment_x must be left to the FMU");
+  EXPECT_EQ(it.set("geometry.radius_mm", -1), 0);
+  EXPECT_EQ(it.enter(), 3);
+  EXPECT_NE(last_message().find("geometry.radius_mm = -1 must be"),
+            std::string::npos)
+      << last_message();
+  EXPECT_EQ(it.set("geometry.radius_mm", 21), 0);
+  EXPECT_EQ(it.enter(), 0);
+  EXPECT_EQ(it.set("geometry.radius_mm", 20), 3);
+  EXPECT_EQ(last_message(),
+            "geometry.radius_mm must be set before the initialization");
+  it.set("rate", Vector3d(0, 0, std::nan("")));
+  EXPECT_EQ(it.step(0, 1), 2);  // no value: others may have one
+  EXPECT_EQ(it.set_flag("reaction_x", true), 3);
+  EXPECT_EQ(last_message(),
+            "value reference 3 must be that of a variable of this type");
+  EXPECT_EQ(it.call("Reset"), 0);
+  EXPECT_EQ(it.get("geometry.radius_mm"), 20);
+}
+
+/// The pendulum of docs/simulator.md.
+struct Pendulum {
+  static constexpr double mass = 5;
+  Vector3d weight{0, 0, -9.81 * mass};
+  Eigen::Quaterniond attitude{Eigen::AngleAxisd(1.0, Vector3d::UnitX())};
+  Vector3d rate{0, 1, 0.5};
+  Vector3d reaction = -weight;
+
+  Vector3d centre() const { return attitude * Vector3d(0, 0, -0.4); }
+  Matrix3d inertia() const {
+    const Matrix3d axes = attitude.toRotationMatrix();
+    return axes * Vector3d(0.9, 0.9, 0.02).asDiagonal() * axes.transpose();
+  }
+  Vector3d torque() const {
+    return centre().cross(weight) - rate.cross(inertia() * rate);
+  }
+  Vector3d reaction_at(const Vector3d& acceleration) const {
+    const Vector3d c = centre();
+    return mass * (acceleration.cross(c) + rate.cross(rate.cross(c))) - weight;
+  }
+  void turn(const Vector3d& angle) {
+    const Vector3d half = angle / 2;
+    attitude = Eigen::Quaterniond(1, half.x(), half.y(), half.z()) * attitude;
+    attitude.normalize();
+  }
+};
+
+/// Rest of a pendulum.
+struct Rest {
+  double time = 60;  ///< when it rests, s; 60: never
+  double creep = 0;  ///< angle between then and a minute later, rad
+  double speed = 0;  ///< largest in this minute, rad/s
+};
+Rest rest_by_steps(const Fmu& fmu, double dt, bool late, int fits) {
+  const FmuInstance it(fmu);
+  it.set_flag("one_step_late", late);
+  EXPECT_EQ(it.enter(), 0);
+  EXPECT_EQ(it.start(), 0) << last_message();
+  Pendulum p;
+  Rest rest;
+  Eigen::Quaterniond then = p.attitude;
+  const auto steps_of = [dt](double time) { return std::lround(time / dt); };
+  long end = steps_of(120);
+  for (long i = 0; i < end; ++i) {
+    const Matrix3d w = p.inertia() / dt;
+    const Vector3d free = p.rate + w.inverse() * p.torque();
+    it.set("rate", p.rate);
+    it.set("free_rate", free);
+    for (int row = 0; row < 3; ++row) {
+      it.set(std::string("inertia_") + "xyz"[row], Vector3d(w.row(row)));
+    }
+    Vector3d next;
+    for (int fit = 0; fit < fits; ++fit) {
+      it.set("reaction", p.reaction);
+      next = late ? Vector3d(free + w.inverse() * it.vector("moment"))
+                  : it.vector("next_rate");
+      p.reaction = p.reaction_at((next - p.rate) / dt);
+    }
+    const bool rests = it.flag("holds") && p.rate.isZero(0) && next.isZero(0);
+    EXPECT_EQ(it.step(dt * double(i), dt), 0) << last_message() << i;
+    if (rest.time == 60 && (rests || i == steps_of(60))) {
+      rest.time = dt * double(i);
+      then = p.attitude;
+      end = i + steps_of(60);
+    }
+    p.rate = next;
+    p.turn(dt * p.rate);
+    if (dt * double(i) > rest.time) {
+      rest.speed = std::max(rest.speed, next.norm());
+    }
+  }
+  rest.creep = then.angularDistance(p.attitude);
+  return rest;
+}
+
+// The page's program rests at 43.61 s. Reactions that fit the friction change
+// that in the first order of the step, as the step itself does; friction that
+// belongs to the inputs of the step before never lets it rest.
+TEST(FmuSteps, PendulumRestsAsThePageSays) {
+  const auto fmu = fmu_of(folder + "ball.toml");
+  const Rest direct = rest_by_steps(*fmu, 1e-3, false, 1);
+  EXPECT_NEAR(direct.time, 43.608, 1e-6);
+  EXPECT_EQ(direct.creep, 0);
+  const Rest fitted = rest_by_steps(*fmu, 1e-3, false, 4);
+  EXPECT_NEAR(fitted.time, 43.471, 1e-6);
+  EXPECT_EQ(fitted.creep, 0);
+  const Rest late = rest_by_steps(*fmu, 1e-3, true, 1);
+  EXPECT_EQ(late.time, 60);
+  EXPECT_GT(late.speed, 1e-4);
+  EXPECT_LT(late.speed, 1e-3);
+  EXPECT_LT(late.creep, 1e-6);
+}
+
+/// The pendulum by model exchange: Runge-Kutta steps, and events located in
+/// them by halving.
+class Exchange {
+ public:
+  Exchange(const FmuInstance& it, Pendulum p) : it_(it), p_(p) {}
+
+  // Acceleration under the reaction that it causes.
+  Vector3d acceleration(Pendulum& p) const {
+    it_.set("rate", p.rate);
+    const Matrix3d inverse = p.inertia().inverse();
+    if (it_.flag("holds")) {
+      p.reaction = p.reaction_at(Vector3d::Zero());
+      it_.set("reaction", p.reaction);
+      it_.set("held_moment", -p.torque());
+      return Vector3d::Zero();
+    }
+    Vector3d a;
+    for (int i = 0; i < 20; ++i) {
+      it_.set("reaction", p.reaction);
+      a = inverse * (p.torque() + it_.vector("moment"));
+      const Vector3d before = p.reaction;
+      p.reaction = p.reaction_at(a);
+      if ((p.reaction - before).norm() < 1e-12 * before.norm()) break;
+    }
+    return a;
+  }
+  Pendulum stepped(double dt) const {
+    const auto moved = [&](const Vector3d& angle, const Vector3d& change) {
+      Pendulum p = p_;
+      p.turn(angle);
+      p.rate += change;
+      return p;
+    };
+    Pendulum p = p_;
+    const Vector3d w1 = p.rate, a1 = acceleration(p);
+    Pendulum q = moved(dt / 2 * w1, dt / 2 * a1);
+    const Vector3d w2 = q.rate, a2 = acceleration(q);
+    q = moved(dt / 2 * w2, dt / 2 * a2);
+    const Vector3d w3 = q.rate, a3 = acceleration(q);
+    q = moved(dt * w3, dt * a3);
+    const Vector3d w4 = q.rate, a4 = acceleration(q);
+    q = moved(dt / 6 * (w1 + 2 * w2 + 2 * w3 + w4),
+              dt / 6 * (a1 + 2 * a2 + 2 * a3 + a4));
+    acceleration(q);
+    return q;
+  }
+  std::array<double, 2> indicators() const {
+    std::array<double, 2> z;
+    it_.call("GetEventIndicators", z.data(), std::size_t{2});
+    return z;
+  }
+  void event() {
+    struct {
+      int again, end, nominals, values, has_time;
+      double time;
+    } info;
+    do {
+      acceleration(p_);
+      ASSERT_EQ(it_.call("NewDiscreteStates", &info), 0) << last_message();
+      if (it_.flag("holds")) p_.rate.setZero();
+    } while (info.again);
+    acceleration(p_);
+  }
+  // One step, or up to the first event in it; the time it took.
+  double advance(double dt) {
+    // The time to a stop, near which rates turn.
+    const double size = acceleration(p_).norm();
+    if (size > 0) dt = std::min(dt, 0.2 * p_.rate.norm() / size + 1e-9);
+    const auto z = indicators();
+    const auto passes = [&](const std::array<double, 2>& now) {
+      return (z[0] > 0) != (now[0] > 0) || (z[1] > 0) != (now[1] > 0);
+    };
+    Pendulum next = stepped(dt);
+    const bool is_event = passes(indicators());
+    if (is_event) {
+      double before = 0;
+      while (dt - before > 1e-12) {
+        const double middle = (before + dt) / 2;
+        next = stepped(middle);
+        (passes(indicators()) ? dt : before) = middle;
+      }
+      next = stepped(dt);
+    }
+    p_ = next;
+    int asks = 0;
+    int ends = 0;
+    it_.call("CompletedIntegratorStep", 1, &asks, &ends);
+    if (is_event || asks) event();
+    return dt;
+  }
+  const Pendulum& pendulum() const { return p_; }
+
+ private:
+  const FmuInstance& it_;
+  Pendulum p_;
+};
+
+// The limit of smaller steps of the page's program is 44.37 s, 0.02 s
+// uncertain.
+TEST(FmuExchange, PendulumRestsAndLetsGo) {
+  const auto fmu = fmu_of(folder + "ball.toml");
+  const FmuInstance it(*fmu, FmuInstance::exchange);
+  ASSERT_EQ(it.enter(), 0);
+  ASSERT_EQ(it.start(), 0);
+  Exchange motion(it, Pendulum());
+  motion.event();
+  double time = 0;
+  while (time < 60 && !it.flag("holds")) time += motion.advance(0.01);
+  EXPECT_NEAR(time, 44.374, 1e-3);
+  const Pendulum rests = motion.pendulum();
+  for (int i = 0; i < 100; ++i) motion.advance(0.01);
+  EXPECT_EQ(motion.pendulum().attitude.coeffs(), rests.attitude.coeffs());
+  EXPECT_LT(it.get("utilisation"), 1);
+  EXPECT_GT(it.get("utilisation"), 0);
+  // Pushed beyond its limit it slides; pushed less it holds.
+  const Vector3d held = -rests.torque();
+  for (const double share : {1 - 1e-6, 1 + 1e-6}) {
+    const FmuInstance other(*fmu, FmuInstance::exchange);
+    other.enter();
+    other.start();
+    other.set("reaction", rests.reaction);
+    struct {
+      int again, end, nominals, values, has_time;
+      double time;
+    } info;
+    ASSERT_EQ(other.call("NewDiscreteStates", &info), 0);
+    EXPECT_TRUE(info.again && other.flag("holds"));
+    other.set("held_moment", share / it.get("utilisation") * held);
+    ASSERT_EQ(other.call("NewDiscreteStates", &info), 0);
+    EXPECT_EQ(other.flag("holds"), share < 1);
+    EXPECT_EQ(info.again != 0, share > 1);
+    if (share < 1) continue;
+    // The moment is that of the onset, opposite to what pushes.
+    EXPECT_LT(
+        (other.vector("moment") - share / it.get("utilisation") * held / share)
+            .norm(),
+        1e-5 * held.norm() / it.get("utilisation"));
+  }
+}
+
+}  // namespace
+}  // namespace contact::test
