@@ -1,4 +1,7 @@
 #pragma once
 
-/// Friction parameters from measured moments.
+/// Friction parameters from measured moments, and for other programs.
+// clang-format off
 #include "libcontact/identify/identify.hpp"
+#include "libcontact/identify/equivalent.hpp"
+// clang-format on

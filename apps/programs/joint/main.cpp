@@ -123,6 +123,16 @@ void add_seat(cli::Program& program, Options& o) {
         "--pv"}});
 }
 
+void add_equivalent(cli::Program& program, Options& o) {
+  program.add("Other programs",
+              {{"--equivalent", &o.equivalent, "",
+                "numbers for the friction formulas of Adams, MotionSolve, "
+                "PhysX, MuJoCo and others, least wrong over the sweep",
+                "--reaction",
+                "--trace --outer --measured-moment --map --beside --summary "
+                "--plot --jobs --tilt --load-at --in-seat --pv"}});
+}
+
 void add_loops(cli::Program& program, Options& o) {
   program.add(
       "Loops",
@@ -168,6 +178,7 @@ int main(int argc, char** argv) {
   add_state(program, options);
   add_tilt(program, options);
   add_seat(program, options);
+  add_equivalent(program, options);
   add_friction(program, options);
   add_law_options(program, options.joint, cli::Laws::several,
                   cli::Laws::several);

@@ -14,6 +14,7 @@
 #include "libcontact/pressure/validity.hpp"
 #include "programs/joint/beside.hpp"
 #include "programs/joint/contact_picture.hpp"
+#include "programs/joint/equivalent_table.hpp"
 #include "programs/joint/input.hpp"
 #include "programs/joint/loop_table.hpp"
 #include "programs/joint/measured_moment.hpp"
@@ -188,6 +189,10 @@ cli::ExitStatus run(const Options& options) {
   const bool map = !options.map.empty();
   if (map) check_map(options, setup, inputs);
   check_rest(setup, inputs);
+  if (options.equivalent) {
+    warn_of_states(setup, inputs);
+    return write_equivalent(setup, inputs, options.output);
+  }
   if (options.summary) check_summary(setup, inputs);
   if (options.measured_moment) {
     find_friction(*options.measured_moment, inputs, setup);

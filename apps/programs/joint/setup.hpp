@@ -42,6 +42,7 @@ struct Options {
   std::optional<double> twist;  ///< deg
   /// Whether the contact of a ball ends at the rims of its seat.
   bool in_seat = false;
+  bool equivalent = false;
 
   bool trace = false;
   /// A reaction that answers to the friction moment: R = R_0 + M r, with M the

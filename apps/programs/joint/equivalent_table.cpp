@@ -1,0 +1,136 @@
+#include "programs/joint/equivalent_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
+#include <vector>
+
+#include "cli/refuse.hpp"
+#include "cli/stream/report.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/identify/equivalent.hpp"
+
+namespace hinge_joint {
+namespace {
+
+using contact::EquivalentFriction;
+using contact::LeastWrong;
+
+// f0 of the only joint.
+double coefficient_of(const Setup& setup) {
+  if (setup.joints.size() != 1) {
+    cli::refuse_without("--equivalent",
+                        "one joint, one law and one pressure law");
+  }
+  const auto* dry = std::get_if<contact::FrictionLaw>(
+      &setup.joints[0].joint.contact().friction());
+  if (dry == nullptr || dry->coefficient() == 0) {
+    cli::refuse_without("--equivalent",
+                        "dry friction with a coefficient above 0");
+  }
+  return dry->coefficient();
+}
+
+std::vector<contact::Joint::Slip> states_of(const Inputs& inputs) {
+  std::vector<contact::Joint::Slip> states;
+  for (std::size_t i = 0; i < inputs.size(); ++i) {
+    const Input input = inputs[i];
+    states.push_back({.reaction = input.force, .angular_velocity = input.turn});
+  }
+  return states;
+}
+
+std::vector<double> values_of(const cli::Sweep& sweep) {
+  std::vector<double> values;
+  for (std::size_t i = 0; i < sweep.size(); ++i) values.push_back(sweep[i]);
+  return values;
+}
+
+// The range that the errors are over.
+void add_range(const Inputs& inputs, bool pin, cli::Report& to) {
+  const auto add = [&](std::string_view least, std::string_view most,
+                       const cli::Sweep& sweep, std::string_view meaning) {
+    const auto [low, high] = std::ranges::minmax(values_of(sweep));
+    to.add(least, low, meaning);
+    to.add(most, high, meaning);
+  };
+  add("least_R_N", "largest_R_N", *inputs.forces(),
+      "range of loads that errors are over");
+  if (!pin) {
+    add("least_b_deg", "largest_b_deg", *inputs.angles(),
+        "range of angles between R and Dw");
+  }
+  to.add("states", inputs.size(), "in these ranges");
+}
+
+// Names of a radius; those of pins and balls differ.
+struct RadiusNames {
+  std::string_view radius;
+  std::string_view with_preload;
+  std::string_view meaning;
+};
+constexpr RadiusNames pin_names = {
+    "pin_radius_m", "pin_radius_with_preload_m",
+    "Adams and MotionSolve pin radius, DoorBench r_pin: M = mu Rp R"};
+constexpr RadiusNames ball_names = {
+    "ball_radius_m", "ball_radius_with_preload_m",
+    "Adams and MotionSolve ball radius: M = mu Rb R"};
+
+void add_numbers(const EquivalentFriction& e, double f0,
+                 const RadiusNames& names, cli::Report& to) {
+  const auto add = [&](std::string_view name, const LeastWrong& number,
+                       double unit, std::string_view meaning) {
+    to.add(name, number.value / unit, meaning, {number.largest_error});
+  };
+  to.add("mu", f0, "coefficient, static and dynamic, beside these radii");
+  add(names.radius, e.arm, f0, names.meaning);
+  add(names.with_preload, e.arm_with_preload, f0,
+      "the same beside the next: M = T0 + mu R Rp or Rb");
+  add("torque_preload_N_m", {e.preload, e.arm_with_preload.largest_error}, 1,
+      "T0, friction torque preload");
+  add("coefficient_per_axis_m", e.arm_per_axis, 1,
+      "PhysX friction coefficient before 5.6: |M_i| <= c R about each axis");
+  add("torque_per_axis_N_m", e.moment_per_axis, 1,
+      "MuJoCo frictionloss, PhysX friction effort, Webots staticFriction, "
+      "Drake: |M_i| <= T");
+}
+
+// Pins in endless holes and those with interference have no bending arm: how
+// they tilt is not known.
+void add_bending(const Setup& setup, const Inputs& inputs, double arm,
+                 cli::Report& to) {
+  contact::JointSpec pin = setup.given[0].spec;
+  pin.friction = setup.joints[0].joint.contact().friction();
+  try {
+    const LeastWrong bending = equivalent_bending_arm(
+        pin, values_of(*inputs.forces()), pin.geometry.length(), arm);
+    to.add("bending_arm_m", bending.value,
+           "Adams and MotionSolve bending reaction arm: M = mu Rp (R + T/Rb), "
+           "R up to the pin's length off its middle",
+           {bending.largest_error});
+  } catch (const contact::Error& error) {
+    cli::warn("hinge-joint",
+              fmt::format("bending_arm_m is left out: {}", error.what()));
+  }
+}
+
+}  // namespace
+
+cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
+                                 const cli::OutputOptions& options) {
+  const double f0 = coefficient_of(setup);
+  const contact::Joint& joint = setup.joints[0].joint;
+  const bool pin = joint.is_pin();
+  const EquivalentFriction e = equivalent_friction(joint, states_of(inputs));
+  cli::Report report({"largest_error"});
+  add_range(inputs, pin, report);
+  add_numbers(e, f0, pin ? pin_names : ball_names, report);
+  if (pin) add_bending(setup, inputs, e.arm.value, report);
+  cli::Output output(options.output);
+  report.write(output, options);
+  output.commit();
+  return cli::all_good;
+}
+
+}  // namespace hinge_joint

@@ -1,0 +1,14 @@
+#pragma once
+
+#include "programs/joint/input.hpp"
+#include "programs/joint/setup.hpp"
+
+namespace hinge_joint {
+
+/// --equivalent: a line for each number that another program asks for, with the
+/// largest error over the states. Throws contact::Error without one joint with
+/// dry friction, and for states without friction.
+cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
+                                 const cli::OutputOptions& options);
+
+}  // namespace hinge_joint

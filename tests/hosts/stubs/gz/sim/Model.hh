@@ -1,0 +1,4 @@
+// See System.hh.
+#pragma once
+
+#include "gz/sim/System.hh"

@@ -1,0 +1,4 @@
+// See model.hpp.
+#pragma once
+
+#include "pinocchio/multibody/model.hpp"
