@@ -1,5 +1,6 @@
 #include "libcontact/seat/contact.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -91,14 +92,18 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   return confined(force, near);
 }
 
+bool SeatContact::is_free(const Eigen::Vector3d& force,
+                          double half_angle) const {
+  return zone_.margin(detail::polar_angle(force), half_angle) >= 0;
+}
+
 std::optional<double> SeatContact::free_half_angle(
     const Eigen::Vector3d& force) const {
-  const HalfAngleResult half_angle = contact_.half_angle(force.norm());
-  if (half_angle.status != Status::ok ||
-      !(zone_.margin(detail::polar_angle(force), half_angle.half_angle) >= 0)) {
+  const HalfAngleResult result = contact_.half_angle(force.norm());
+  if (result.status != Status::ok || !is_free(force, result.half_angle)) {
     return {};
   }
-  return half_angle.half_angle;
+  return result.half_angle;
 }
 
 SeatState SeatContact::confined(const Eigen::Vector3d& force,
@@ -175,6 +180,30 @@ void SeatContact::set_rims(SeatState& state) const {
     state.rims[1].distance = zone_.to() - state.upper_end;
   }
   for (SeatRim& rim : state.rims) rim.gap = radius_ * rim.distance;
+}
+
+double SeatContact::pressure(const SeatState& state,
+                             const Eigen::Vector3d& place) const {
+  if (state.is_free) {
+    const double load = state.force.norm();
+    const double angle =
+        std::atan2(state.force.cross(place).norm(), state.force.dot(place));
+    return contact_.pressure(angle, load, contact_.half_angle(load).half_angle);
+  }
+  const double v = detail::polar_angle(place);
+  if (!state.solution || std::isnan(v)) return nan;
+  if (v < zone_.from() || v > zone_.to()) return 0;
+  const detail::SeatPatchSolver& solver = *state.solution->solver;
+  const detail::SeatReadout read(solver, state.solution->patch);
+  const Eigen::Vector3d in_plane =
+      detail::plane_axes(state.force).transpose() * place;
+  const double at =
+      std::abs(std::atan2(in_plane.y(), in_plane.x())) / pi * solver.order();
+  const int before = std::min(static_cast<int>(at), solver.order() - 1);
+  const double share = at - before;
+  const double unit = contact_.pair().effective_modulus() / (4 * radius_);
+  return unit * ((1 - share) * read.pressure(v, before) +
+                 share * read.pressure(v, before + 1));
 }
 
 Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {

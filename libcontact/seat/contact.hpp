@@ -138,6 +138,14 @@ class SeatContact {
   /// The same, begun from a state that is near.
   SeatState under(const Eigen::Vector3d& force, const SeatState& near) const;
 
+  /// p of a state at a place, Pa: 0 outside the contact, infinite at a rim that
+  /// is reached. Cell by cell in latitude, linear from one longitude to the
+  /// next: 3e-3 of the largest pressure away from rims and the contact's edge,
+  /// so that p r sums up to F within 1e-3 (seat/identities_test.cpp). NaN
+  /// without a contact, and of states of a SeatTable.
+  /// @param place  unit vector from the ball's centre, in the axes of the force
+  double pressure(const SeatState& state, const Eigen::Vector3d& place) const;
+
   /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
   /// (a set of cells has a stiffness of its own): eight solutions. NaN without
   /// a shift.
@@ -170,7 +178,9 @@ class SeatContact {
   friend class SeatTable;
   friend class SeatJoint;
 
-  // Half-angle of a contact that reaches no rim; none of others.
+  // Whether a contact about a force reaches no rim.
+  bool is_free(const Eigen::Vector3d& force, double half_angle) const;
+  // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
   // On the grid, whether a rim is reached or not.
   SeatState confined(const Eigen::Vector3d& force, const SeatState& near) const;
