@@ -42,13 +42,15 @@ struct Answers {
 };
 
 /// The rows of `row(numbers)`.
+/// @param at_once  see Rows::for_each()
 template <class Row, class Function>
 Answers<Row> answers(std::initializer_list<Argument> arguments,
-                     const Function& row) {
+                     const Function& row, std::size_t at_once = Rows::block) {
   const Rows in(arguments);
   Answers<Row> result{in.shape(), {}};
   result.rows.reserve(in.size());
-  in.for_each([&](const double* const* at) { result.rows.push_back(row(at)); });
+  in.for_each([&](const double* const* at) { result.rows.push_back(row(at)); },
+              at_once);
   return result;
 }
 
@@ -190,6 +192,7 @@ Answers<Row> taken(const Answers<Row>& a, std::span<const Quantity<Row>> fields,
 template <class Row, class Value>
 const char* words_of(Value (*)(const Row&)) {
   if (std::is_same_v<Value, contact::Status>) return "Status";
+  if (std::is_same_v<Value, contact::SeatStatus>) return "SeatStatus";
   return std::is_same_v<Value, contact::JointState> ? "State" : "";
 }
 

@@ -12,16 +12,18 @@ constexpr const char* name = "ContactWarning";
 
 }  // namespace
 
+void warn_of(const std::string& note, int level) {
+  const py::object category =
+      py::module_::import("libcontact._core").attr(name);
+  if (PyErr_WarnEx(category.ptr(), note.c_str(), level) != 0) {
+    throw py::error_already_set();
+  }
+}
+
 bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level) {
   const std::vector<std::string> passed = limits.passed(largest);
-  for (const std::string& text : passed) {
-    const py::object category =
-        py::module_::import("libcontact._core").attr(name);
-    if (PyErr_WarnEx(category.ptr(), text.c_str(), level) != 0) {
-      throw py::error_already_set();
-    }
-  }
+  for (const std::string& text : passed) warn_of(text, level);
   return !passed.empty();
 }
 

@@ -2,6 +2,8 @@
 
 #include <pybind11/pybind11.h>
 
+#include <string>
+
 #include "libcontact/pressure/validity.hpp"
 
 namespace contact_python {
@@ -13,6 +15,9 @@ namespace contact_python {
 /// @throws pybind11::error_already_set where Python makes warnings errors
 bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level = 2);
+
+/// Gives Python a ContactWarning.
+void warn_of(const std::string& note, int level = 2);
 
 /// The level of Joint.cycle() and identify(): these frames are that of
 /// _calls.py, _Made's, theirs, that of with_known_keywords() and the one that

@@ -1,6 +1,8 @@
 #include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -9,6 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/files/worn_seat_file.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
@@ -167,16 +170,76 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
+/// Wear of a seat or hole, from call to call and file to file.
+class WornSeat {
+ public:
+  WornSeat() = default;
+  WornSeat(contact::WornSeat seat, const contact::JointGeometry& geometry)
+      : seat_(std::move(seat)), geometry_(geometry) {}
+
+  const contact::WornSeat& seat() const { return seat_; }
+  // @throws contact::Error if nothing is worn
+  std::string toml() const {
+    if (geometry_) return contact::worn_seat_text(seat_, *geometry_);
+    throw contact::Error(
+        contact::detail::needs("to_toml()", "a seat that is worn"));
+  }
+
+ private:
+  contact::WornSeat seat_;
+  std::optional<contact::JointGeometry> geometry_;
+};
+
+// @param seat  worn further, if it is there
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
-                                        double cycles, double inner) {
+                                        double cycles, double inner,
+                                        WornSeat* seat) {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
     worn = contact::wear_in(cycle.on().cycle(), cycle.contact(),
-                            {coefficient, inner}, cycles);
+                            {coefficient, inner}, cycles,
+                            seat ? &seat->seat() : nullptr);
   }
+  if (seat) *seat = {std::move(worn.worn), cycle.contact().geometry()};
   for (const std::string& note : worn.notes) warn(note, 2);
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
+}
+
+void bind_worn_seat(py::module_& m) {
+  py::class_<WornSeat> type(m, "WornSeat", R"(WornSeat()
+--
+
+What is worn off a seat or hole, in the axes of its body: Cycle.wear_in() goes on
+from it (libcontact's docs/moving_wear.md).)");
+  type.def(py::init<>())
+      .def_static(
+          "from_file",
+          [](const std::filesystem::path& path, const FileJoint& joint) {
+            const contact::JointGeometry& geometry = joint.spec().geometry;
+            return WornSeat(contact::read_worn_seat(path, geometry), geometry);
+          },
+          py::arg("path"), py::arg("joint"),
+          R"(from_file(path, joint)
+--
+
+Of hinge-duty --worn-out, or to_toml(), of a joint of this kind, radius and
+clearance.)")
+      .def("to_toml", &WornSeat::toml, R"(to_toml(self)
+--
+
+The text of such a file, with all digits.)")
+      .def_property_readonly(
+          "depths",
+          [](const WornSeat& s) {
+            return py::array_t<double>(py::cast(s.seat().depths));
+          },
+          "m, (n,): of a hole at even points of the circle from X towards Y, "
+          "of "
+          "a seat at the cells of a grid.")
+      .def_property_readonly(
+          "cycles", [](const WornSeat& s) { return s.seat().cycles; },
+          "In which it went.");
 }
 
 void bind_sums(py::class_<Cycle>& type) {
@@ -227,11 +290,12 @@ void bind_duty(py::module_& m) {
 The largest value in the cycle and its time, s; to 1e-8.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
+  bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
   type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
-           py::kw_only(), py::arg("inner") = 0,
-           R"(wear_in(self, coefficient, cycles, *, inner=0)
+           py::kw_only(), py::arg("inner") = 0, py::arg("seat") = py::none(),
+           R"(wear_in(self, coefficient, cycles, *, inner=0, seat=None)
 --
 
 The joint in the course of many cycles, whose wear of the seat or hole widens
@@ -246,7 +310,9 @@ elasticity alone: a RuntimeWarning if the joint has other laws.
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
 cycles: how many.
 inner: k of the ball or pin; counts for a pin without clearance or with
-    interference only (docs/preload_wear.md).)");
+    interference only (docs/preload_wear.md).
+seat: a WornSeat, which is worn further: with it the depth is at points whatever
+    the load does.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

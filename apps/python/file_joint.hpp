@@ -59,6 +59,8 @@ void bind_step(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_moment_set(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_joints(pybind11::module_& m);
 void bind_play(pybind11::module_& m);
+void bind_seat(pybind11::module_& m);
+void bind_finite_pin(pybind11::module_& m);
 void bind_duty(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_case(pybind11::module_& m);

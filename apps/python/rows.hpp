@@ -62,23 +62,28 @@ class Rows {
 
   const Shape& shape() const { return shape_; }
   std::size_t size() const { return size_; }
+  /// As many rows as nobody waits for.
+  static constexpr std::size_t block = 1024;
 
   /// Calls `row(numbers)` for each in turn, numbers[k] those of argument k,
   /// without Python's lock. Ctrl-C ends it.
+  /// @param at_once  so many without looking
   template <class Row>
-  void for_each(const Row& row) const {
+  void for_each(const Row& row, std::size_t at_once = block) const {
     Cursor cursor(*this);
-    if (size_ < block) {
+    if (size_ < at_once) {
       for (std::size_t i = 0; i < size_; ++i, cursor.next()) row(cursor.at());
       return;
     }
     const Unlocked unlocked;
     for (std::size_t i = 0; i < size_;) {
-      const std::size_t end = std::min(i + block, size_);
+      const std::size_t end = std::min(i + at_once, size_);
       for (; i < end; ++i, cursor.next()) row(cursor.at());
       heed_signals();
     }
   }
+  /// Throws for Ctrl-C; where Python's lock has been let go.
+  static void heed_signals();
 
   /// The same on several threads: each block of rows has a function
   /// `begin()(numbers, i)` of its own, i the number of the row.
@@ -86,9 +91,6 @@ class Rows {
   void for_each(int threads, const Begin& begin) const;
 
  private:
-  // As many rows as nobody waits for.
-  static constexpr std::size_t block = 1024;
-
   // Places of the numbers of a row.
   class Cursor {
    public:
@@ -102,8 +104,6 @@ class Rows {
     std::vector<const double*> at_;
     Shape index_;
   };
-
-  static void heed_signals();
 
   Shape shape_;
   std::size_t size_ = 1;

@@ -40,8 +40,7 @@ py::object step(const JointSet& self, const Numbers& reaction,
       if (!contact::is_inertia(self(at), start, w)) {
         throw contact::Error(contact::detail::must_be(
             contact::detail::message("inertia of row {}", i),
-            "symmetric and positive definite, of a pin positive about its "
-            "axis"));
+            contact::inertia_rule));
       }
       const JointStep s =
           contact::step(self(at), start, w, before ? *before : JointStep());

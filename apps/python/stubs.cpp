@@ -10,8 +10,10 @@
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/pressure/registry.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/fit.hpp"
 #include "libcontact/quantities/play.hpp"
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -27,7 +29,7 @@ template <class Row>
 std::string arrays(std::span<const Quantity<Row>> table) {
   constexpr const char* types[] = {"_Floats",   "_Integers", "_Booleans",
                                    "_Integers", "_Integers", "_Floats",
-                                   "_Integers"};
+                                   "_Integers", "_Integers"};
   std::string text;
   for (const auto& q : table) text += property(q.key, types[q.of.index()]);
   return text;
@@ -219,6 +221,9 @@ int main() {
       {"@ForceState@", arrays(contact::force_state_quantities())},
       {"@Impact@", arrays(contact::impact_quantities())},
       {"@PlayForce@", arrays(contact::play_force_quantities())},
+      {"@SeatSolution@", arrays(contact::seat_joint_quantities())},
+      {"@SeatRestSolution@", arrays(contact::seat_rest_quantities())},
+      {"@FinitePinSolution@", arrays(contact::finite_pin_quantities())},
       {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
                      laws("_Pressure", contact::detail::pressure_entries())},
       {"@Cycle@", numbers()},

@@ -1,9 +1,12 @@
 #include "libcontact/c/call.hpp"
 
+#include <algorithm>
 #include <exception>
 #include <mutex>
 #include <new>
 #include <set>
+
+#include "libcontact/base/text.hpp"
 
 namespace contact::c {
 contact_status report_exception() noexcept {
@@ -56,6 +59,16 @@ KeySettings settings_of(const contact_setting* settings, std::size_t count,
                       &given(settings[i].value, (name + "value").c_str())});
   }
   return result;
+}
+
+contact_status hand_over_notes(const std::vector<std::string>& notes,
+                               char* text, std::size_t size) {
+  const std::string all = detail::joined(notes, "\n");
+  if (size == 0) return CONTACT_OK;
+  const std::size_t length = std::min(all.size(), size - 1);
+  std::copy_n(all.data(), length, text);
+  text[length] = 0;
+  return CONTACT_OK;
 }
 
 }  // namespace contact::c

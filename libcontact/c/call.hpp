@@ -6,6 +6,7 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -95,6 +96,10 @@ contact_status call_for(const Work& work, Result*... results) noexcept {
   }
   return status;
 }
+
+/// Puts sentences into a text of C, one per line, cut to `size` with its 0.
+contact_status hand_over_notes(const std::vector<std::string>& notes,
+                               char* text, std::size_t size);
 
 /// Place of a new object: NULL until it is there.
 template <class Object>

@@ -57,16 +57,6 @@ contact_status out_of_range(const char* name, double value, double end) {
           .c_str());
 }
 
-contact_status hand_over_notes(const std::vector<std::string>& notes,
-                               char* text, std::size_t size) {
-  const std::string all = detail::joined(notes, "\n");
-  if (size == 0) return CONTACT_OK;
-  const std::size_t length = std::min(all.size(), size - 1);
-  std::copy_n(all.data(), length, text);
-  text[length] = 0;
-  return CONTACT_OK;
-}
-
 }  // namespace
 }  // namespace contact::c
 

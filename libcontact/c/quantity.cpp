@@ -1,59 +1,9 @@
 #include "libcontact/c/quantity.h"
 
-#include <string>
-#include <vector>
-
-#include "libcontact/base/text.hpp"
-#include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
+#include "libcontact/c/quantity.hpp"
 #include "libcontact/c/slip.hpp"
 #include "libcontact/quantities/tables.hpp"
-
-namespace contact::c {
-namespace {
-
-// A table as C has it; made once.
-template <class T>
-std::vector<contact_quantity> listed(std::span<const Quantity<T>> table) {
-  static const std::vector<std::string> units = [table] {
-    std::vector<std::string> all;
-    for (const auto& q : table) all.push_back(unit_text(q.dimension));
-    return all;
-  }();
-  std::vector<contact_quantity> all;
-  for (const auto& q : table) {
-    all.push_back({q.key.data(), q.symbol.data(), units[all.size()].c_str(),
-                   q.meaning.data(), q.is_vector() ? 3U : 1U});
-  }
-  return all;
-}
-
-const contact_quantity* at(const std::vector<contact_quantity>& all,
-                           std::size_t i) {
-  return i < all.size() ? &all[i] : nullptr;
-}
-
-// @throws Error for an unknown key
-template <class T>
-const Quantity<T>& row_of(std::span<const Quantity<T>> table,
-                          std::string_view key) {
-  if (const auto* q = find_quantity(table, key)) return *q;
-  std::vector<std::string> keys;
-  for (const auto& q : table) keys.emplace_back(q.key);
-  throw Error(detail::unknown("quantity", std::string(key), keys));
-}
-
-template <class T>
-contact_status get(const Quantity<T>& q, const T& of, double* value) {
-  const int size = q.is_vector() ? 3 : 1;
-  for (int k = 0; k < size; ++k) {
-    value[k] = value_of(q, of, q.is_vector() ? k : whole);
-  }
-  return CONTACT_OK;
-}
-
-}  // namespace
-}  // namespace contact::c
 
 using contact::c::call_for;
 using contact::c::get;

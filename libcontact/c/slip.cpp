@@ -11,17 +11,13 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
+#include "libcontact/c/numbers.hpp"
 
 namespace contact::c {
 namespace {
 
 using detail::message;
 using Eigen::Vector3d;
-
-// Numbers of both languages are the same.
-void set(double (&to)[3], const Vector3d& from) {
-  std::copy_n(from.data(), 3, to);
-}
 
 Vector3d vector(const double (&from)[3]) { return Vector3d(from); }
 
@@ -65,24 +61,6 @@ contact_state state_of(JointState state) {
   return CONTACT_UNLOADED;
 }
 
-Status status_of(contact_status status) {
-  if (status == CONTACT_OK) return Status::ok;
-  return status == CONTACT_NOT_CONVERGED ? Status::not_converged
-                                         : Status::out_of_range;
-}
-
-// To C, and back.
-struct ToC {
-  void operator()(double& c, double cpp) const { c = cpp; }
-  void operator()(double (&c)[3], const Vector3d& cpp) const { set(c, cpp); }
-};
-struct FromC {
-  void operator()(double c, double& cpp) const { cpp = c; }
-  void operator()(const double (&c)[3], Vector3d& cpp) const {
-    cpp = vector(c);
-  }
-};
-
 // The numbers of a solution in both languages.
 template <class C, class Cpp, class Copy>
 void each_number(C& c, Cpp& s, const Copy& copy) {
@@ -103,16 +81,6 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.peak_pressure, s.peak_pressure);
   copy(c.contact_area, s.contact_area);
 }
-
-// Sets the results of a refused call to NaN.
-struct ToNan {
-  void operator()(double& c, const double&) const {
-    c = std::numeric_limits<double>::quiet_NaN();
-  }
-  void operator()(double (&c)[3], const double (&)[3]) const {
-    std::ranges::fill(c, std::numeric_limits<double>::quiet_NaN());
-  }
-};
 
 // Solution to start from.
 JointSolution start_of(const contact_solution* last) {
@@ -220,6 +188,12 @@ contact_status status_of(Status status) {
   return CONTACT_NOT_CONVERGED;
 }
 
+Status cpp_status(contact_status status) {
+  if (status == CONTACT_OK) return Status::ok;
+  return status == CONTACT_NOT_CONVERGED ? Status::not_converged
+                                         : Status::out_of_range;
+}
+
 void put(contact_solution& to, const JointSolution& s) {
   to.status = status_of(s.status);
   to.state = state_of(s.state);
@@ -237,7 +211,7 @@ void put(contact_rest& to, const RestSolution& rest) {
   to.status = status_of(rest.status);
   to.solves = rest.solves;
   to.utilisation = rest.utilisation;
-  set(to.direction, rest.direction);
+  ToC()(to.direction, rest.direction);
   put(to.slip, rest.slip);
 }
 
@@ -254,7 +228,7 @@ contact_status reported(contact_status status, std::string_view place) {
 
 JointSolution solution_of(const contact_solution& solution) {
   JointSolution s = start_of(&solution);
-  s.status = status_of(solution.status);
+  s.status = cpp_status(solution.status);
   s.state = static_cast<JointState>(solution.state);
   // A refused solution has none.
   const double state = memory_of(solution).contact_state;
@@ -267,7 +241,7 @@ JointSolution solution_of(const contact_solution& solution) {
 }
 
 RestSolution rest_of(const contact_rest& rest) {
-  return {.status = status_of(rest.status),
+  return {.status = cpp_status(rest.status),
           .utilisation = rest.utilisation,
           .direction = vector(rest.direction),
           .slip = solution_of(rest.slip),

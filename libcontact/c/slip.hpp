@@ -21,6 +21,7 @@ struct Refused<contact_rest> {
 JointSolution solution_of(const contact_solution& solution);
 RestSolution rest_of(const contact_rest& rest);
 contact_status status_of(Status status);
+Status cpp_status(contact_status status);
 
 /// C results from those of C++.
 void put(contact_solution& to, const JointSolution& solution);

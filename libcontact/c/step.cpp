@@ -106,9 +106,7 @@ contact_status contact_joint_step(const contact_joint* joint,
         contact_step& to = given(step, "contact_joint_step: step");
         if (!contact::is_inertia(j, s, w)) {
           throw contact::Error(contact::detail::must_be(
-              "contact_joint_step: inertia",
-              "symmetric and positive definite, of a pin positive about its "
-              "axis"));
+              "contact_joint_step: inertia", contact::inertia_rule));
         }
         contact::c::tell(to, contact::step(j, s, w, contact::c::last_of(last)));
         return contact::c::reported(to.status, "contact_joint_step");

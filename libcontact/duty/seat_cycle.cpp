@@ -1,7 +1,6 @@
 #include "libcontact/duty/seat_cycle.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
@@ -20,18 +19,6 @@ bool is_at_rim(const SeatState& state) {
   return state.rims[0].intensity > 0 || state.rims[1].intensity > 0;
 }
 
-// Whether the contact would without friction.
-bool reaches_rim(const SeatJoint& joint, const Eigen::Vector3d& reaction) {
-  const JointContact& contact = joint.contact().unbounded();
-  const SeatZone& zone = joint.contact().zone();
-  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
-  const double load = reaction.norm();
-  const bool has_ball = contact.geometry().inner_body() == JointBody::carrier;
-  const double cosine = (has_ball ? 1 : -1) * axis.dot(reaction) / load;
-  return zone.margin(std::acos(std::clamp(cosine, -1.0, 1.0)),
-                     contact.half_angle(load).half_angle) < 0;
-}
-
 // A table of the loads that reach a rim, if there are many of them. Friction
 // makes the force on the seat a little larger or smaller than the reaction.
 std::shared_ptr<const SeatTable> table_of(
@@ -42,7 +29,7 @@ std::shared_ptr<const SeatTable> table_of(
   for (const auto& row : rows) {
     const SeatJointSolution& s = row.solution;
     const double load = s.reaction.norm();
-    if (!(load > 0) || !reaches_rim(joint, s.reaction)) continue;
+    if (!(load > 0) || joint.is_free(s.reaction)) continue;
     ++count;
     least = std::min(least, load);
     most = std::max(most, load);

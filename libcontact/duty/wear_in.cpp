@@ -110,6 +110,16 @@ std::string laws_note(const JointContact& contact) {
       half_angle, pressure);
 }
 
+// Note on a loading that steps do not have, or "".
+std::string loading_note(const JointContact& contact) {
+  const auto& made_for = contact.half_angle_law().made_for();
+  if (!made_for || !made_for->loading().is_back()) return {};
+  return detail::message(
+      "the contact is worn step by step under a force at the centre: loading "
+      "{} is used for the unworn joint only",
+      to_string(made_for->loading()));
+}
+
 // By the volume alone, of loads that stand still.
 WearIn overlap_wear_in(const JointCycle& fresh, double coefficient,
                        double cycles) {
@@ -159,7 +169,10 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
   if (k.inner > 0 && !is_pressed) {
     note("wear of the ball or pin does not change the contact");
   }
-  if (has_steps) note(laws_note(contact));
+  if (has_steps) {
+    note(laws_note(contact));
+    note(loading_note(contact));
+  }
   WearIn result = has_steps
                       ? detail::stepped_wear_in(
                             fresh, {k.seat, is_pressed ? k.inner : 0}, cycles,

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <span>
+#include <string_view>
 
 #include "libcontact/joint/joint.hpp"
 
@@ -39,6 +40,9 @@ struct JointStep {
 /// positive about its axis.
 bool is_inertia(const Joint& joint, const StepStart& start,
                 const Eigen::Matrix3d& inertia) noexcept;
+/// The same for messages of hosts that refuse others.
+inline constexpr std::string_view inertia_rule =
+    "symmetric and positive definite, of a pin positive about its axis";
 
 /// One implicit step with friction, which comes to rest, holds and lets go.
 ///

@@ -43,6 +43,8 @@ class MadeFor {
   /// ratios of bodies that are not rigid, loading and walls but for names.
   bool fits(const ElasticPair& pair, const ContactConditions& conditions) const;
 
+  const InnerLoading& loading() const { return conditions_.loading; }
+
  private:
   double modulus_ratio_;
   std::optional<ElasticPair> pair_ = {};

@@ -8,6 +8,8 @@ using S = FinitePinSolution;
 bool touches(const S& s) { return s.contact.pieces > 0; }
 
 constexpr Quantity<S> of_finite_pin[] = {
+    {"status", "", Dimension::number, "how the solver ended",
+     [](const S& s) { return s.contact.status; }},
     {"tilt_x", "", Dimension::angle, "tilt in the plane of the reaction",
      [](const S& s) { return s.contact.tilt.x(); }},
     {"tilt_y", "", Dimension::angle, "tilt across it",

@@ -21,6 +21,8 @@
 /// and a row here.
 namespace contact {
 
+enum class SeatStatus;
+
 /// A quantity of a T. Values are in SI units and radians.
 template <class T>
 struct Quantity {
@@ -30,7 +32,8 @@ struct Quantity {
   std::string_view meaning;
   std::variant<double (*)(const T&), int (*)(const T&), bool (*)(const T&),
                Status (*)(const T&), JointState (*)(const T&),
-               const Eigen::Vector3d& (*)(const T&), ContactState (*)(const T&)>
+               const Eigen::Vector3d& (*)(const T&), ContactState (*)(const T&),
+               SeatStatus (*)(const T&)>
       of;
   /// Meaning of a vector's length, if it is a column too.
   std::string_view length_meaning = {};
@@ -39,9 +42,9 @@ struct Quantity {
 
   std::string_view stem() const { return symbol.empty() ? key : symbol; }
   bool is_vector() const { return of.index() == 5; }
-  /// A Status, JointState or ContactState, which tables print as a word.
+  /// A Status or another enumeration, which tables print as a word.
   bool is_word() const {
-    return of.index() == 3 || of.index() == 4 || of.index() == 6;
+    return of.index() == 3 || of.index() == 4 || of.index() >= 6;
   }
 };
 

@@ -1,5 +1,7 @@
 #include "libcontact/quantities/seat.hpp"
 
+#include "libcontact/quantities/lifted.hpp"
+
 namespace contact {
 namespace {
 
@@ -55,7 +57,9 @@ constexpr Quantity<S> of_seat[] = {
 
 using J = SeatJointSolution;
 
-constexpr Quantity<J> of_joint[] = {
+constexpr auto of_friction = std::to_array<Quantity<J>>({
+    {"status", "", Dimension::number, "how the solver ended",
+     [](const J& s) { return s.contact.status; }},
     {"reaction", "R", Dimension::force, "reaction on the body",
      [](const J& s) -> const Eigen::Vector3d& { return s.reaction; },
      "reaction"},
@@ -83,12 +87,33 @@ constexpr Quantity<J> of_joint[] = {
      [](const J& s) { return s.reaction.norm() / s.nominal_area; }},
     {"evaluations", "", Dimension::number, "contacts that the solver found",
      [](const J& s) { return s.evaluations; }},
-};
+});
+
+constexpr auto of_joint =
+    detail::joined(of_friction, detail::lifted<J, &J::contact, of_seat>());
+
+using Rest = SeatRestSolution;
+
+constexpr auto of_limit = std::to_array<Quantity<Rest>>({
+    {"utilisation", "", Dimension::number,
+     "tau, the share of M_t that M needs: holds if <= 1",
+     [](const Rest& s) { return s.utilisation; }},
+    {"direction", "u", Dimension::number,
+     "direction in which the joint would begin to slide",
+     [](const Rest& s) -> const Eigen::Vector3d& { return s.direction; }},
+});
+
+constexpr auto of_rest =
+    detail::joined(detail::lifted<Rest, &Rest::slip, of_joint>(), of_limit);
 
 }  // namespace
 
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities() {
   return of_joint;
+}
+
+std::span<const Quantity<SeatRestSolution>> seat_rest_quantities() {
+  return of_rest;
 }
 
 std::span<const Quantity<SeatState>> seat_quantities() { return of_seat; }

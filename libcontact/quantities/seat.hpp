@@ -9,7 +9,9 @@
 namespace contact {
 
 std::span<const Quantity<SeatState>> seat_quantities();
-/// Beside those of the contact.
+/// With those of its contact.
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();
+/// With those of the sliding at the limit.
+std::span<const Quantity<SeatRestSolution>> seat_rest_quantities();
 
 }  // namespace contact

@@ -1,5 +1,6 @@
 #include "libcontact/seat/contact.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -100,14 +101,18 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   return confined(force, near);
 }
 
+bool SeatContact::is_free(const Eigen::Vector3d& force,
+                          double half_angle) const {
+  return zone_.margin(detail::polar_angle(force), half_angle) >= 0;
+}
+
 std::optional<double> SeatContact::free_half_angle(
     const Eigen::Vector3d& force) const {
-  const HalfAngleResult half_angle = contact_.half_angle(force.norm());
-  if (half_angle.status != Status::ok ||
-      !(zone_.margin(detail::polar_angle(force), half_angle.half_angle) >= 0)) {
+  const HalfAngleResult result = contact_.half_angle(force.norm());
+  if (result.status != Status::ok || !is_free(force, result.half_angle)) {
     return {};
   }
-  return half_angle.half_angle;
+  return result.half_angle;
 }
 
 SeatState SeatContact::confined(const Eigen::Vector3d& force,
@@ -188,9 +193,17 @@ void SeatContact::set_rims(SeatState& state) const {
   for (SeatRim& rim : state.rims) rim.gap = radius_ * rim.distance;
 }
 
+SeatPlace seat_place(const Eigen::Vector3d& force,
+                     const Eigen::Vector3d& place) {
+  const Eigen::Vector3d in_plane =
+      detail::plane_axes(force).transpose() * place;
+  return {detail::polar_angle(place), std::atan2(in_plane.y(), in_plane.x())};
+}
+
 double SeatContact::pressure(const SeatState& state,
                              const SeatPlace& place) const {
   const double v = place.polar_angle;
+  if (std::isnan(v)) return nan;
   if (state.is_free) {
     const double load = state.force.norm();
     const double direction = detail::polar_angle(state.force);
@@ -199,6 +212,7 @@ double SeatContact::pressure(const SeatState& state,
     return angle < half_angle ? contact_.pressure(angle, load, half_angle) : 0;
   }
   if (!state.solution) return nan;
+  if (v < zone_.from() || v > zone_.to()) return 0;
   const detail::SeatReadout read(*state.solution->solver,
                                  state.solution->patch);
   return contact_.pair().effective_modulus() / (4 * radius_) *

@@ -49,6 +49,12 @@ struct SeatPlace {
   double longitude = std::numeric_limits<double>::quiet_NaN();    ///< rad
 };
 
+/// The place of a vector from the ball's centre.
+/// @param force  of the contact, any unit
+/// @param place  of any length, in the axes of the force: the seat's
+SeatPlace seat_place(const Eigen::Vector3d& force,
+                     const Eigen::Vector3d& place);
+
 /// State of a contact at a rim of its seat.
 struct SeatRim {
   /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
@@ -142,11 +148,11 @@ class SeatContact {
   /// The same, begun from a state that is near.
   SeatState under(const Eigen::Vector3d& force, const SeatState& near) const;
 
-  /// Pressure at a place on the seat, Pa: 0 outside the contact, infinite at a
-  /// rim that is reached, NaN of a state without a contact or from a table. As
-  /// pressures of SeatState, and linear between the grid's longitudes: 3e-3
-  /// (seat/seat_test.cpp).
-  /// @param place  longitude from the plane of the load, on either side, rad
+  /// p of a state at a place, Pa: 0 outside the contact, infinite at a rim that
+  /// is reached. Cell by cell in latitude, linear from one longitude to the
+  /// next: 3e-3 of the largest pressure away from rims and the contact's edge,
+  /// so that p r sums up to F within 1e-3 (seat/identities_test.cpp). NaN
+  /// without a contact, and of states of a SeatTable.
   double pressure(const SeatState& state, const SeatPlace& place) const;
 
   /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
@@ -181,7 +187,9 @@ class SeatContact {
   friend class SeatTable;
   friend class SeatJoint;
 
-  // Half-angle of a contact that reaches no rim; none of others.
+  // Whether a contact about a force reaches no rim.
+  bool is_free(const Eigen::Vector3d& force, double half_angle) const;
+  // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
   // On the grid, whether a rim is reached or not.
   SeatState confined(const Eigen::Vector3d& force, const SeatState& near) const;

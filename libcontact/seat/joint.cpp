@@ -83,8 +83,7 @@ SeatJoint::~SeatJoint() = default;
 SeatJointSolution SeatJoint::solve(const Joint::Slip& slip,
                                    const SeatJointSolution& last) const {
   Work work;
-  work.state = last.contact;
-  work.state.force = from_seat_.transpose() * last.contact.force;
+  work.state = in_seat(last);
   Joint::Slip turned = slip;
   turned.reaction = from_seat_.transpose() * slip.reaction;
   turned.angular_velocity = from_seat_.transpose() * slip.angular_velocity;
@@ -117,8 +116,12 @@ void SeatJoint::turn(SeatJointSolution& s) const {
 // Whether the contact of a joint without end stays inside the rims.
 bool SeatJoint::is_free(const JointSolution& s) const {
   if (s.status != Status::ok || !(s.normal_force > 0)) return false;
-  return contact_.zone().margin(detail::polar_angle(side_ * s.normal),
-                                s.half_angle) >= 0;
+  return contact_.is_free(side_ * s.normal, s.half_angle);
+}
+
+bool SeatJoint::is_free(const Vector3d& reaction) const {
+  const Vector3d force = side_ * from_seat_.transpose() * reaction;
+  return contact_.free_half_angle(force).has_value();
 }
 
 SeatJointSolution SeatJoint::free_solution(const JointSolution& s) const {
@@ -240,9 +243,8 @@ SeatRestSolution SeatJoint::rest(const Joint::Hold& hold, Work& work) const {
   const auto slip_about = [&](const Vector3d& u) {
     return Joint::Slip{.reaction = hold.reaction, .angular_velocity = u};
   };
-  if (joint_.contact().is_viscous()) return result;
   const RestSolution unbounded = joint_.at_rest(hold);
-  if (is_free(unbounded.slip) || size == 0) {
+  if (is_free(unbounded.slip) || size == 0 || joint_.contact().is_viscous()) {
     result.utilisation = unbounded.utilisation;
     result.direction = unbounded.direction;
     result.slip = slide(slip_about(unbounded.direction), work);
@@ -294,19 +296,37 @@ SeatRestSolution SeatJoint::rest(const Joint::Hold& hold, Work& work) const {
   return result;
 }
 
+// The contact in the seat's axes.
+SeatState SeatJoint::in_seat(const SeatJointSolution& s) const {
+  SeatState state = s.contact;
+  state.force = from_seat_.transpose() * s.contact.force;
+  state.shift = from_seat_.transpose() * s.contact.shift;
+  return state;
+}
+
 SeatMomentSet SeatJoint::moment_set(const SeatJointSolution& solution) const& {
   auto work = std::make_shared<Work>();
-  work->state = solution.contact;
-  const Vector3d force = from_seat_.transpose() * solution.contact.force;
-  work->state.force = force;
+  work->state = in_seat(solution);
   if (solution.contact.status == SeatStatus::ok && !work->state.is_free) {
-    find_contact(force, *work);
+    find_contact(work->state.force, *work);
   }
   return {*this, std::move(work)};
 }
 
+std::vector<double> SeatJoint::pressures(
+    const SeatJointSolution& solution, std::span<const Vector3d> places) const {
+  SeatState state = in_seat(solution);
+  if (!state.is_free && !state.solution) state = contact_.under(state.force);
+  std::vector<double> all;
+  for (const Vector3d& place : places) {
+    all.push_back(contact_.pressure(
+        state, seat_place(state.force, from_seat_.transpose() * place)));
+  }
+  return all;
+}
+
 std::vector<std::string> SeatJoint::notes(const SeatJointSolution& s) const {
-  return contact_.notes(s.contact);
+  return contact_.notes(in_seat(s));
 }
 
 }  // namespace contact

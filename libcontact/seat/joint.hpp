@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -85,14 +86,24 @@ class SeatJoint {
   SeatJointSolution solve(const Joint::Slip& slip,
                           const SeatJointSolution& last) const;
 
-  /// As Joint::at_rest(): M = tau M_t(R, u). NaN of viscous friction, and where
-  /// no u was found.
+  /// As Joint::at_rest(): M = tau M_t(R, u), tau infinite of viscous friction.
+  /// NaN where no u was found.
   SeatRestSolution at_rest(const Joint::Hold& hold) const;
 
   /// The moments that the contact of a solution may have.
   SeatMomentSet moment_set(const SeatJointSolution& solution) const&;
   /// Would refer to a joint that is gone.
   SeatMomentSet moment_set(const SeatJointSolution&) const&& = delete;
+
+  /// SeatContact::pressure() of a solution, Pa, at places: unit vectors from
+  /// the ball's centre in the axes of the reaction. A contact that is from the
+  /// table is solved for it.
+  std::vector<double> pressures(const SeatJointSolution& solution,
+                                std::span<const Eigen::Vector3d> places) const;
+
+  /// Whether the contact reaches no rim as long as friction is small: under
+  /// the reaction alone.
+  bool is_free(const Eigen::Vector3d& reaction) const;
 
   /// Notes on a solution, a sentence each: why there is none, or what the model
   /// leaves out beside a rim.
@@ -108,6 +119,7 @@ class SeatJoint {
     Eigen::Vector3d force, moment;
   };
   using Work = detail::SeatWork;
+  SeatState in_seat(const SeatJointSolution& solution) const;
   SeatJointSolution slide(const Joint::Slip& slip, Work& work) const;
   SeatRestSolution rest(const Joint::Hold& hold, Work& work) const;
   bool is_free(const JointSolution& s) const;

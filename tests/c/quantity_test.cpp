@@ -3,12 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <bit>
-#include <cmath>
-#include <cstdint>
 #include <string>
 
 #include "c/door.hpp"
+#include "c/expect_table.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/tables.hpp"
 
@@ -17,42 +15,10 @@ namespace {
 using contact::Joint;
 using contact::test::c_joint;
 using contact::test::CJoint;
+using contact::test::expect_table;
 
 const std::string hip = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
 const std::string pressed = CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
-
-// NaN too.
-void expect_same(double a, double b, std::string_view key) {
-  EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b))
-      << key << ": " << a << " and " << b;
-}
-
-// All of a table, listed and got.
-template <class T, class Listed, class Get>
-void expect_table(std::span<const contact::Quantity<T>> table, const T& of,
-                  const Listed& listed, const Get& get) {
-  std::size_t i = 0;
-  for (const auto& q : table) {
-    const contact_quantity* c = listed(i++);
-    ASSERT_NE(c, nullptr) << q.key;
-    EXPECT_EQ(c->key, q.key);
-    EXPECT_EQ(c->symbol, q.symbol) << q.key;
-    EXPECT_EQ(c->meaning, q.meaning) << q.key;
-    EXPECT_EQ(c->unit, contact::unit_text(q.dimension)) << q.key;
-    EXPECT_EQ(c->size, q.is_vector() ? 3u : 1u) << q.key;
-    double values[3];
-    ASSERT_EQ(get(c->key, values), CONTACT_OK) << q.key;
-    for (std::size_t k = 0; k < c->size; ++k) {
-      const double expected =
-          q.exists && !q.exists(of)
-              ? std::numeric_limits<double>::quiet_NaN()
-              : number_of(q, of,
-                          q.is_vector() ? static_cast<int>(k) : contact::whole);
-      expect_same(values[k], expected, q.key);
-    }
-  }
-  EXPECT_EQ(listed(i), nullptr);
-}
 
 TEST(CQuantities, OfSolutionsAreThoseOfCpp) {
   for (const std::string& file : {hip, pressed}) {

@@ -295,6 +295,26 @@ TEST(WearIn, LoadsThatMove) {
           .notes.empty());
 }
 
+// Steps press at the centre, and say so.
+TEST(WearIn, LoadThroughTheBackIsThatOfTheUnwornJoint) {
+  JointSpec roller{.geometry = JointGeometry::pin(0.01, 1e-5, 0.02),
+                   .inner = Material{2.1e11, 0.3},
+                   .outer = Material{1.1e11, 0.34},
+                   .friction = FrictionLaw(0.1)};
+  roller.loading = InnerLoading::back(20 * degree);
+  roller.half_angle_law = roller.pressure_law = "exact";
+  const auto notes = [&] {
+    return wear_in(swing(5e3, JointBody::carrier), roller.contact(), {1e-16}, 1)
+        .notes;
+  };
+  ASSERT_EQ(notes().size(), 1u);
+  EXPECT_EQ(notes()[0],
+            "the contact is worn step by step under a force at the centre: "
+            "loading back:20 is used for the unworn joint only");
+  roller.loading = InnerLoading::centre();
+  EXPECT_TRUE(notes().empty());
+}
+
 TEST(WearIn, DepthBesideTheRadius) {
   const auto wear = [](double k, double cycles) {
     return wear_in(steady(), pin(1e11, 0.1), {k}, cycles);

@@ -4,10 +4,11 @@ import csv
 import pickle
 import tempfile
 import unittest
+import warnings
 
 import libcontact
 import numpy as np
-from support import hip_file, random_rows, source, table
+from support import hip_file, program, random_rows, source, table
 
 folder = source / "data/reference/duty"
 
@@ -164,6 +165,38 @@ class Cycles(unittest.TestCase):
         self.assertEqual(at.filename, __file__)
         self.assertEqual(twice.period, once.period)
         self.assertAlmostEqual(twice.energy / once.energy, 1, delta=1e-14)
+
+    def test_wear_on_from_file_to_file(self):
+        pin_file = source / "data/joints/pin_joint.toml"
+        cycle_file = source / "data/duty/pin_cycle.csv"
+        c = columns(cycle_file)
+        pin = libcontact.Joint.from_file(pin_file)
+        cycle = pin.cycle(
+            c["time_s"], force(c), angles=np.radians(c["angle_deg"]))
+        seat = libcontact.WornSeat()
+        with self.assertRaisesRegex(libcontact.Error, "requires a seat that"):
+            seat.to_toml()
+        with tempfile.TemporaryDirectory() as work, warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            first, second = work + "/first.toml", work + "/second.toml"
+            wear = ["hinge-duty", "--joint", pin_file, "--cycle", cycle_file,
+                    "--wear-seat", "2e-7", "--cycles", "1000"]
+            program(*wear, "--worn-out", first)
+            program(*wear, "--worn", first, "--worn-out", second)
+            cycle.wear_in(2e-16, 1000, seat=seat)
+            begun = libcontact.WornSeat.from_file(first, pin)
+            ended = libcontact.WornSeat.from_file(second, pin)
+            np.testing.assert_allclose(
+                seat.depths, begun.depths, rtol=1e-6, atol=1e-15)
+            self.assertEqual((seat.cycles, ended.cycles), (1000, 2000))
+            cycle.wear_in(2e-16, 1000, seat=begun)
+            np.testing.assert_allclose(
+                begun.depths, ended.depths, rtol=1e-6, atol=1e-15)
+            with open(second) as file:
+                self.assertEqual(ended.to_toml(), file.read())
+            with self.assertRaisesRegex(libcontact.Error, "radius"):
+                libcontact.WornSeat.from_file(
+                    first, pin.replace({"geometry.radius_mm": 30}))
 
     def test_that_wear_warn_of_what_is_not_known(self):
         c = columns(source / "data/duty/pin_cycle.csv")

@@ -71,6 +71,45 @@ TEST(Seat, SaysWhatItCannotCarry) {
   EXPECT_EQ(seat.under(towards(10, 0, NAN)).status, SeatStatus::no_load);
 }
 
+// The pressures at places add up to the load, at rims as elsewhere, and agree
+// with what is reported.
+TEST(Seat, PressuresAddUpToTheLoad) {
+  const SeatContact seat(bearing(), cup(60));
+  for (const Eigen::Vector3d& load :
+       {towards(25, 40, 1e5), towards(5, 0, 2e4)}) {
+    const SeatState state = seat.under(load);
+    ASSERT_EQ(state.is_free, load.norm() < 5e4);
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    double area = 0;
+    constexpr int longitudes = 361, latitudes = 400;
+    for (int i = 0; i < latitudes; ++i) {
+      // Dense towards the rim, where p is singular.
+      const double x = (i + 0.5) / latitudes;
+      const double v = 60 * degree * (1 - x * x);
+      const double width = 60 * degree * 2 * x / latitudes;
+      for (int j = 0; j < longitudes; ++j) {
+        const double phi = 2 * pi * (j + 0.3) / longitudes;
+        const Eigen::Vector3d r(std::sin(v) * std::cos(phi),
+                                std::sin(v) * std::sin(phi), std::cos(v));
+        const double cell =
+            0.025 * 0.025 * std::sin(v) * width * 2 * pi / longitudes;
+        const double p = seat.pressure(state, seat_place(load, r));
+        sum += cell * p * r;
+        area += p > 0 ? cell : 0;
+      }
+    }
+    EXPECT_LT((sum - load).norm() / load.norm(), 1e-3);
+    EXPECT_NEAR(area / state.area, 1, 0.02);
+    EXPECT_NEAR(
+        seat.pressure(state, seat_place(load, load)) / state.pressure_at_load,
+        1, 1e-12);
+    EXPECT_EQ(seat.pressure(state, seat_place(load, -load)), 0);
+    EXPECT_TRUE(std::isnan(seat.pressure(state, SeatPlace{})));
+  }
+  EXPECT_TRUE(
+      std::isnan(seat.pressure(seat.under(towards(80, 0, 1e4)), {0, 0})));
+}
+
 // To the last bit.
 TEST(Seat, FreeContactIsTheExactLaw) {
   const SeatContact seat(bearing(), cup(60));

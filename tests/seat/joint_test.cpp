@@ -167,6 +167,15 @@ TEST(SeatJoint, RestGivesBackTheMomentOfSlip) {
   }
 }
 
+TEST(SeatJoint, ViscousFrictionHoldsNothing) {
+  JointSpec viscous = bearing();
+  viscous.friction = ViscousLaw(1e6, 0.05);
+  const SeatRestSolution rest = SeatJoint(viscous).at_rest(
+      {.reaction = {6e4, 1e4, 8e4}, .moment = {0, 0, 1}});
+  EXPECT_EQ(rest.utilisation, INFINITY);
+  EXPECT_EQ(rest.slip.contact.status, SeatStatus::ok);
+}
+
 // The seat's axis turns everything.
 TEST(SeatJoint, TurnsWithTheAxis) {
   const Eigen::Matrix3d turn =
@@ -196,6 +205,16 @@ TEST(SeatJoint, SaysWhatItCannotCarry) {
       joint.solve({.reaction = {1e4, 0, -1e3}, .angular_velocity = {0, 0, 1}});
   EXPECT_EQ(s.contact.status, SeatStatus::out_of_seat);
   EXPECT_TRUE(has_text(joint.notes(s).at(0), "the ball leaves it"));
+  // The angle is counted from the seat's axis, wherever that points.
+  JointSpec turned = bearing();
+  turned.geometry =
+      turned.geometry.with_seat(turned.geometry.seat()->about({0, 1, -1}));
+  const SeatJoint aside(turned);
+  EXPECT_TRUE(has_text(aside
+                           .notes(aside.solve({.reaction = {1e4, 0, 0},
+                                               .angular_velocity = {0, 0, 1}}))
+                           .at(0),
+                       "points 90 deg from the seat's axis"));
   JointSpec none = bearing();
   none.geometry = JointGeometry::ball(0.025, 2.5e-5);
   EXPECT_TRUE(

@@ -139,11 +139,9 @@ void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
 
 void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
                    const cli::TableStyle& style) {
-  const auto joint = columns_of(contact::seat_joint_quantities());
-  const auto state = columns_of(contact::seat_quantities());
+  const auto columns = columns_of(contact::seat_joint_quantities());
   std::vector<std::string> names = {"time_s", "status"};
-  for (const auto& column : joint) names.push_back(column.name);
-  for (const auto& column : state) names.push_back(column.name);
+  for (const auto& column : columns) names.push_back(column.name);
   write_rows(duties, names, output, style,
              [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
                for (const auto& row : duty.seat->rows()) {
@@ -151,8 +149,7 @@ void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
                  begin();
                  to.number(row.time);
                  to.text(to_string(s.contact.status));
-                 for (const auto& c : joint) to.number(c(s) + 0.0);
-                 for (const auto& c : state) to.number(c(s.contact) + 0.0);
+                 for (const auto& c : columns) to.number(c(s) + 0.0);
                  to.end();
                }
              });

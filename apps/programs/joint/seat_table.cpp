@@ -9,67 +9,39 @@
 #include "cli/stream/report.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/seat.hpp"
-#include "libcontact/quantities/tables.hpp"
 #include "programs/joint/input.hpp"
 
 namespace hinge_joint {
 namespace {
 
-using contact::RestSolution;
 using contact::SeatJointSolution;
-using contact::SeatState;
+using contact::SeatRestSolution;
 
-// The columns, in their order.
-struct Columns {
-  explicit Columns(bool with_rest) {
-    if (!with_rest) return;
-    for (const std::string_view key : {"utilisation", "direction"}) {
-      std::ranges::move(
-          columns_of(*find_quantity(contact::rest_quantities(), key)),
-          std::back_inserter(rest));
-    }
-  }
+const SeatJointSolution& slip_of(const SeatJointSolution& s) { return s; }
+const SeatJointSolution& slip_of(const SeatRestSolution& s) { return s.slip; }
 
-  std::vector<std::string> names() const {
-    std::vector<std::string> all = {"status"};
-    const auto take = [&](const auto& columns) {
-      for (const auto& column : columns) all.push_back(column.name);
-    };
-    take(joint);
-    take(state);
-    take(rest);
-    return all;
-  }
-
-  std::vector<contact::Column<SeatJointSolution>> joint =
-      columns_of(contact::seat_joint_quantities());
-  std::vector<contact::Column<SeatState>> state =
-      columns_of(contact::seat_quantities());
-  std::vector<contact::Column<RestSolution>> rest;
-};
+template <class Answer>
+using Columns = std::vector<contact::Column<Answer>>;
 
 // The rows of a joint; what is to be said of them.
+template <class Answer>
 class Rows {
  public:
   Rows(const Options& options, const cli::Joint& joint)
       : given_(joint), joint_(with_friction(options, joint)) {}
 
-  cli::ExitStatus write(const Inputs& inputs, const Columns& columns,
+  cli::ExitStatus write(const Inputs& inputs, const Columns<Answer>& columns,
                         cli::RowWriter& row) const {
     contact::LargestContact largest;
     std::set<std::string> notes;
-    SeatJointSolution s;
+    Answer answer;
     cli::ExitStatus status = cli::all_good;
     for (std::size_t i = 0; i < inputs.size(); ++i) {
-      RestSolution rest;
-      s = solved(inputs, i, s, rest);
+      solve(inputs[i], answer);
+      const SeatJointSolution& s = slip_of(answer);
       cli::write_differences(given_.differences, row);
       row.text(to_string(s.contact.status));
-      for (const auto& column : columns.joint) row.number(column(s) + 0.0);
-      for (const auto& column : columns.state) {
-        row.number(column(s.contact) + 0.0);
-      }
-      for (const auto& column : columns.rest) row.number(column(rest) + 0.0);
+      for (const auto& column : columns) row.number(column(answer) + 0.0);
       row.end();
       largest.add(0, s.contact.peak_pressure);
       for (const auto& note : joint_.notes(s)) notes.insert(note);
@@ -93,42 +65,47 @@ class Rows {
     return spec;
   }
 
-  SeatJointSolution solved(const Inputs& inputs, std::size_t i,
-                           const SeatJointSolution& last,
-                           RestSolution& rest) const {
-    const Input input = inputs[i];
-    if (inputs.question() == Question::reaction) {
-      return joint_.solve(
-          {.reaction = input.force, .angular_velocity = input.turn}, last);
-    }
-    const contact::SeatRestSolution held =
-        joint_.at_rest({.reaction = input.force, .moment = input.turn});
-    rest.utilisation = held.utilisation;
-    rest.direction = held.direction;
-    return held.slip;
+  void solve(const Input& input, SeatJointSolution& s) const {
+    s = joint_.solve({.reaction = input.force, .angular_velocity = input.turn},
+                     s);
+  }
+  void solve(const Input& input, SeatRestSolution& s) const {
+    s = joint_.at_rest({.reaction = input.force, .moment = input.turn});
   }
 
   const cli::Joint& given_;
   contact::SeatJoint joint_;
 };
 
+template <class Answer>
+cli::ExitStatus write(const Options& options,
+                      const std::vector<cli::Joint>& joints,
+                      const Inputs& inputs, const Columns<Answer>& columns) {
+  std::vector<std::string> names = {"status"};
+  for (const auto& column : columns) names.push_back(column.name);
+  cli::ExitStatus status = cli::all_good;
+  cli::write_table(options.output, cli::joint_columns(joints, {names}),
+                   [&](cli::RowWriter& row) {
+                     for (const cli::Joint& joint : joints) {
+                       const Rows<Answer> rows(options, joint);
+                       status =
+                           std::max(status, rows.write(inputs, columns, row));
+                     }
+                   });
+  return status;
+}
+
 }  // namespace
 
 cli::ExitStatus run_in_seat(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   const Inputs inputs(options, joints[0].is_pin());
-  const Columns columns(inputs.question() == Question::rest);
   warn_of_validity("hinge-joint", joints);
-  cli::ExitStatus status = cli::all_good;
-  cli::write_table(
-      options.output, cli::joint_columns(joints, {columns.names()}),
-      [&](cli::RowWriter& row) {
-        for (const cli::Joint& joint : joints) {
-          const Rows rows(options, joint);
-          status = std::max(status, rows.write(inputs, columns, row));
-        }
-      });
-  return status;
+  return inputs.question() == Question::rest
+             ? write(options, joints, inputs,
+                     columns_of(contact::seat_rest_quantities()))
+             : write(options, joints, inputs,
+                     columns_of(contact::seat_joint_quantities()));
 }
 
 }  // namespace hinge_joint

@@ -24,6 +24,8 @@ from ._core import (
     ContactWarning,
     Error,
     Estimate,
+    FinitePin,
+    FinitePinSolution,
     ForceState,
     Impact,
     MomentSet,
@@ -32,9 +34,13 @@ from ._core import (
     Prox,
     Rating,
     RestSolution,
+    Seat,
+    SeatRestSolution,
+    SeatSolution,
     Solution,
     Step,
     WearIn,
+    WornSeat,
     __version__,
     damping_of_restitution,
     step,
@@ -81,6 +87,15 @@ class Status(enum.IntEnum):
     NOT_CONVERGED = 2
 
 
+class SeatStatus(enum.IntEnum):
+    """How a contact in a seat ended: what SeatSolution.status has."""
+
+    OK = 0
+    NOT_CONVERGED = 1
+    OUT_OF_SEAT = 2
+    NO_LOAD = 3
+
+
 class State(enum.IntEnum):
     """Motion of a joint's two halves: the values of Solution.state."""
 
@@ -97,6 +112,8 @@ __all__ = [
     "Error",
     "Estimate",
     "Event",
+    "FinitePin",
+    "FinitePinSolution",
     "Fit",
     "ForceState",
     "HalfAngleLaw",
@@ -114,6 +131,10 @@ __all__ = [
     "Rating",
     "RestSolution",
     "Run",
+    "Seat",
+    "SeatRestSolution",
+    "SeatSolution",
+    "SeatStatus",
     "Solution",
     "State",
     "Status",
@@ -121,6 +142,7 @@ __all__ = [
     "Wall",
     "Wear",
     "WearIn",
+    "WornSeat",
     "__version__",
     "damping_of_restitution",
     "examples",
