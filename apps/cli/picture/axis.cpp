@@ -38,8 +38,8 @@ std::string plain(double value) { return fmt::format("{:.12g}", value); }
 
 // Whether no label touches the next one or the end of the canvas' margin.
 bool fit(const Ticks& ticks, Run run, double room, bool logarithmic) {
-  const auto [low, high] = ticks.range;
-  const auto at = [&](double x) {
+  const auto at = [&, range = ticks.range](double x) {
+    const auto [low, high] = range;
     return logarithmic ? std::log(x / low) / std::log(high / low)
                        : (x - low) / (high - low);
   };
