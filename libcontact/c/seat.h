@@ -77,8 +77,8 @@ typedef struct contact_seat_solution {
   double moment_coefficient; /* |M_t|/(rho R) */
   double nominal_area;       /* the area of catalogues, m^2 */
 
-  double shift[3];         /* of the ball's centre from concentric, m */
-  double pressure_at_load; /* where F pierces the seat, Pa */
+  double shift[3];         /* shift of the ball's centre from concentric, m */
+  double pressure_at_load; /* pressure where F pierces the seat, Pa */
   double peak_pressure;    /* largest p at 0.02 radii or more from rims, Pa */
   double peak_polar_angle; /* its place, rad */
   double peak_longitude;
