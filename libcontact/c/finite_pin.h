@@ -25,7 +25,7 @@ void contact_finite_pin_free(contact_finite_pin* pin);
  * the contact, x and y are across; set all that is not used to 0. */
 typedef struct contact_finite_pin_load {
   double reaction[2]; /* R on the body, N */
-  double rate;        /* of the body about z, rad/s: its sign counts */
+  double rate;        /* rate of the body about z, rad/s: its sign counts */
   double tilt[2];     /* known slope of the pin's axis */
   int is_placed; /* the reaction acts at z = place, and the tilt is found */
   double place;  /* m */
@@ -37,7 +37,7 @@ typedef struct contact_finite_pin_solution {
   int pieces;      /* contacts along z */
   double residual; /* error of the load over its size */
 
-  double shift[2];        /* of the pin's axis at z = 0, m */
+  double shift[2];        /* shift of the pin's axis at z = 0, m */
   double tilt[2];         /* slope of the pin's axis */
   double force[2];        /* F of the pressures on the hole, N */
   double force_moment[2]; /* G = sum of z F(z), N m */

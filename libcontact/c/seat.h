@@ -22,7 +22,7 @@ typedef struct contact_seat_options {
    * 7 to 20 s; each is then read in some 10 us, to 1e-3 of the load. 0: none */
   double least_load;
   double most_load;
-  /* That of contact_seat_table() of the same joint, instead. */
+  /* Table that contact_seat_table() gave of the same joint, instead. */
   const char* table;
   size_t table_size; /* bytes */
 } contact_seat_options;
@@ -53,7 +53,7 @@ typedef enum contact_seat_status {
 /* At a rim of the seat. */
 typedef struct contact_seat_rim {
   double intensity; /* K = lim p sqrt(2 pi s), Pa m^0.5; 0: not reached */
-  double longitude; /* where K is largest, rad, 0 or pi */
+  double longitude; /* place where K is largest, rad, 0 or pi */
   double half_arc;  /* over which the contact follows the rim, rad */
   double distance;  /* to the rim in the plane of the load, rad; 0: reached,
                        infinite: there is none */
@@ -77,8 +77,8 @@ typedef struct contact_seat_solution {
   double moment_coefficient; /* |M_t|/(rho R) */
   double nominal_area;       /* the area of catalogues, m^2 */
 
-  double shift[3];         /* of the ball's centre from concentric, m */
-  double pressure_at_load; /* where F pierces the seat, Pa */
+  double shift[3];         /* shift of the ball's centre from concentric, m */
+  double pressure_at_load; /* pressure where F pierces the seat, Pa */
   double peak_pressure;    /* largest p at 0.02 radii or more from rims, Pa */
   double peak_polar_angle; /* its place, rad */
   double peak_longitude;

@@ -11,14 +11,6 @@ namespace contact {
 
 namespace {
 
-double gap(const SeatState& state) {
-  return std::min(state.rims[0].gap, state.rims[1].gap);
-}
-
-bool is_at_rim(const SeatState& state) {
-  return state.rims[0].intensity > 0 || state.rims[1].intensity > 0;
-}
-
 // A table of the loads that reach a rim, if there are many of them. Friction
 // makes the force on the seat a little larger or smaller than the reaction.
 std::shared_ptr<const SeatTable> table_of(
@@ -94,31 +86,33 @@ double SeatCycle::rim_share() const {
   double all = 0, at_rim = 0;
   for (const Instant& row : rows_) {
     all += row.weight;
-    if (is_at_rim(row.solution.contact)) at_rim += row.weight;
+    if (row.solution.contact.intensity() > 0) at_rim += row.weight;
   }
   return at_rim / all;
 }
 
-const SeatCycle::Instant* SeatCycle::largest_peak() const {
-  const Instant* largest = nullptr;
-  double peak = 0;
+template <class Of>
+const SeatCycle::Instant* SeatCycle::largest(const Of& of) const {
+  const Instant* found = nullptr;
+  double value = -std::numeric_limits<double>::infinity();
   for (const Instant& row : rows_) {
-    if (!(row.solution.contact.peak_pressure > peak)) continue;
-    peak = row.solution.contact.peak_pressure;
-    largest = &row;
+    if (!(of(row.solution.contact) > value)) continue;
+    value = of(row.solution.contact);
+    found = &row;
   }
-  return largest;
+  return found;
+}
+
+const SeatCycle::Instant* SeatCycle::largest_peak() const {
+  return largest([](const SeatState& s) { return s.peak_pressure; });
 }
 
 const SeatCycle::Instant* SeatCycle::least_gap() const {
-  const Instant* nearest = nullptr;
-  double least = std::numeric_limits<double>::infinity();
-  for (const Instant& row : rows_) {
-    if (!(gap(row.solution.contact) < least)) continue;
-    least = gap(row.solution.contact);
-    nearest = &row;
-  }
-  return nearest;
+  return largest([](const SeatState& s) { return -s.gap(); });
+}
+
+const SeatCycle::Instant* SeatCycle::largest_intensity() const {
+  return largest([](const SeatState& s) { return s.intensity(); });
 }
 
 std::vector<std::string> SeatCycle::notes() const { return notes_; }

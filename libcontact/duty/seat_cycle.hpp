@@ -50,10 +50,15 @@ class SeatCycle {
   const Instant* largest_peak() const;
   /// The row whose contact is nearest to a rim; null if none has one.
   const Instant* least_gap() const;
+  /// The row with the largest K at a rim.
+  const Instant* largest_intensity() const;
   /// Notes on the cycle, a sentence for each reason.
   std::vector<std::string> notes() const;
 
  private:
+  template <class Of>
+  const Instant* largest(const Of& of) const;
+
   std::vector<Instant> rows_;
   std::vector<std::string> notes_;
   SeatTable::Check check_;

@@ -103,6 +103,28 @@ constexpr auto of_limit = std::to_array<Quantity<Rest>>({
      [](const Rest& s) -> const Eigen::Vector3d& { return s.direction; }},
 });
 
+constexpr Quantity<SeatCycle> of_cycle[] = {
+    {"rim_share", "seat_rim_share", Dimension::number,
+     "share of the time in which the contact is at a rim of its seat",
+     [](const SeatCycle& c) { return c.rim_share(); }},
+    {"least_gap", "seat_least_gap", Dimension::length,
+     "from the contact to the nearest rim along the seat",
+     [](const SeatCycle& c) { return c.least_gap()->solution.contact.gap(); },
+     "", [](const SeatCycle& c) { return c.least_gap() != nullptr; }},
+    {"largest_peak_pressure", "seat_largest_p_peak", Dimension::stress,
+     "largest pressure at 0.02 radii or more from every rim",
+     [](const SeatCycle& c) {
+       return c.largest_peak()->solution.contact.peak_pressure;
+     },
+     "", [](const SeatCycle& c) { return c.largest_peak() != nullptr; }},
+    {"largest_intensity", "seat_largest_K", Dimension::number,
+     "largest p sqrt(2 pi s) at a rim, s from it, Pa m^0.5",
+     [](const SeatCycle& c) {
+       return c.largest_intensity()->solution.contact.intensity();
+     },
+     "", [](const SeatCycle& c) { return c.largest_intensity() != nullptr; }},
+};
+
 constexpr auto of_rest =
     detail::joined(detail::lifted<Rest, &Rest::slip, of_joint>(), of_limit);
 
@@ -114,6 +136,10 @@ std::span<const Quantity<SeatJointSolution>> seat_joint_quantities() {
 
 std::span<const Quantity<SeatRestSolution>> seat_rest_quantities() {
   return of_rest;
+}
+
+std::span<const Quantity<SeatCycle>> seat_cycle_quantities() {
+  return of_cycle;
 }
 
 std::span<const Quantity<SeatState>> seat_quantities() { return of_seat; }

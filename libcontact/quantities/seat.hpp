@@ -2,6 +2,7 @@
 
 #include <span>
 
+#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/quantities/quantity.hpp"
 #include "libcontact/seat/joint.hpp"
 
@@ -13,5 +14,7 @@ std::span<const Quantity<SeatState>> seat_quantities();
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();
 /// With those of the sliding at the limit.
 std::span<const Quantity<SeatRestSolution>> seat_rest_quantities();
+/// The worst of a cycle.
+std::span<const Quantity<SeatCycle>> seat_cycle_quantities();
 
 }  // namespace contact

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <limits>
 #include <memory>
@@ -98,6 +99,14 @@ struct SeatState {
   double area = std::numeric_limits<double>::quiet_NaN();  ///< m^2
 
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< F, N
+
+  /// Distance from the nearer rim, m.
+  double gap() const { return std::min(rims[0].gap, rims[1].gap); }
+  /// The larger K, Pa m^(1/2); above 0 at a rim.
+  double intensity() const {
+    return std::max(rims[0].intensity, rims[1].intensity);
+  }
+
   /// The grid's solution; none if free.
   std::shared_ptr<const detail::SeatSolution> solution = {};
 };

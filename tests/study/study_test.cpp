@@ -13,7 +13,9 @@
 #include <thread>
 #include <vector>
 
+#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/seat/joint.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/force_law.hpp"
@@ -517,6 +519,152 @@ TEST_F(StudyFolder, InterferenceMayBeUnloaded) {
       ":4: load.reaction_kN = 0 must be above 0, as a joint without "
       "interference has no friction without load"))
       << text;
+}
+
+// Loads out of line with a ring reach a rim.
+TEST_F(StudyFolder, SeatsThatEndHaveTheirNumbers) {
+  const std::string file =
+      CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml";
+  const Study study(write(
+      "s.toml", "name = 'ring'\njoint = '" + file +
+                    "'\nruns = 4\n[load]\nreaction_kN = 1\nbeta_deg = 90\n"
+                    "in_seat = true\n[[requirement]]\nquantity = '*_gap_m'\n"
+                    "at_least = 1e-3\nsuccess = 0.9\n[[requirement]]\n"
+                    "quantity = 'K_low'\nat_most = 1\nsuccess = 0.9\n"
+                    "[[dispersion]]\nkey = 'load.beta_deg'\n"
+                    "kind = 'list'\nvalues = [90, 80]\n"));
+  const SeatJoint seat(read_joint(file));
+  const auto& columns = study.columns();
+  std::set<double> seen;
+  for (const std::uint64_t run : {1, 2, 3, 4}) {
+    const Row row = study.row(run);
+    EXPECT_EQ(row.failure, "");
+    const auto number = [&](const std::string& name) {
+      return row.numbers[std::ranges::find(columns, name) - columns.begin()];
+    };
+    const double b = number("load.beta_deg") * std::numbers::pi / 180;
+    seen.insert(number("load.beta_deg"));
+    const SeatJointSolution s = seat.solve(
+        {.reaction = 1e3 * Eigen::Vector3d(std::sin(b), 0, std::cos(b)),
+         .angular_velocity = {0, 0, 1}});
+    EXPECT_EQ(s.contact.is_free, number("load.beta_deg") == 90);
+    const auto& rims = s.contact.rims;
+    EXPECT_NEAR(number("lower_gap_m"), rims[0].gap, 1e-9);
+    EXPECT_NEAR(number("upper_gap_m"), rims[1].gap, 1e-9);
+    EXPECT_NEAR(number("K_low"), rims[0].intensity, 1e-3);
+  }
+  EXPECT_EQ(seen.size(), 2u);
+  EXPECT_EQ(study.nominal().at("free"), 1);
+  EXPECT_GT(study.nominal().at("M_t_N_m"), 1);
+}
+
+// The share is that of 48 times.
+TEST_F(StudyFolder, LoadsThatSwingAreAtTheRimForAShare) {
+  const std::string file =
+      CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml";
+  const auto numbers =
+      Study(write("s.toml",
+                  "name = 'ring'\njoint = '" + file +
+                      "'\nruns = 1\nload = { reaction_kN = 1, in_seat = true, "
+                      "swing_deg = 10 }\nquantities = 'seat_*'\n"
+                      "[[dispersion]]\nkey = 'load.swing_deg'\n"
+                      "kind = 'list'\nvalues = [10]\n"))
+          .nominal();
+  const SeatJoint seat(read_joint(file));
+  double at_rim = 0;
+  double largest = 0;
+  for (int i = 0; i < 48; ++i) {
+    const double b =
+        std::numbers::pi / 2 +
+        std::numbers::pi / 18 * std::sin(2 * std::numbers::pi * i / 48);
+    const SeatState s =
+        seat.solve(
+                {.reaction = 1e3 * Eigen::Vector3d(std::sin(b), 0, std::cos(b)),
+                 .angular_velocity = {0, 0, 1}})
+            .contact;
+    at_rim += s.intensity() > 0 ? 1 : 0;
+    largest = std::max(largest, s.intensity());
+  }
+  EXPECT_GT(at_rim, 5);
+  EXPECT_LT(at_rim, 43);
+  EXPECT_NEAR(numbers.at("seat_rim_share"), at_rim / 48, 1e-9);
+  EXPECT_NEAR(numbers.at("seat_largest_K") / largest, 1, 1e-4);
+  EXPECT_EQ(numbers.at("seat_least_gap_m"), 0);
+  EXPECT_GE(numbers.at("seat_largest_p_peak_Pa"), numbers.at("p_peak_Pa"));
+}
+
+TEST_F(StudyFolder, LoadsThatLeaveTheSeatFail) {
+  const auto study = [&](const char* beta) {
+    return write(
+        "s.toml",
+        std::string("name = 'cup'\njoint = '" CONTACT_DATA_DIR
+                    "/joints/spherical_plain_thrust_bearing.toml'\nruns = 1\n"
+                    "load = { reaction_kN = 1, in_seat = true, beta_deg = ") +
+            beta +
+            " }\nquantities = 'p_peak_Pa'\n[[dispersion]]\n"
+            "key = 'load.reaction_kN'\nkind = 'list'\nvalues = [2]\n");
+  };
+  EXPECT_EQ(Study(study("170")).row(1).failure, "");
+  EXPECT_TRUE(has_text(error_message([&] { const Study s(study("100")); }),
+                       "the load points 80 deg from the seat's axis"));
+}
+
+TEST_F(StudyFolder, PinsThatEndHaveTheirNumbers) {
+  const std::string file = CONTACT_DATA_DIR "/joints/relieved_bush.toml";
+  const auto study = [&](const std::string& load) {
+    return Study(write("s.toml", "name = 'bush'\njoint = '" + file +
+                                     "'\nruns = 1\nload = { reaction_kN = 100"
+                                     ", " +
+                                     load +
+                                     " }\nquantities = 'p_peak_Pa'\n"
+                                     "[[dispersion]]\nkey = "
+                                     "'load.reaction_N'\nkind = 'list'\n"
+                                     "values = [1e5]\n"));
+  };
+  const FinitePin pin(read_joint(file));
+  const double tilt = 0.02 * std::numbers::pi / 180;
+  const std::pair<std::string, FinitePinSolution> loads[] = {
+      {"tilt_deg = 0.02, twist_deg = 0.02",
+       pin.solve({1e5, 0}, {tilt, tilt}, 1)},
+      {"load_at_mm = 3", pin.solve_at({1e5, 0}, 3e-3, 1)}};
+  for (const auto& [load, s] : loads) {
+    const auto numbers = study(load).nominal();
+    EXPECT_NEAR(numbers.at("p_peak_Pa") / s.contact.peak_pressure, 1, 1e-9);
+    EXPECT_NEAR(numbers.at("G_x_N_m") / s.contact.force_moment.x(), 1, 1e-9);
+    EXPECT_NEAR(numbers.at("M_z_N_m") / s.moment.z(), 1, 1e-9);
+    EXPECT_GT(numbers.at("p_peak_over_limit"), 0);
+  }
+}
+
+TEST_F(StudyFolder, LoadsOfJointsThatEndAreChecked) {
+  const auto message = [&](const std::string& joint, const std::string& load) {
+    const std::string name = write(
+        "s.toml", "name = 'n'\njoint = '" CONTACT_DATA_DIR "/joints/" + joint +
+                      ".toml'\nruns = 1\nload = { reaction_kN = 1, " + load +
+                      " }\nquantities = 'p_peak_Pa'\n[[dispersion]]\n"
+                      "key = 'load.reaction_kN'\nkind = 'list'\n"
+                      "values = [2]\n");
+    return error_message([&] { const Study study(name); }).substr(name.size());
+  };
+  const std::string hip = "hip_cocr_uhmwpe";
+  const std::string bush = "relieved_bush";
+  EXPECT_EQ(message(hip, "in_seat = true"),
+            ": load.in_seat = true requires a joint with a [seat]");
+  EXPECT_EQ(message(hip, "swing_deg = 1"),
+            ": load.swing_deg = 1 requires in_seat");
+  EXPECT_EQ(message(hip, "tilt_deg = 1"), ": load.tilt_deg = 1 requires a pin");
+  EXPECT_EQ(message(bush, "twist_deg = 1"),
+            ": load.twist_deg = 1 requires tilt");
+  EXPECT_EQ(message(bush, "tilt_deg = 11"),
+            ": load.tilt_deg = 11 must be -10 to 10 deg");
+  EXPECT_EQ(message(bush, "load_at_mm = 26"),
+            ": load.load_at_mm = 26 must be -25 to 25 mm");
+  EXPECT_EQ(message(bush, "load_at_mm = 1, beta_deg = 80"),
+            ": load.beta_deg = 80 must be left out beside tilt and load_at: "
+            "the reaction is across the axis");
+  EXPECT_EQ(
+      message(bush, "load_at_mm = 1, tilt_deg = 0"),
+      ": load.tilt_deg = 0 must be left out beside load_at, which finds it");
 }
 
 TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/duty/tables.hpp"
 
@@ -116,17 +117,18 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
 }
 
 void add_seat(const contact::SeatCycle& seat, Report& to) {
-  to.add("seat_rim_share", seat.rim_share(),
-         "share of the time in which the contact is at a rim of its seat");
-  if (const auto* row = seat.least_gap()) {
-    const auto& rims = row->solution.contact.rims;
-    to.add("seat_least_gap_m", std::min(rims[0].gap, rims[1].gap),
-           "from the contact to the nearest rim along the seat", {row->time});
-  }
-  if (const auto* row = seat.largest_peak()) {
-    to.add("seat_largest_p_peak_Pa", row->solution.contact.peak_pressure,
-           "largest pressure at 0.02 radii or more from every rim",
-           {row->time});
+  const std::pair<std::string_view, const contact::SeatCycle::Instant*> rows[] =
+      {{"least_gap", seat.least_gap()},
+       {"largest_peak_pressure", seat.largest_peak()},
+       {"largest_intensity", seat.largest_intensity()}};
+  for (const auto& column : columns_of(contact::seat_cycle_quantities())) {
+    const auto* row = std::ranges::find(rows, column.quantity->key,
+                                        [](const auto& r) { return r.first; });
+    if (row == std::end(rows)) {
+      to.add(column.name, column(seat), column.meaning);
+    } else if (row->second) {
+      to.add(column.name, column(seat), column.meaning, {row->second->time});
+    }
   }
   const contact::SeatTable::Check& check = seat.check();
   if (check.states == 0) return;

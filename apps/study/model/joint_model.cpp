@@ -1,7 +1,6 @@
 #include "study/model/joint_model.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 #include <numbers>
 
@@ -9,6 +8,7 @@
 #include "libcontact/files/toml_form.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "study/model/joint_ends.hpp"
 
 namespace study {
 
@@ -17,10 +17,10 @@ using contact::KeySettings;
 using contact::TomlTable;
 
 struct JointModel::Loaded {
+  contact::JointSpec spec;
+  EndedLoad ended;
   contact::Joint joint;
-  double reaction;  ///< N
-  double beta;      ///< rad
-  double rate;      ///< rad/s
+  Turning turning;
 };
 
 namespace {
@@ -43,7 +43,8 @@ JointModel::JointModel(const Plan& plan)
   }
   const Loaded first = read(KeySettings{});
   // One that scatters about a clearance of 0 may be unloaded in some runs.
-  if (first.reaction == 0 && !first.joint.contact().has_interference()) {
+  if (first.turning.reaction == 0 &&
+      !first.joint.contact().has_interference()) {
     plan.file.table("load").must_be(
         "reaction",
         "above 0, as a joint without interference has no friction "
@@ -66,11 +67,14 @@ JointModel::Loaded JointModel::loaded(const TomlTable& joint,
   contact::SharedLaws laws = laws_;
   const contact::JointSpec spec = contact::joint_of_file(joint);
   const TomlTable load = study.table("load");
-  return {contact::Joint(spec.contact(laws)),
-          load.number("reaction", Interval::non_negative()),
-          load.optional_number("beta", {0, std::numbers::pi})
-              .value_or(std::numbers::pi / 2),
-          load.optional_number("rate", Interval::positive()).value_or(1)};
+  return {
+      spec,
+      read_ended_load(load, spec.geometry),
+      contact::Joint(spec.contact(laws)),
+      {.reaction = load.number("reaction", Interval::non_negative()),
+       .beta = load.optional_number("beta", {0, std::numbers::pi})
+                   .value_or(std::numbers::pi / 2),
+       .rate = load.optional_number("rate", Interval::positive()).value_or(1)}};
 }
 
 JointModel::Loaded JointModel::read(const KeySettings& settings) const {
@@ -129,16 +133,16 @@ Result JointModel::run(const std::vector<double>& draws, const Effort& effort,
 }
 
 Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
-  const contact::JointSolution s = loaded.joint.solve(
-      {loaded.reaction *
-           Eigen::Vector3d(std::sin(loaded.beta), 0, std::cos(loaded.beta)),
-       {0, 0, loaded.rate}});
-  if (s.status != contact::Status::ok) {
-    return {s.status == contact::Status::out_of_range
-                ? "the load is out of the range of the laws"
-                : "the solution did not converge",
-            {}};
+  const Turning& turning = loaded.turning;
+  if (loaded.ended.in_seat) {
+    return run_in_seat(loaded.spec, loaded.ended, turning, effort);
   }
+  if (loaded.ended.is_pin()) {
+    return run_pin_that_ends(loaded.spec, loaded.ended, turning, effort);
+  }
+  const contact::JointSolution s =
+      loaded.joint.solve({turning.force(), turning.angular_velocity()});
+  if (s.status != contact::Status::ok) return {failure_of(s.status), {}};
   const contact::JointContact& contact = loaded.joint.contact();
   const contact::ContactLimits limits = contact.limits();
   std::vector<std::string> warnings;

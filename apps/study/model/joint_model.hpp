@@ -9,7 +9,8 @@ namespace study {
 
 /// A joint under a reaction at an angle to its angular velocity: [load] of the
 /// study file. Numbers are named as hinge-joint's columns, with those of
-/// interference where the nominal joint has no clearance. Files are parsed and
+/// interference where the nominal joint has no clearance; with the keys of
+/// EndedLoad as those of joints that end. Files are parsed and
 /// keys that are drawn looked up once.
 class JointModel : public Model {
  public:

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
 #include "libcontact/files/toml_reader.hpp"
 #include "study/plan/plan.hpp"
 
@@ -29,6 +30,13 @@ struct Result {
   std::vector<Unreached> unreached = {};   ///< with Effort::remarks
   std::vector<std::string> warnings = {};  ///< with Effort::remarks
 };
+
+/// Why a joint has no solution.
+inline const char* failure_of(contact::Status status) {
+  return status == contact::Status::out_of_range
+             ? "the load is out of the range of the laws"
+             : "the solution did not converge";
+}
 
 /// Evaluations wanted along a run.
 struct Effort {
