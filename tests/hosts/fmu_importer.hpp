@@ -146,7 +146,10 @@ class FmuInstance {
       static const void* const callbacks[] = {
           reinterpret_cast<const void*>(&log_2), none, none, none, none};
       prefix_ = "fmi2";
-      const std::string uri = "file://" + fmu.resources();
+      std::string uri = "file://" + fmu.resources();
+      for (std::size_t at; (at = uri.find(' ')) != uri.npos;) {
+        uri.replace(at, 1, "%20");
+      }
       c_ = fmu.call<void*>("fmi2Instantiate", "it", use == exchange ? 0 : 1,
                            d.at("guid").c_str(), uri.c_str(), callbacks, 0, 0);
     } else {
