@@ -274,8 +274,17 @@ TEST_P(Versions, SayWhatIsWrong) {
   EXPECT_EQ(it.set_flag("reaction_x", true), 3);
   EXPECT_EQ(last_message(),
             "value reference 3 must be that of a variable of this type");
+  void* const none = nullptr;
+  EXPECT_EQ(it.call("SetFMUstate", none), 3);
+  EXPECT_EQ(last_message(), "state must be other than null");
   EXPECT_EQ(it.call("Reset"), 0);
   EXPECT_EQ(it.get("geometry.radius_mm"), 20);
+  // Files of another FMU, as those that somebody has edited are.
+  std::ofstream(fs::path(fmu->resources()) / "keys.txt") << "{another}\n";
+  EXPECT_THROW(const FmuInstance other(*fmu), std::runtime_error);
+  EXPECT_EQ(last_message(),
+            "guid, or instantiation token, must be that of "
+            "modelDescription.xml");
 }
 
 /// The pendulum of docs/simulator.md.
@@ -375,7 +384,7 @@ TEST(FmuSteps, PendulumRestsAsThePageSays) {
 /// them by halving.
 class Exchange {
  public:
-  Exchange(const FmuInstance& it, Pendulum p) : it_(it), p_(p) {}
+  Exchange(const FmuInstance& it, const Pendulum& p) : it_(it), p_(p) {}
 
   // Acceleration under the reaction that it causes.
   Vector3d acceleration(Pendulum& p) const {
