@@ -89,8 +89,7 @@ class Fmu {
     library_ = dlopen(binary().c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library_) throw std::runtime_error(dlerror());
   }
-  Fmu(const Fmu&) = delete;
-  Fmu& operator=(const Fmu&) = delete;
+  Fmu(Fmu&&) = delete;
   ~Fmu() { dlclose(library_); }
 
   const Element& description() const { return description_; }
@@ -161,8 +160,7 @@ class FmuInstance {
     }
     if (!c_) throw std::runtime_error("no instance: " + last_message());
   }
-  FmuInstance(const FmuInstance&) = delete;
-  FmuInstance& operator=(const FmuInstance&) = delete;
+  FmuInstance(FmuInstance&&) = delete;
   ~FmuInstance() { fmu_.call<void>((prefix_ + "FreeInstance").c_str(), c_); }
 
   /// A function of this instance by its name in FMI 2.0 without the prefix.
