@@ -50,8 +50,13 @@ Moments by_c(const std::string& file, const Rows& rows) {
   return all;
 }
 
+// Tests may run side by side.
 fs::path work(const std::string& name) {
-  return fs::path(testing::TempDir()) / ("contact_doors_" + name);
+  const fs::path folder =
+      fs::path(testing::TempDir()) / "contact_doors" /
+      testing::UnitTest::GetInstance()->current_test_info()->name();
+  fs::create_directories(folder);
+  return folder / name;
 }
 
 void run(const std::string& command) {

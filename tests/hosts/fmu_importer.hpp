@@ -89,8 +89,7 @@ class Fmu {
     library_ = dlopen(binary().c_str(), RTLD_NOW | RTLD_LOCAL);
     if (!library_) throw std::runtime_error(dlerror());
   }
-  Fmu(const Fmu&) = delete;
-  Fmu& operator=(const Fmu&) = delete;
+  Fmu(Fmu&&) = delete;
   ~Fmu() { dlclose(library_); }
 
   const Element& description() const { return description_; }
@@ -146,7 +145,10 @@ class FmuInstance {
       static const void* const callbacks[] = {
           reinterpret_cast<const void*>(&log_2), none, none, none, none};
       prefix_ = "fmi2";
-      const std::string uri = "file://" + fmu.resources();
+      std::string uri = "file://" + fmu.resources();
+      for (std::size_t at; (at = uri.find(' ')) != uri.npos;) {
+        uri.replace(at, 1, "%20");
+      }
       c_ = fmu.call<void*>("fmi2Instantiate", "it", use == exchange ? 0 : 1,
                            d.at("guid").c_str(), uri.c_str(), callbacks, 0, 0);
     } else {
@@ -158,8 +160,7 @@ class FmuInstance {
     }
     if (!c_) throw std::runtime_error("no instance: " + last_message());
   }
-  FmuInstance(const FmuInstance&) = delete;
-  FmuInstance& operator=(const FmuInstance&) = delete;
+  FmuInstance(FmuInstance&&) = delete;
   ~FmuInstance() { fmu_.call<void>((prefix_ + "FreeInstance").c_str(), c_); }
 
   /// A function of this instance by its name in FMI 2.0 without the prefix.

@@ -36,8 +36,8 @@ std::unique_ptr<Fmu> fmu_of(const std::string& file, int version = 2) {
                               "' --fmi " + std::to_string(version) +
                               " --output '" + fmu.string() + "'";
   if (std::system(command.c_str()) != 0) throw std::runtime_error(command);
-  return std::make_unique<Fmu>(fmu,
-                               work() / ("unzipped" + std::to_string(version)));
+  return std::make_unique<Fmu>(
+      fmu, work() / ("un zipped " + std::to_string(version)));
 }
 
 class Versions : public testing::TestWithParam<int> {};
@@ -65,6 +65,105 @@ TEST_P(Versions, CarryWhatTheyNeed) {
     pclose(pipe);
     EXPECT_EQ(inside > 0, file != folder + "ball.toml") << file;
   }
+}
+
+// A name that XML has to write otherwise; equal files make equal FMUs.
+TEST_P(Versions, AreNamedAfterTheirFile) {
+  const std::string name = "a & b \"<c>\"";
+  fs::create_directories(work());
+  const std::string file = work() / (name + ".toml");
+  fs::copy(folder + "ball.toml", file, fs::copy_options::overwrite_existing);
+  const auto bytes = [&] {
+    const auto fmu = fmu_of(file, GetParam());
+    EXPECT_EQ(fmu->description().attributes.at("modelName"), name);
+    std::ifstream zip(work() / "it.fmu");
+    return std::string(std::istreambuf_iterator<char>(zip), {});
+  };
+  const std::string first = bytes();
+  EXPECT_GT(first.size(), 1000u);
+  EXPECT_TRUE(bytes() == first);
+}
+
+// All outputs of steps and of friction alone are those of C.
+TEST_P(Versions, AnswerAsC) {
+  const auto fmu = fmu_of(folder + "ball.toml", GetParam());
+  contact_joint* joint = nullptr;
+  must(contact_joint_read((folder + "ball.toml").c_str(), nullptr, 0, &joint));
+  const FmuInstance it(*fmu);
+  it.set("wear_coefficient", 1e-15);
+  it.enter();
+  std::srand(1);
+  const Vector3d zero = Vector3d::Zero();
+  for (int i = 0; i < 1000; ++i) {
+    const bool steps = i % 2 == 0;
+    const Vector3d rate = i % 3 ? Vector3d(Vector3d::Random()) : zero;
+    const Vector3d reaction = 1000 * Vector3d::Random();
+    const Vector3d free = rate + 0.1 * Vector3d::Random();
+    const Matrix3d root = Matrix3d::Random();
+    const Matrix3d inertia = root * root.transpose() + Matrix3d::Identity();
+    it.set("rate", rate);
+    it.set("reaction", reaction);
+    it.set("free_rate", free);
+    for (int row = 0; row < 3; ++row) {
+      it.set(std::string("inertia_") + "xyz"[row],
+             steps ? Vector3d(inertia.row(row)) : zero);
+    }
+    contact_step wanted{};
+    contact_slip slip{};
+    Vector3d::Map(slip.reaction) = reaction;
+    Vector3d::Map(slip.angular_velocity) = rate;
+    if (steps) {
+      contact_step_start start{};
+      Vector3d::Map(start.reaction) = reaction;
+      Vector3d::Map(start.angular_velocity) = rate;
+      Vector3d::Map(start.free) = free;
+      must(contact_joint_step(joint, &start, inertia.data(), nullptr, &wanted));
+      Vector3d::Map(slip.angular_velocity) = Vector3d(wanted.angular_velocity);
+    } else {
+      must(contact_joint_solve(joint, &slip, nullptr, &wanted.solution));
+      Vector3d::Map(wanted.moment) = Vector3d(wanted.solution.friction_moment);
+      Vector3d::Map(wanted.angular_velocity) = rate;
+    }
+    const Vector3d moment(wanted.moment);
+    const Vector3d next(wanted.angular_velocity);
+    EXPECT_LE((it.vector("moment") - moment).norm(), 1e-12 * moment.norm());
+    EXPECT_LE((it.vector("next_rate") - next).norm(), 1e-12 * free.norm());
+    EXPECT_EQ(it.flag("holds"), wanted.holds != 0);
+    EXPECT_NEAR(it.get("half_angle"), wanted.solution.half_angle, 1e-13);
+    const double peak = wanted.solution.peak_pressure;
+    EXPECT_NEAR(it.get("peak_pressure"), peak, 1e-12 * peak);
+    EXPECT_NEAR(it.get("heat"), -moment.dot(next), 1e-12);
+    double pv = 0;
+    if (!next.isZero(0)) {
+      must(contact_rating_get(joint, &slip, &wanted.solution, "pv_total", &pv));
+    }
+    EXPECT_NEAR(it.get("wear_rate"), 1e-15 * pv, 1e-27 * pv);
+  }
+  contact_joint_free(joint);
+}
+
+// Outputs that are one step late change with DoStep alone.
+TEST_P(Versions, AreOneStepLateAtChoice) {
+  const auto fmu = fmu_of(folder + "pin.toml", GetParam());
+  const Vector3d rate(0, 0, 1);
+  Vector3d moments[2];
+  for (const bool late : {false, true}) {
+    const FmuInstance it(*fmu);
+    it.set_flag("one_step_late", late);
+    it.enter();
+    it.set("axis", rate);
+    it.set("rate", rate);
+    it.set("reaction", Vector3d(1000, 0, 0));
+    it.start();
+    const Vector3d first = it.vector("moment");
+    EXPECT_LT(first.z(), 0);
+    it.set("reaction", Vector3d(2000, 0, 0));
+    EXPECT_EQ(it.vector("moment") == first, late);
+    it.step(0, 0.1);
+    moments[late] = it.vector("moment");
+    EXPECT_LT(moments[late].z(), 1.9 * first.z());
+  }
+  EXPECT_EQ(moments[0], moments[1]);
 }
 
 TEST_P(Versions, SaveAndGoOn) {
@@ -175,8 +274,17 @@ TEST_P(Versions, SayWhatIsWrong) {
   EXPECT_EQ(it.set_flag("reaction_x", true), 3);
   EXPECT_EQ(last_message(),
             "value reference 3 must be that of a variable of this type");
+  void* const none = nullptr;
+  EXPECT_EQ(it.call("SetFMUstate", none), 3);
+  EXPECT_EQ(last_message(), "state must be other than null");
   EXPECT_EQ(it.call("Reset"), 0);
   EXPECT_EQ(it.get("geometry.radius_mm"), 20);
+  // Files of another FMU, as those that somebody has edited are.
+  std::ofstream(fs::path(fmu->resources()) / "keys.txt") << "{another}\n";
+  EXPECT_THROW(const FmuInstance other(*fmu), std::runtime_error);
+  EXPECT_EQ(last_message(),
+            "guid, or instantiation token, must be that of "
+            "modelDescription.xml");
 }
 
 /// The pendulum of docs/simulator.md.
@@ -276,7 +384,7 @@ TEST(FmuSteps, PendulumRestsAsThePageSays) {
 /// them by halving.
 class Exchange {
  public:
-  Exchange(const FmuInstance& it, Pendulum p) : it_(it), p_(p) {}
+  Exchange(const FmuInstance& it, const Pendulum& p) : it_(it), p_(p) {}
 
   // Acceleration under the reaction that it causes.
   Vector3d acceleration(Pendulum& p) const {

@@ -7,6 +7,7 @@ cd /usr/share/libcontact
 hinge-joint --joint joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 60
 hinge-study studies/hip.toml --runs 48 --journal /tmp/journal
 hinge-separation cases/two_stage_turn.toml --compare
+hinge-fmu cases/two_stage_turn.toml --output /tmp/turn.fmu
 cd /
 ln -s /usr/share/libcontact data
 # shellcheck disable=SC2046  # words

@@ -48,14 +48,13 @@ Status guarded(void* instance, const Work& work) noexcept {
 /// @return null if it cannot be made; the host is told why
 inline Instance* make_instance(Instance parts, const char* token) noexcept {
   try {
-    auto made = std::make_unique<Instance>(std::move(parts));
-    made->model = make_model(made->resources);
-    if (!token || made->model->token() != token) {
+    parts.model = make_model(parts.resources);
+    if (!token || parts.model->token() != token) {
       throw std::runtime_error(
           "guid, or instantiation token, must be that of "
           "modelDescription.xml");
     }
-    return made.release();
+    return std::make_unique<Instance>(std::move(parts)).release();
   } catch (const std::exception& wrong) {
     if (parts.log) parts.log(error, wrong.what());
     return nullptr;
@@ -112,7 +111,7 @@ inline Status reset(void* instance) noexcept {
 inline Status get_state(void* instance, void** state) noexcept {
   return guarded(instance, [=](Instance& i) {
     std::string bytes = i.model->save();
-    if (!*state) *state = new std::string;
+    if (!*state) *state = std::make_unique<std::string>().release();
     *static_cast<std::string*>(*state) = std::move(bytes);
   });
 }
@@ -145,7 +144,9 @@ inline Status serialize(void* instance, void* state, void* bytes,
 inline Status deserialize(void* instance, const void* bytes, std::size_t size,
                           void** state) noexcept {
   return guarded(instance, [=](Instance&) {
-    *state = new std::string(static_cast<const char*>(bytes), size);
+    *state =
+        std::make_unique<std::string>(static_cast<const char*>(bytes), size)
+            .release();
   });
 }
 

@@ -43,7 +43,8 @@ class Packer {
             fmt::format("{}_{}", ++count_, file.filename().string());
         node.ref<std::string>() = add(folder / file, packed, path);
       } else {
-        look_at(node, folder, path.empty() ? name : path + '.' + name);
+        look_at(node, folder,
+                path.empty() ? name : fmt::format("{}.{}", path, name));
       }
     }
   }

@@ -57,7 +57,10 @@ std::string token_of(const Resources& resources) {
     }
   };
   add(contact::version);
-  for (const auto& [name, text] : resources.files) add(name + '\n' + text);
+  for (const auto& [name, text] : resources.files) {
+    add(name);
+    add(text);
+  }
   return fmt::format("{{libcontact-{:016x}}}", hash);
 }
 

@@ -41,7 +41,7 @@ std::string platform(int version) {
 fs::path shared_object(const std::string& name) {
   const fs::path bin = fs::read_symlink("/proc/self/exe").parent_path();
   for (const char* const folder : {"../lib", "../" CONTACT_LIBDIR}) {
-    const fs::path path = (bin / folder / name).lexically_normal();
+    fs::path path = (bin / folder / name).lexically_normal();
     if (fs::exists(path)) return path;
   }
   throw contact::Error(name + " must be beside the program, in " +
