@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"
