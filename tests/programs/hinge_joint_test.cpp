@@ -698,7 +698,7 @@ TEST(HingeJoint, ConfinesABallToItsSeat) {
   const SeatJoint joint(joint_file("hip_cup"));
   const ProgramResult steep =
       folder.run(run + "100,-1900,-700 --rate-xyz 0.2,0,1");
-  const CsvTable table(steep);
+  const CsvTable table(steep.out);
   const SeatJointSolution s = joint.solve(
       {.reaction = {100, -1900, -700}, .angular_velocity = {0.2, 0, 1}});
   ASSERT_FALSE(s.contact.is_free);

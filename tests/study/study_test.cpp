@@ -68,7 +68,7 @@ class StudyFolder : public testing::Test {
     folder_.write(name, text);
     return path(name);
   }
-  std::string ball(onst std::string& from = "", const std::string& to = "") {
+  std::string ball(const std::string& from = "", const std::string& to = "") {
     std::string text = ball_text;
     if (!from.empty()) text.replace(text.find(from), from.size(), to);
     return write("s.toml", text);
