@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "libcontact/base/error.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/pair/layers.hpp"

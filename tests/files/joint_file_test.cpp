@@ -14,6 +14,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
+#include "libcontact/files/joint_tables.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/edited_file.hpp"

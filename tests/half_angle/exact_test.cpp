@@ -12,7 +12,6 @@
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "support/accuracy_report.hpp"
-#include "support/allocation_count.hpp"
 #include "support/elastic_cases.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <string>
 
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"

@@ -7,7 +7,6 @@
 #include <memory>
 #include <string>
 
-#include "libcontact/base/error.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"

@@ -3,11 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <string>
 
-#include "cli/number.hpp"
 #include "support/program.hpp"
 
 namespace contact::test {

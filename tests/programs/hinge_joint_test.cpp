@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/files/joint_file.hpp"
@@ -699,7 +698,7 @@ TEST(HingeJoint, ConfinesABallToItsSeat) {
   const SeatJoint joint(joint_file("hip_cup"));
   const ProgramResult steep =
       folder.run(run + "100,-1900,-700 --rate-xyz 0.2,0,1");
-  const CsvTable table(steep);
+  const CsvTable table(steep.out);
   const SeatJointSolution s = joint.solve(
       {.reaction = {100, -1900, -700}, .angular_velocity = {0.2, 0, 1}});
   ASSERT_FALSE(s.contact.is_free);

@@ -7,7 +7,6 @@
 #include <ostream>
 #include <string>
 
-#include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"

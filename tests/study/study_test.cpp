@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 #include <thread>
+#include <tuple>
 #include <vector>
 
 #include "libcontact/finite_pin/finite_pin.hpp"
@@ -69,7 +70,7 @@ class StudyFolder : public testing::Test {
     folder_.write(name, text);
     return path(name);
   }
-  std::string ball(onst std::string& from = "", const std::string& to = "") {
+  std::string ball(const std::string& from = "", const std::string& to = "") {
     std::string text = ball_text;
     if (!from.empty()) text.replace(text.find(from), from.size(), to);
     return write("s.toml", text);

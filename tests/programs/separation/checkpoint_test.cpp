@@ -7,7 +7,6 @@
 #include <cstdio>
 #include <string>
 #include <utility>
-#include <vector>
 
 #include "programs/separation/program_runs.hpp"
 
