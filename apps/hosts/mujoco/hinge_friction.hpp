@@ -86,11 +86,10 @@ class HingeFriction {
   bool has_reactions_ = false;
   int turns_ = 0;
   contact_sweeps sweeps_{};
-  Eigen::MatrixXd inertia_;  // H
-  Eigen::LLT<Eigen::MatrixXd>
-      damped_;              // Cholesky factor of H, where there is damping
-  Eigen::MatrixXd weight_;  // W
-  Eigen::VectorXd force_;   // generalized, of friction
+  Eigen::MatrixXd inertia_;             // H
+  Eigen::LLT<Eigen::MatrixXd> damped_;  // its factor, where there is damping
+  Eigen::MatrixXd weight_;              // W
+  Eigen::VectorXd force_;               // generalized, of friction
 };
 
 }  // namespace contact_hosts::mujoco
