@@ -53,11 +53,6 @@ std::string folder_of(std::string_view uri) {
 
 }  // namespace
 
-// Functions that a host asks for though this FMU has nothing for them. Callers
-// hand more arguments, which stay unread.
-#define CONTACT_NOTHING(name, status) \
-  int name(void*) { return status; }
-
 extern "C" {
 
 const char* fmi2GetTypesPlatform() { return "default"; }

@@ -11,10 +11,6 @@ using Log = void (*)(void* environment, int status, const char* category,
 
 }  // namespace
 
-// Functions that a host asks for though this FMU has nothing for them. Callers
-// hand more arguments, which stay unread.
-#define CONTACT_NOTHING(name, status) \
-  int name(void*) { return status; }
 #define CONTACT_NO_TYPE(type)           \
   CONTACT_NOTHING(fmi3Get##type, error) \
   CONTACT_NOTHING(fmi3Set##type, error)

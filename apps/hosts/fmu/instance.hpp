@@ -151,3 +151,8 @@ inline Status deserialize(void* instance, const void* bytes, std::size_t size,
 }
 
 }  // namespace contact_hosts::fmu
+
+/// A function of FMI that a host asks for though this FMU has nothing for it.
+/// Callers hand more arguments, which stay unread.
+#define CONTACT_NOTHING(name, status) \
+  int name(void*) { return status; }

@@ -112,12 +112,14 @@ std::string structure(const Model& model, int version) {
 }
 
 std::string interface(const Description& d, const char* element) {
-  const char* const state = d.version == 2 ? "FMUstate" : "FMUState";
+  const bool is_2 = d.version == 2;
+  const char* const state = is_2 ? "FMUstate" : "FMUState";
   const bool steps = std::string_view(element) == "CoSimulation";
   return fmt::format(
       "  <{0} modelIdentifier=\"{1}\" canGetAndSet{2}=\"true\" "
-      "canSerialize{2}=\"true\"{3}/>\n",
+      "canSerialize{2}=\"true\"{3}{4}/>\n",
       element, d.identifier, state,
+      is_2 ? " canNotUseMemoryManagementFunctions=\"true\"" : "",
       steps ? " canHandleVariableCommunicationStepSize=\"true\"" : "");
 }
 

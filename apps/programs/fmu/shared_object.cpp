@@ -51,7 +51,7 @@ fs::path shared_object(const std::string& name) {
 std::map<std::string, fs::path> carried_libraries(const fs::path& object) {
   static const std::regex line_of(R"(\s*(\S+) => (.*) \(0x.*\))");
   static const std::regex runtime(
-      R"((libc|libm|libdl|librt|libpthread|libgcc_s|libstdc\+\+)\.so.*)");
+      R"((libc|libm|libdl|librt|libpthread|libgcc_s|libstdc\+\+|lib.*san)\.so.*)");
   std::map<std::string, fs::path> all;
   std::istringstream lines(said_by_loader(object));
   std::smatch match;

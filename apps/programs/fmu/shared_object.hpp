@@ -14,7 +14,7 @@ std::string platform(int version);
 std::filesystem::path shared_object(const std::string& name);
 
 /// Libraries that a shared object loads, but for the C and C++ runtime, which
-/// every Linux has: paths by names.
+/// every Linux has, and the runtime of sanitizers: paths by names.
 /// @throws contact::Error if one is missing
 std::map<std::string, std::filesystem::path> carried_libraries(
     const std::filesystem::path& object);
