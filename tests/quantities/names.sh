@@ -79,6 +79,8 @@ columns hinge-identify-residuals "$out/residuals"
 table columns hinge-identify-report hinge-identify \
   --joint data/duty/torque_rig.toml --data data/duty/torque_rig.csv --profile
 table lines study-of-joint hinge-study data/studies/hip.toml --quantities
+table lines study-of-seat hinge-study data/studies/ring_out_of_line.toml \
+  --quantities
 table lines study-of-case hinge-study data/studies/soyuz.toml --quantities
 "$python" - <<'END'
 import libcontact

@@ -98,9 +98,9 @@ EndedLoad read_ended_load(const contact::TomlTable& load,
   return ended;
 }
 
-Result run_in_seat(const contact::JointSpec& joint, const EndedLoad& load,
+Result run_in_seat(const contact::JointSpec& joint,
+                   const contact::SeatJoint& seat, const EndedLoad& load,
                    const Turning& turning, const Effort& effort) {
-  const contact::SeatJoint seat(joint);
   const contact::SeatJointSolution s =
       seat.solve({.reaction = turning.force(),
                   .angular_velocity = turning.angular_velocity()});

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "libcontact/joint/spec.hpp"
+#include "libcontact/seat/joint.hpp"
 #include "study/model/model.hpp"
 
 /// Joints whose contact ends: what [load] of a study says of them, and their
@@ -43,7 +44,9 @@ struct Turning {
 
 /// As hinge-joint --in-seat; with a swing the worst of a cycle too, as
 /// hinge-duty --in-seat has it.
-Result run_in_seat(const contact::JointSpec& joint, const EndedLoad& load,
+/// @param seat  of the joint
+Result run_in_seat(const contact::JointSpec& joint,
+                   const contact::SeatJoint& seat, const EndedLoad& load,
                    const Turning& turning, const Effort& effort);
 
 /// As hinge-joint --tilt or --load-at.

@@ -29,6 +29,13 @@ bool is_of_load(const std::string& key) { return key.starts_with("load."); }
 
 }  // namespace
 
+/// The nominal joint in its seat, whose matrices take up to a second: where
+/// only the load scatters it serves all runs.
+struct JointModel::Seat {
+  contact::JointSpec spec;
+  contact::SeatJoint joint{spec};
+};
+
 /// The files with the drawn keys.
 struct JointModel::Form {
   contact::TomlForm joint, study;
@@ -50,6 +57,7 @@ JointModel::JointModel(const Plan& plan)
         "above 0, as a joint without interference has no friction "
         "without load");
   }
+  if (first.ended.in_seat) seat_ = std::make_unique<const Seat>(first.spec);
 }
 
 JointModel::~JointModel() = default;
@@ -135,7 +143,11 @@ Result JointModel::run(const std::vector<double>& draws, const Effort& effort,
 Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   const Turning& turning = loaded.turning;
   if (loaded.ended.in_seat) {
-    return run_in_seat(loaded.spec, loaded.ended, turning, effort);
+    return seat_ && loaded.spec == seat_->spec
+               ? run_in_seat(loaded.spec, seat_->joint, loaded.ended, turning,
+                             effort)
+               : run_in_seat(loaded.spec, contact::SeatJoint(loaded.spec),
+                             loaded.ended, turning, effort);
   }
   if (loaded.ended.is_pin()) {
     return run_pin_that_ends(loaded.spec, loaded.ended, turning, effort);

@@ -28,6 +28,7 @@ class JointModel : public Model {
 
  private:
   struct Loaded;
+  struct Seat;
   struct Form;
   Loaded loaded(const contact::TomlTable& joint,
                 const contact::TomlTable& study) const;
@@ -40,6 +41,7 @@ class JointModel : public Model {
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
+  std::unique_ptr<const Seat> seat_;
   mutable Pool<Form> forms_;
 };
 
