@@ -29,6 +29,16 @@ Member pin(double position, const FrictionModel& friction) {
   return {steel_pin(friction, JointBody::carrier, 0.08), position};
 }
 
+void solve(const JointGroup& group, const Vector3d& reaction,
+           const Vector3d& moment, const Vector3d& axis,
+           double angular_velocity, Solution& solution) {
+  group.solve({.reaction = reaction,
+               .moment = moment,
+               .axis = axis,
+               .angular_velocity = angular_velocity},
+              solution);
+}
+
 // R and M of a group from its joints: the sums that they have to give.
 struct Sums {
   Vector3d force = Vector3d::Zero();
@@ -66,11 +76,7 @@ TEST(JointGroup, BallAndPinReproduceTheirForceAndMoment) {
     const Vector3d across = given - given.dot(axis) * axis;
     Solution solution = group.make_solution();
     const double rate = random.uniform() - 0.5;
-    group.solve({.reaction = reaction,
-                 .moment = given,
-                 .axis = axis,
-                 .angular_velocity = rate},
-                solution);
+    solve(group, reaction, given, axis, rate, solution);
     const std::string label = "input " + std::to_string(i);
     ASSERT_EQ(solution.status, Status::ok) << label;
     most_rounds = std::max(most_rounds, solution.iterations);
@@ -87,16 +93,8 @@ TEST(JointGroup, BallAndPinReproduceTheirForceAndMoment) {
               1e-15 * reaction.norm());
     // A start from another state gives the same.
     Solution again = solution;
-    group.solve({.reaction = 1.01 * reaction,
-                 .moment = given,
-                 .axis = axis,
-                 .angular_velocity = rate},
-                again);
-    group.solve({.reaction = reaction,
-                 .moment = given,
-                 .axis = axis,
-                 .angular_velocity = rate},
-                again);
+    solve(group, 1.01 * reaction, given, axis, rate, again);
+    solve(group, reaction, given, axis, rate, again);
     EXPECT_NEAR(again.friction_moment / solution.friction_moment, 1, 1e-11);
   }
   std::printf("most rounds %d\n", most_rounds);
@@ -106,11 +104,7 @@ TEST(JointGroup, BallAndPinReproduceTheirForceAndMoment) {
 TEST(JointGroup, LeverRule) {
   const JointGroup group({ball(0, FrictionLaw(0)), pin(2, FrictionLaw(0))});
   Solution s = group.make_solution();
-  group.solve({.reaction = {10, 0, 7},
-               .moment = {0, 6, 0},
-               .axis = {0, 0, 1},
-               .angular_velocity = 1},
-              s);
+  solve(group, {10, 0, 7}, {0, 6, 0}, {0, 0, 1}, 1, s);
   EXPECT_LE((s.joints[0].reaction - Vector3d(7, 0, 7)).norm(), 1e-14);
   EXPECT_LE((s.joints[1].reaction - Vector3d(3, 0, 0)).norm(), 1e-14);
   EXPECT_EQ(s.friction_moment, 0);
@@ -125,11 +119,7 @@ TEST(JointGroup, TwoBallsShare) {
   const Vector3d reaction(1.122e6, 3.23e5, 0);
   const Vector3d axis(0, 0, 1);
   Solution s = group.make_solution();
-  group.solve({.reaction = 2 * reaction,
-               .moment = Vector3d::Zero(),
-               .axis = axis,
-               .angular_velocity = 0.1},
-              s);
+  solve(group, 2 * reaction, Vector3d::Zero(), axis, 0.1, s);
   ASSERT_EQ(s.status, Status::ok);
   const Joint& alone = joints[0].joint;
   const JointSolution one = alone.solve({reaction, 0.1 * axis});
@@ -138,11 +128,7 @@ TEST(JointGroup, TwoBallsShare) {
   const JointGroup uneven(joints, Sharing{{1, 3}, {0.2, 0.8}});
   Solution t = uneven.make_solution();
   const Vector3d oblique(2e5, 0, 1e5);
-  uneven.solve({.reaction = oblique,
-                .moment = Vector3d::Zero(),
-                .axis = axis,
-                .angular_velocity = 0},
-               t);
+  solve(uneven, oblique, Vector3d::Zero(), axis, 0, t);
   EXPECT_NEAR(t.joints[0].reaction.z(), 0.2e5, 1e-9);
   EXPECT_NEAR(t.joints[1].reaction.z(), 0.8e5, 1e-9);
   // Determinate across the axis: stiffness has no influence.
@@ -160,11 +146,7 @@ TEST(JointGroup, ThreeSupportsFollowTheirStiffness) {
   const double forces[] = {2 * 3.0, 1 * 5.0, 3 * 9.0};
   const Vector3d reaction(6 + 5 + 27, 0, 0);
   const Vector3d moment(0, -6 + 0 + 54, 0);
-  group.solve({.reaction = reaction,
-               .moment = moment,
-               .axis = {0, 0, 1},
-               .angular_velocity = 0},
-              s);
+  solve(group, reaction, moment, {0, 0, 1}, 0, s);
   for (int i = 0; i < 3; ++i) {
     EXPECT_NEAR(s.joints[i].reaction.x(), forces[i], 1e-13) << i;
   }
@@ -177,20 +159,12 @@ TEST(JointGroup, RestAndUtilisation) {
   const Vector3d moment(4e4, -1e4, 0);
   const Vector3d axis(0, 0, 1);
   Solution s = group.make_solution();
-  group.solve({.reaction = reaction,
-               .moment = moment,
-               .axis = axis,
-               .angular_velocity = 0},
-              s);
+  solve(group, reaction, moment, axis, 0, s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_EQ(s.friction_moment, 0);
   EXPECT_EQ(s.joints[0].state, JointState::resting);
   Solution slide = group.make_solution();
-  group.solve({.reaction = reaction,
-               .moment = moment,
-               .axis = axis,
-               .angular_velocity = -1e-6},
-              slide);
+  solve(group, reaction, moment, axis, -1e-6, slide);
   EXPECT_NEAR(group.utilisation({.reaction = reaction,
                                  .moment = moment,
                                  .axis = axis,
@@ -209,18 +183,10 @@ TEST(JointGroup, ViscousJointsGoThroughTheSameNode) {
   const JointGroup group({ball(0, oil), pin(1, oil)});
   Solution s = group.make_solution();
   const Vector3d axis(0, 0, 1);
-  group.solve({.reaction = {1e5, 0, 0},
-               .moment = {0, 4e4, 0},
-               .axis = axis,
-               .angular_velocity = 1},
-              s);
+  solve(group, {1e5, 0, 0}, {0, 4e4, 0}, axis, 1, s);
   ASSERT_EQ(s.status, Status::ok);
   const double fast = s.friction_moment;
-  group.solve({.reaction = {1e5, 0, 0},
-               .moment = {0, 4e4, 0},
-               .axis = axis,
-               .angular_velocity = 1e-6},
-              s);
+  solve(group, {1e5, 0, 0}, {0, 4e4, 0}, axis, 1e-6, s);
   // Linear in the rate while friction does not move the contact.
   EXPECT_NEAR(s.friction_moment / (1e-6 * fast), 1, 0.02);
   EXPECT_EQ(group.utilisation({.reaction = {1e5, 0, 0},
@@ -272,19 +238,11 @@ TEST(JointGroup, NanGivesStatusAndNothingAllocates) {
   const JointGroup group({ball(0, friction), pin(1, friction)});
   Solution s = group.make_solution();
   const std::size_t before = allocation_count();
-  group.solve({.reaction = {nan, 0, 0},
-               .moment = {0, 0, 0},
-               .axis = {0, 0, 1},
-               .angular_velocity = 1},
-              s);
+  solve(group, {nan, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
   EXPECT_EQ(s.status, Status::out_of_range);
   EXPECT_TRUE(std::isnan(s.friction_moment));
   // And recovers.
-  group.solve({.reaction = {1e4, 0, 0},
-               .moment = {0, 0, 0},
-               .axis = {0, 0, 1},
-               .angular_velocity = 1},
-              s);
+  solve(group, {1e4, 0, 0}, {0, 0, 0}, {0, 0, 1}, 1, s);
   EXPECT_EQ(s.status, Status::ok);
   EXPECT_LT(s.friction_moment, 0);
   EXPECT_EQ(allocation_count(), before);

@@ -47,9 +47,8 @@ class EveryJoint : public testing::Test {
  protected:
   ProgramResult run(const JointText& joint, const std::string& command) const {
     folder_.write("joint.toml", joint.toml);
-    const ProgramResult result = folder_.run(command);
-    EXPECT_EQ(result.status, 0) << joint.name << '\n' << result.err;
-    return result;
+    SCOPED_TRACE(joint.name);
+    return folder_.run_well(command);
   }
 
   ProgramFolder folder_;

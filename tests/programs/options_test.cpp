@@ -15,6 +15,8 @@
 namespace contact::test {
 namespace {
 
+using namespace std::string_literals;
+
 // Numbers with units at the command line are those without.
 struct Same {
   std::string run;
@@ -94,15 +96,19 @@ class UnitOptions : public testing::TestWithParam<Same> {};
 TEST_P(UnitOptions, AreTheSameNumbers) {
   const auto& [run, with, without] = GetParam();
   const ProgramFolder folder;
-  const auto expected = folder.run(run + without);
-  ASSERT_EQ(expected.status, 0) << run << without << '\n' << expected.err;
-  const auto result = folder.run(run + with);
-  EXPECT_EQ(result.status, 0) << run << with << '\n' << result.err;
-  EXPECT_EQ(result.out, expected.out) << run << with;
+  EXPECT_EQ(folder.run_well(run + with).out, folder.run_well(run + without).out)
+      << run << with;
 }
 
+const std::string duty =
+    "hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle "
+    "data/reference/duty/cycle_hip_in.csv --euler zxy ";
+const std::string rig =
+    "hinge-identify --joint data/duty/torque_rig.toml --data "
+    "data/duty/torque_rig.csv ";
+
 INSTANTIATE_TEST_SUITE_P(
-    Angle, UnitOptions,
+    OfPrograms, UnitOptions,
     testing::Values(
         Same{"hinge-angle --load ", "0.1kN:2kN:log3" + hip,
              "100:2000:log3" + hip},
@@ -113,16 +119,8 @@ INSTANTIATE_TEST_SUITE_P(
         Same{"hinge-angle --law tanh --load 2000 --limit-angle ",
              "1.5707963267948966rad" + hip, "90" + hip},
         Same{"hinge-angle --law exact --load 2000 --loading ",
-             "back:30deg" + hip, "back:30" + hip}));
-
-INSTANTIATE_TEST_SUITE_P(Pressure, UnitOptions,
-                         testing::Values(Same{
-                             "hinge-pressure --summary --load ", "2kN" + hip,
-                             "2000" + hip}));
-
-INSTANTIATE_TEST_SUITE_P(
-    Joint, UnitOptions,
-    testing::Values(
+             "back:30deg" + hip, "back:30" + hip},
+        Same{"hinge-pressure --summary --load ", "2kN" + hip, "2000" + hip},
         Same{"hinge-joint" + hip, "--reaction 2kN --beta 30deg --rate 60rpm",
              "--reaction 2000 --beta 30 --rate 6.283185307179586"},
         Same{"hinge-joint" + hip, "--normal-force 2kN --alpha 30deg",
@@ -139,35 +137,18 @@ INSTANTIATE_TEST_SUITE_P(
         Same{"hinge-joint --reaction 1e3 --friction 0.1 --joint pin --radius "
              "25mm --clearance 25um --backing rigid" +
                  pair,
-             "--length 3cm --wall 0.5cm", "--length 0.03 --wall 5mm"}));
-
-const std::string duty =
-    "hinge-duty --joint data/reference/duty/cycle_hip.toml --cycle "
-    "data/reference/duty/cycle_hip_in.csv --euler zxy ";
-const std::string rig =
-    "hinge-identify --joint data/duty/torque_rig.toml --data "
-    "data/duty/torque_rig.csv ";
-
-INSTANTIATE_TEST_SUITE_P(
-    Duty, UnitOptions,
-    testing::Values(
+             "--length 3cm --wall 0.5cm", "--length 0.03 --wall 5mm"},
         Same{duty, "--period 1000ms", "--period 1"},
         Same{duty, "--friction 0.1 --adhesion 0.5kPa",
              "--friction 0.1 --adhesion 500"},
         Same{duty, "--viscous 2MPa*s/m,0.1s/m", "--viscous 2e6,0.1"},
-        Same{rig + "--fit f0 ", "--adhesion 1MPa", "--adhesion 1e6"}));
-
-INSTANTIATE_TEST_SUITE_P(Table, UnitOptions,
-                         testing::Values(Same{"hinge-table ",
-                                              "--theta0 30deg --alpha 45deg",
-                                              "--theta0 30 --alpha 45"}));
-
-INSTANTIATE_TEST_SUITE_P(Separation, UnitOptions,
-                         testing::Values(Same{
-                             "hinge-separation data/cases/flywheels.toml "
-                             "--checkpoint c.cbor ",
-                             "--checkpoint-every 20000ms --time-limit 1e6ms",
-                             "--checkpoint-every 20"}));
+        Same{rig + "--fit f0 ", "--adhesion 1MPa", "--adhesion 1e6"},
+        Same{"hinge-table ", "--theta0 30deg --alpha 45deg",
+             "--theta0 30 --alpha 45"},
+        Same{"hinge-separation data/cases/flywheels.toml "
+             "--checkpoint c.cbor ",
+             "--checkpoint-every 20000ms --time-limit 1e6ms",
+             "--checkpoint-every 20"}));
 
 // --columns, --separator and --decimal-comma in every program, and printed
 // tables that fit on a page.
@@ -180,22 +161,15 @@ std::ostream& operator<<(std::ostream& to, const Run& run) {
 }
 
 const std::vector<Run> runs = {
-    {"hinge-angle --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
-     "100:2000:log3",
-     {"theta0_fitted_deg", "load_N"}},
-    {"hinge-angle --compare --joint data/joints/hip_cocr_uhmwpe_infinite.toml "
-     "--load 100:2000:log3",
+    {"hinge-angle --load 100:2000:log3" + hip, {"theta0_fitted_deg", "load_N"}},
+    {"hinge-angle --compare --load 100:2000:log3" + hip,
      {"recommended", "law"}},
-    {"hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load "
-     "2000 "
-     "--points 3",
+    {"hinge-pressure --load 2000 --points 3" + hip,
      {"theta_deg", "p_exact_Pa", "load_N"}},
     {"hinge-table --theta0 10,20 --alpha 0,30", {"chi_cosine", "theta0_deg"}},
     {"printf 'theta0_deg,alpha_deg,t\\n40,15,0.5\\n' | hinge-table --points -",
      {"t", "chi_cosine"}},
-    {"hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml --reaction "
-     "1,2 "
-     "--beta 30",
+    {"hinge-joint --reaction 1,2 --beta 30" + hip,
      {"theta0_deg", "state", "R_N"}},
     {"hinge-joint --joint data/joints/paper_example_1.toml --reaction 2.63e5 "
      "--beta 67.6 --trace",
@@ -262,12 +236,10 @@ std::size_t widest_line(const std::string& text) {
 TEST(PrintedTables, FitOnAPage) {
   const ProgramFolder folder;
   for (const std::string run :
-       {"hinge-joint --joint data/joints/hip_cocr_uhmwpe_infinite.toml --beta "
-        "30 "
-        "--reaction 10:1000:log20",
-        "hinge-table --theta0 5:90:5 --alpha 0:90:5",
-        "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --law all",
-        "hinge-pressure --joint ball --modulus-ratio 1 --x 1 --summary"}) {
+       {"hinge-joint --beta 30 --reaction 10:1000:log20" + hip,
+        "hinge-table --theta0 5:90:5 --alpha 0:90:5"s,
+        "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --law all"s,
+        "hinge-pressure --joint ball --modulus-ratio 1 --x 1 --summary"s}) {
     const auto result = folder.run_well(run + " --format markdown");
     EXPECT_GT(widest_line(result.out), 20U) << run;
     EXPECT_LE(widest_line(result.out), 100U) << run << result.out;
@@ -389,9 +361,7 @@ using Rows = std::vector<std::vector<std::string>>;
 class ComparedJoints : public testing::Test {
  protected:
   Rows rows(const std::string& command) const {
-    const auto result = folder_.run(command);
-    EXPECT_EQ(result.status, 0) << command << '\n' << result.err;
-    return csv_rows(result.out);
+    return csv_rows(folder_.run_well(command).out);
   }
   // Without the first cells of each row, and without the header.
   static Rows without(Rows rows, std::ptrdiff_t cells) {
