@@ -224,7 +224,7 @@ class Cycles(unittest.TestCase):
             ((time, {"rates": angles, "sequence": "zxy"}), "requires angles"),
             ((time, {"rates": angles, "force_on": "air"}),
              'force_on = "air" must be "carrier" or "body"'),
-            ((uneven, {"rates": angles}), "uneven steps requires period"),
+            ((uneven, {"rates": angles}), "uneven time steps requires period"),
             ((time[::-1], {"rates": angles, "period": 1.0}), "must be"),
             ((time, {"rates": angles, "period": 0.5}), "must be"),
             ((time, {"rates": angles[:, :2]}), r"rates of shape"),

@@ -700,7 +700,7 @@ TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
   EXPECT_EQ(message("event.release.arm.time_s"),
             place +
                 "event.release.arm.time_s\": event \"release\" does not "
-                "come for arm in the nominal run");
+                "occur for arm in the nominal run");
   EXPECT_TRUE(
       has_text(message("other.at_release.rate_deg_per_s"), "unknown quantity"));
   EXPECT_EQ(message("*"),
