@@ -59,6 +59,7 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.peak_longitude, s.contact.peak_place.longitude);
   copy(c.lower_end, s.contact.lower_end);
   copy(c.upper_end, s.contact.upper_end);
+  copy(c.half_width, s.contact.half_width);
   copy(c.force_ratio, s.contact.force_ratio);
   copy(c.contact_area, s.contact.area);
   for (const int rim : {0, 1}) {

@@ -84,6 +84,7 @@ typedef struct contact_seat_solution {
   double peak_longitude;
   double lower_end; /* ends of the contact in the plane of the load, rad */
   double upper_end;
+  double half_width;        /* from F to its end across that plane, rad */
   double force_ratio;       /* S, sum of the pressures over F */
   double contact_area;      /* m^2 */
   contact_seat_rim rims[2]; /* lower, upper */
