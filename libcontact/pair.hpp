@@ -6,6 +6,7 @@
 #include "libcontact/pair/material.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/fit.hpp"
+#include "libcontact/pair/spherical_bearing.hpp"
 #include "libcontact/pair/friction_stress.hpp"
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/inner_loading.hpp"

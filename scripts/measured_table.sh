@@ -156,3 +156,69 @@ ours=$(for angle in 10 70; do at_half_angle ball $angle sigma_Y_0; done |
 row "$(ref "SKF 4407" skf-4407), radial spherical plain bearings" catalogue \
   "friction moment over f P d/2: 1" "half-angles of 10 to 70 deg" "$ours" \
   "at its lower end" "a convention: f of catalogues is f_M"
+
+# GROUP: a steel bearing GE 50.
+ge50() {
+  cat >ge50.toml <<END
+name = "GE 50"
+kind = "ball"
+[geometry]
+designation = "GE50DO"
+clearance_group = "$1"
+[materials]
+pair = "$data/materials/steel_steel.toml"
+[friction]
+coefficient = 0.1
+END
+}
+ours=$(for group in C2 C3; do ge50 $group
+  joint ge50.toml M_t_N_m --reaction 45180 --beta 90 |
+    awk '{print $1 / (0.1 * 45180 * 0.033)}'; done | interval %.3f)
+row "$(ref "INA 238" ina-238), GE 50 DO, page 100" catalogue \
+  "friction moment over f P d_K/2: 1" "45.18 kN, groups C2 to C3, f0 0.1" "$ours" \
+  "at its lower end" "the example's contact is narrow: a convention again"
+ours=$(ge50 CN; joint ge50.toml p_nominal_Pa --reaction 45180 --beta 90 --in-seat |
+  awk '{printf "%.2f", $1 / 1e6}')
+row "$(ref "INA 238" ina-238), GE 50 DO, page 100" catalogue \
+  "specific load K P/C_r, MPa, 28.96" "45.18 kN over d_K C" "$ours" outside \
+  "C_r = 156 kN stands for 84 % of d_K C: the ring's grooves bear nothing"
+
+# LINER_mm NU CLEARANCE_um LOAD BETA: friction moment of a lined ball of 25.4 mm.
+gimbal() {
+  walled_joint gimbal.toml ball 12.7 "$3" "207 0.292" "3.1 $2" "207 0.292" "$1"
+  printf '[friction]\ncoefficient = 0.06\n' >>gimbal.toml
+  joint gimbal.toml M_t_N_m --reaction "$4" --beta "$5"
+}
+gimbal_interval() { # LOAD BETA
+  for liner in 0.3 0.5; do for nu in 0.3 0.45; do for clearance in 2 20; do
+    gimbal $liner $nu $clearance "$1" "$2"; done; done; done | interval %.1f
+}
+for load in 15 22.5; do
+  textbook=$(awk -v load="$load" 'BEGIN {printf "%.1f", 0.06 * load * 12.7}')
+  row "f F r, gimbal bearing of 25.4 mm at $load kN" textbook \
+    "breakaway $textbook N m with f = 0.06" \
+    "liner 0.3 to 0.5 mm of 3.1 GPa, nu 0.3 to 0.45, radial clearance 2 to 20 um" \
+    "$(gimbal_interval "${load}kN" 90) N m across the load, $(gimbal_interval "${load}kN" 0) spinning about it" \
+    "between them" "it knows neither the contact's width nor spinning"
+done
+
+# A polymer bush of 3 mm in a cold rigid shell, warmer by 30 K, on a rigid pin of
+# 12.5 mm: Lame's cylinder in plane strain, u = A r + B/r with u(b) = 0.
+lame=$(awk 'BEGIN {
+  E = 0.5e9; nu = 0.4; strain = (1 + nu) * 1.3e-4 * 30
+  a = 12.5e-3; b = 15.5e-3; closed = 20e-6
+  A = closed * a / (b * b - a * a)
+  left = strain - A * (1 + (1 - 2 * nu) * b * b / (a * a))
+  printf "%.3f", E * left / ((1 + nu) * (1 - 2 * nu)) / 1e6}')
+walled_joint warm.toml pin 12.5 20 "inf 0" "0.5 0.4" rigid 3
+sed -i 's/^backing = .*/backing = { youngs_modulus_Pa = inf, thermal_expansion_per_K = 0 }/' warm.toml
+ours=$(joint warm.toml p_0_Pa --reaction 0 --friction 0.1 \
+  --set materials.outer.thermal_expansion_per_K=1.3e-4 \
+  --set inner_temperature_C=20 --set outer_temperature_C=50 \
+  --set axial_growth=held | awk '{printf "%.3f", $1 / 1e6}')
+row "Lame's thick cylinder ([Roark](references.md#roark))" computed \
+  "pressure on the pin, MPa, of a bush that closes on warming: $lame" \
+  "3 mm of 0.5 GPa, nu 0.4, 1.3e-4 per K, 30 K, radial clearance 20 um" "$ours" \
+  "$(awk -v a="$lame" -v b="$ours" 'BEGIN {
+    d = 100 * (b / a - 1); print ((d < 0 ? -d : d) < 0.5 ? "inside" : "outside")}')" \
+  "the same to six digits"

@@ -78,13 +78,15 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
   std::string name = table.text("name");
   const TomlTable size = table.table("geometry");
   const auto fit = fit_from_table(size);
-  const JointGeometry geometry = geometry_from_table(table, size, fit);
+  const auto bearing = bearing_from_table(size);
+  const JointGeometry geometry = geometry_from_table(table, size, fit, bearing);
   const MaterialPair materials =
       known != nullptr ? *known : materials_from_table(table);
   JointSpec joint{
       .name = std::move(name),
       .geometry = geometry,
       .fit = fit,
+      .bearing = bearing,
       .inner = coated_body(table, geometry.radius(), materials.elastic.inner()),
       .outer =
           wall_from_table(table, geometry.radius(), materials.elastic.outer()),

@@ -127,7 +127,7 @@ LeastWrong equivalent_bending_arm(const JointSpec& pin,
                                   double arm) {
   constexpr int steps = 16;
   const FinitePin finite(pin);
-  std::vector<Sample> samples;  // of z, and of M/(c R)
+  std::vector<Sample> samples;  // loads are z, moments M/(c R)
   for (const double force : forces) {
     for (int i = 0; i <= steps; ++i) {
       const double z = reach * i / steps;

@@ -26,15 +26,20 @@ int count_balls(const std::vector<Member>& joints) {
   return static_cast<int>(std::ranges::count_if(joints, is_ball));
 }
 
-void check_joints(const std::vector<Member>& joints) {
+void check_joints(const std::vector<Member>& joints, bool has_face) {
   if (joints.size() < 2) {
     throw Error(
         detail::needs(detail::message("{} of {} joint", place, joints.size()),
                       "at least 2, to hold moments across the axis"));
   }
-  if (count_balls(joints) == 0) {
+  if (count_balls(joints) == 0 && !has_face) {
     throw Error(
         detail::needs(place, "a ball joint, to take the force along the axis"));
+  }
+  if (count_balls(joints) > 0 && has_face) {
+    throw Error(detail::needs(
+        detail::message("{} with a thrust face", place),
+        "pins alone: how a ball shares the force along the axis is not known"));
   }
   std::vector<double> positions;
   for (const Member& joint : joints) {
@@ -51,7 +56,8 @@ void check_joints(const std::vector<Member>& joints) {
   }
 }
 
-void check_rule(const Sharing& rule, const std::vector<Member>& joints) {
+void check_rule(const Sharing& rule, const std::vector<Member>& joints,
+                bool has_face) {
   if (rule.radial_stiffness.size() != joints.size() ||
       rule.axial_share.size() != joints.size()) {
     throw Error(detail::needs(
@@ -71,8 +77,9 @@ void check_rule(const Sharing& rule, const std::vector<Member>& joints) {
     sum += share;
   }
   // Decimal shares such as 0.1 + 0.2 + 0.7.
-  detail::require(std::abs(sum - 1) < 1e-12, place, "sum of axial_share", sum,
-                  "1");
+  const double whole = has_face ? 0 : 1;
+  detail::require(std::abs(sum - whole) < 1e-12, place, "sum of axial_share",
+                  sum, has_face ? "0 beside a thrust face" : "1");
 }
 
 // The rule that statics gives.
@@ -110,11 +117,12 @@ JointGroup::Sharing JointGroup::Sharing::equal(
   return rule;
 }
 
-JointGroup::JointGroup(std::vector<Member> joints, std::optional<Sharing> rule)
-    : joints_(std::move(joints)) {
-  check_joints(joints_);
+JointGroup::JointGroup(std::vector<Member> joints, std::optional<Sharing> rule,
+                       std::optional<ThrustFace> thrust_face)
+    : joints_(std::move(joints)), thrust_face_(std::move(thrust_face)) {
+  check_joints(joints_, thrust_face_.has_value());
   if (!rule) rule = determinate_rule(joints_);
-  check_rule(*rule, joints_);
+  check_rule(*rule, joints_, thrust_face_.has_value());
   // Springs k_j under a rigid axis that shifts and tilts: R_j = k_j (shift +
   // z_j tilt), about the springs' centre, where the two do not mix.
   const std::vector<double>& k = rule->radial_stiffness;
@@ -158,7 +166,12 @@ void JointGroup::solve(const Slip& slip, Solution& solution) const noexcept {
     const Vector3d held = turned - s.cross_moment.cross(axis);
     double change = 0;
     double largest = 0;
-    s.friction_moment = s.power = 0;
+    s.thrust_moment =
+        thrust_face_ && angular_velocity != 0
+            ? -std::copysign(thrust_face_->moment(axial), angular_velocity)
+            : 0;
+    s.friction_moment = s.thrust_moment;
+    s.power = s.thrust_moment * angular_velocity;
     s.cross_moment.setZero();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       JointSolution& joint = s.joints[i];
@@ -195,7 +208,7 @@ double JointGroup::utilisation(const Hold& hold,
   // Sliding that friction would oppose with the moment that is needed.
   solve({reaction, moment, axis, needed > 0 ? -1.0 : 1.0}, solution);
   if (needed == 0) return 0;
-  double held = 0;
+  double held = std::abs(solution.thrust_moment);
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     if (joints_[i].joint.contact().is_viscous()) continue;
     if (joints_[i].joint.contact().stress()) {

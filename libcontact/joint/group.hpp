@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/thrust_face.hpp"
 
 namespace contact {
 
@@ -16,10 +17,11 @@ namespace contact {
 ///
 ///     R = sum R_j,  M = sum (z_j u x R_j + M_jt normal to u)
 ///
-/// A ball takes any force, a pin forces normal to the axis u. Two joints, one
-/// of them a ball, are statically determinate. Friction moments of balls have
-/// parts normal to the axis, which depend on R_j: the distribution is
-/// repeated until it fits.
+/// A ball takes any force, a pin forces normal to the axis u; a thrust face, if
+/// there is one, takes the force along u beside pins alone. Two joints, one of
+/// them a ball, or two pins and a face, are statically determinate. Friction
+/// moments of balls have parts normal to the axis, which depend on R_j: the
+/// distribution is repeated until it fits.
 class JointGroup {
  public:
   /// One of the joints.
@@ -36,7 +38,7 @@ class JointGroup {
     /// this stiffness under a rigid axis.
     std::vector<double> radial_stiffness;
     /// For each joint, >= 0, 0 for a pin, of sum 1: share of the force along
-    /// the axis.
+    /// the axis; all 0 beside a thrust face.
     std::vector<double> axial_share;
 
     /// Equal stiffnesses; the axial force shared equally by the balls.
@@ -50,8 +52,11 @@ class JointGroup {
     /// in the last one, over the largest of them.
     int iterations = 0;
     double residual = 0;
-    /// Sum of the joints' friction moments about the axis, N m.
+    /// Sum of the joints' friction moments about the axis and the thrust
+    /// face's, N m.
     double friction_moment = 0;
+    /// The part of the thrust face, N m.
+    double thrust_moment = 0;
     /// Parts of them normal to the axis, N m: they load the group's moment
     /// balance.
     Eigen::Vector3d cross_moment = Eigen::Vector3d::Zero();
@@ -60,13 +65,15 @@ class JointGroup {
     std::vector<JointSolution> joints;
   };
 
-  /// @throws Error if there is no ball to take the axial force, fewer than
-  ///         two joints or two at one place, or if the group is statically
-  ///         indeterminate and no rule is given.
+  /// @throws Error if there is neither a ball nor a thrust face to take the
+  ///         axial force, or both, fewer than two joints or two at one place,
+  ///         or if the group is statically indeterminate and no rule is given.
   explicit JointGroup(std::vector<Member> joints,
-                      std::optional<Sharing> rule = {});
+                      std::optional<Sharing> rule = {},
+                      std::optional<ThrustFace> thrust_face = {});
 
   const std::vector<Member>& joints() const { return joints_; }
+  const std::optional<ThrustFace>& thrust_face() const { return thrust_face_; }
 
   /// A solution with room for the joints: solve() then does not allocate.
   Solution make_solution() const;
@@ -114,6 +121,7 @@ class JointGroup {
  private:
   std::vector<Member> joints_;
   std::vector<Share> shares_;
+  std::optional<ThrustFace> thrust_face_;
 };
 
 }  // namespace contact

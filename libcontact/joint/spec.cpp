@@ -150,6 +150,7 @@ std::unique_ptr<PressureLaw> JointSpec::make_pressure_law() const {
 std::vector<std::string> JointSpec::clearance_notes() const {
   std::vector<std::string> notes;
   if (fit) notes.push_back(to_string(*fit));
+  if (bearing) notes.push_back(to_string(*bearing));
   if (thermal_growth) notes.push_back(text_of(*thermal_growth));
   return notes;
 }

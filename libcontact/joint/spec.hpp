@@ -15,6 +15,7 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/relief.hpp"
+#include "libcontact/pair/spherical_bearing.hpp"
 #include "libcontact/pair/temperatures.hpp"
 #include "libcontact/pressure/factory.hpp"
 
@@ -53,6 +54,8 @@ struct JointSpec {
   JointGeometry geometry;
   /// Fit that the geometry comes from, if any.
   std::optional<Fit> fit = {};
+  /// Bearing that the geometry comes from, if any.
+  std::optional<SphericalBearing> bearing = {};
   /// Growth that at() has added to the clearance, if any.
   std::optional<ThermalGrowth> thermal_growth = {};
   /// Ball or pin: its material, or coatings and a core.

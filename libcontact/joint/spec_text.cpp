@@ -97,10 +97,14 @@ void write(Toml& toml, const Temperatures& temperatures) {
 void write_geometry(Toml& toml, const JointSpec& joint) {
   const JointGeometry& g = joint.geometry;
   toml.table("[geometry]");
-  if (joint.fit) {
+  constexpr std::string_view taken[] = {"minimum", "mean", "maximum"};
+  if (joint.bearing) {
+    toml.text("designation", joint.bearing->designation());
+    toml.text("clearance_group", to_string(joint.bearing->group()));
+    toml.text("clearance", taken[static_cast<int>(joint.bearing->taken())]);
+  } else if (joint.fit) {
     const std::string fit = joint.fit->name();  // "H7/g6"
     const auto slash = fit.find('/');
-    constexpr std::string_view taken[] = {"minimum", "mean", "maximum"};
     toml.number("diameter_m", joint.fit->diameter());
     toml.text("hole", fit.substr(0, slash));
     toml.text("shaft", fit.substr(slash + 1));

@@ -102,13 +102,13 @@ TEST(Equivalent, NoOtherNumberIsLessWrong) {
   }
 }
 
-// Of all M0 + c R through three errors of alternating sign the best is the
-// least wrong, by Chebyshev's theorem: all triples are tried.
+// The best M0 + c R has three errors of alternating sign, by Chebyshev's
+// theorem: all triples are tried.
 TEST(Equivalent, PreloadIsThatOfAllTriples) {
   const Joint joint = ball(FrictionLaw(0.15, 2e5));
   const auto states = sweep(100, 5000, {right});
   const auto e = equivalent_friction(joint, states);
-  std::vector<Vector3d> rows;  // of M0, c and the error: M0/M + c R/M -+ E = 1
+  std::vector<Vector3d> rows;  // M0/M + c R/M -+ E = 1
   for (const auto& s : states) {
     const double moment = resisting(joint, s);
     rows.emplace_back(1 / moment, s.reaction.norm() / moment, 1);

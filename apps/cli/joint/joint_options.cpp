@@ -72,8 +72,16 @@ constexpr KeyOption key_options[] = {
     {"--shaft", "geometry.shaft", as_text, 0, JointUse::contact, "NAME",
      "the ball or pin in that hole, such as g6", "--pair; --hole"},
     {"--fit-clearance", "geometry.clearance", as_text, 0, JointUse::contact,
-     "NAME", "clearance of a fit: minimum, mean (default) or maximum",
-     "--pair; --hole"},
+     "NAME",
+     "of a fit or bearing: minimum, mean (default) or maximum clearance",
+     "--pair; --hole or --bearing"},
+    {"--bearing", "geometry.designation", as_text, 0, JointUse::contact, "NAME",
+     "in place of size and clearance: a spherical plain bearing, as GE50ES",
+     "--pair",
+     "--radius --diameter --clearance --diametral-clearance --interference "
+     "--hole"},
+    {"--group", "geometry.clearance_group", as_text, 0, JointUse::contact,
+     "NAME", "of a bearing: C2, CN (default) or C3", "--bearing"},
     {"--length", "geometry.length", as_length, 2, JointUse::contact, "LENGTH",
      "length of a pin", "--radius or --diameter"},
     {"--temperature", "temperature", as_temperature, 0, JointUse::contact,
@@ -159,11 +167,13 @@ bool is_pin(const JointOptions& o) {
 
 // Checks the size of a joint without a file; false if it has none.
 bool check_size(const JointOptions& o, bool pin) {
-  const bool has_size = o.has("--radius") || o.has("--diameter");
+  const bool has_size =
+      o.has("--radius") || o.has("--diameter") || o.has("--bearing");
   const bool friction = o.use == JointUse::friction;
   if (friction && !has_size) {
     refuse_without(given("--joint", o.joint()),
-                   "a size: --radius and --clearance, or --diameter");
+                   "a size: --radius and --clearance, --diameter, or "
+                   "--bearing");
   }
   if (friction && pin && !o.has("--length")) {
     refuse_without("--joint pin", "--length");

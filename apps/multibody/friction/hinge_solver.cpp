@@ -53,7 +53,10 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
   } else if (std::holds_alternative<GroupFriction>(friction_) && !is_axis_) {
     refuse("a group of joints", "an axis");
   }
-  can_rest_ = std::ranges::any_of(contacts_, holds);
+  const auto* const of_group = std::get_if<GroupFriction>(&friction_);
+  can_rest_ = std::ranges::any_of(contacts_, holds) ||
+              (of_group && of_group->group.thrust_face() &&
+               of_group->group.thrust_face()->moment(1) > 0);
 }
 
 HingeSolver::Memory HingeSolver::make_memory() const {
@@ -84,7 +87,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     return axes_.transpose() * last.friction_moment;
   }
   if (!solve_group(reaction, rate.z(), memory)) return nan_vector();
-  double sum = 0;
+  double sum = memory.group.thrust_moment;
   for (const JointSolution& joint : memory.joints) {
     sum += joint.friction_moment.dot(axis);
   }
@@ -177,7 +180,7 @@ double HingeSolver::moment_limit(const Reaction<double>& held, double sign,
   if (!solve_group(held, sign, memory)) {
     return std::numeric_limits<double>::quiet_NaN();
   }
-  double limit = 0;
+  double limit = std::abs(memory.group.thrust_moment);
   for (std::size_t k = 0; k < contacts_.size(); ++k) {
     if (!holds(contacts_[k])) continue;
     limit += std::abs(memory.joints[k].friction_moment.dot(axes_.col(2)));

@@ -61,6 +61,8 @@ struct Hinge {
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
   std::optional<contact::JointGroup::Sharing> sharing;
+  /// axis: takes the force along it, beside pins.
+  std::optional<contact::ThrustFace> thrust_face;
   /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();

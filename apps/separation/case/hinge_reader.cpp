@@ -80,7 +80,8 @@ contact::JointGroup make_group(const Hinge& hinge) {
   if (sharing && sharing->radial_stiffness.empty()) {
     sharing = contact::JointGroup::Sharing::equal(joints);
   }
-  return contact::JointGroup(std::move(joints), std::move(sharing));
+  return contact::JointGroup(std::move(joints), std::move(sharing),
+                             hinge.thrust_face);
 }
 
 }  // namespace

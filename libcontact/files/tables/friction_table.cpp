@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/files/tables/friction_presets.hpp"
 #include "libcontact/pair/stress_registry.hpp"
 
 namespace contact {
@@ -55,6 +56,26 @@ Dimension dimension_of(std::string_view unit) {
   throw std::logic_error("no key is in this unit");
 }
 
+// A coefficient between the least and the largest of published ones.
+double coefficient_from_table(const TomlTable& friction) {
+  if (!friction.has("preset")) {
+    if (friction.has("preset_share")) {
+      friction.needs("preset_share", "preset");
+    }
+    return friction.number("coefficient", Interval::non_negative());
+  }
+  friction.refuse_both("preset", "coefficient");
+  std::vector<std::string> names;
+  for (const detail::FrictionPreset& preset : detail::friction_presets()) {
+    names.emplace_back(preset.name);
+  }
+  const auto& [name, least, largest, source] =
+      detail::friction_presets()[friction.choice("preset", names)];
+  const double share =
+      friction.optional_number("preset_share", {0, 1}).value_or(0.5);
+  return least + share * (largest - least);
+}
+
 }  // namespace
 
 // Viscous friction has either of its two numbers, dry friction a coefficient.
@@ -67,18 +88,20 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   const auto slope = friction->optional_number("viscous_pressure_slope", range);
   const auto adhesion = friction->optional_number("adhesion", range);
   if (!constant && !slope) {
-    return FrictionLaw(friction->number("coefficient", range),
-                       adhesion.value_or(0));
+    return FrictionLaw(coefficient_from_table(*friction), adhesion.value_or(0));
   }
   const char* const viscous =
       constant ? "viscous_constant" : "viscous_pressure_slope";
   friction->refuse_both(viscous, "coefficient");
+  friction->refuse_both(viscous, "preset");
   friction->refuse_both(viscous, "adhesion");
   return ViscousLaw(constant.value_or(0), slope.value_or(0));
 }
 
 KnownKeys friction_keys() {
   KnownKeys keys = {{"coefficient"},
+                    {"preset"},
+                    {"preset_share"},
                     {"adhesion", Dimension::stress},
                     {"viscous_constant", Dimension::viscous_constant},
                     {"viscous_pressure_slope", Dimension::inverse_velocity},

@@ -124,6 +124,13 @@ SeatZone zone_from_table(const TomlTable& seat, double radius) {
   return zone.about({axis[0], axis[1], axis[2]});
 }
 
+// The one of a range of clearances that the joint has.
+Fit::Clearance taken_from_table(const TomlTable& table) {
+  const auto taken =
+      table.optional_choice("clearance", {"minimum", "mean", "maximum"});
+  return taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean;
+}
+
 }  // namespace
 
 std::optional<Fit> fit_from_table(const TomlTable& table) {
@@ -131,7 +138,9 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
                                    {"shaft", "hole"},
                                    {"clearance", "hole"},
                                    {"hole", "diameter"}}) {
-    if (table.has(key) && !table.has(other)) table.needs(key, other);
+    if (table.has(key) && !table.has(other) && !table.has("designation")) {
+      table.needs(key, other);
+    }
   }
   if (!table.has("hole")) return {};
   for (const auto& [key, scale] : clearance_keys) {
@@ -147,11 +156,7 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
                   detail::message("3 to {:g} mm with shaft {}",
                                   Fit::largest_size(shaft) * 1e3, shaft));
   }
-  const auto taken =
-      table.optional_choice("clearance", {"minimum", "mean", "maximum"});
-  return Fit(
-      hole, shaft, diameter,
-      taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean);
+  return Fit(hole, shaft, diameter, taken_from_table(table));
 }
 
 JointSpec at_temperatures(const TomlTable& table, const JointSpec& joint) {
@@ -169,20 +174,51 @@ JointSpec at_temperatures(const TomlTable& table, const JointSpec& joint) {
   }
 }
 
-JointGeometry geometry_from_table(const TomlTable& joint,
-                                  const TomlTable& table,
-                                  const std::optional<Fit>& fit) {
+std::optional<SphericalBearing> bearing_from_table(const TomlTable& table) {
+  if (!table.has("designation")) {
+    if (table.has("clearance_group")) {
+      table.needs("clearance_group", "designation");
+    }
+    return {};
+  }
+  for (const auto& [key, scale] : clearance_keys) {
+    table.refuse_both("designation", key);
+  }
+  for (const char* key : {"radius", "diameter", "hole"}) {
+    table.refuse_both("designation", key);
+  }
+  const std::string designation = table.text("designation");
+  const auto group =
+      table.optional_choice("clearance_group", {"C2", "CN", "C3"}).value_or(1);
+  const Fit::Clearance taken = taken_from_table(table);
+  try {
+    return SphericalBearing(designation, static_cast<ClearanceGroup>(group),
+                            taken);
+  } catch (const Error& error) {
+    table.fail("designation", error.what());
+  }
+}
+
+JointGeometry geometry_from_table(
+    const TomlTable& joint, const TomlTable& table,
+    const std::optional<Fit>& fit,
+    const std::optional<SphericalBearing>& bearing) {
   const bool ball = joint.choice("kind", {"ball", "pin"}) == 0;
   const JointBody inner_body =
       joint.optional_choice("inner_body", {"carrier", "body"}).value_or(0) == 0
           ? JointBody::carrier
           : JointBody::body;
-  const double radius = radius_from_table(table);
-  const double clearance =
-      fit ? fit->radial_clearance() : clearance_from_table(table, radius);
+  if (bearing && !ball) table.needs("designation", "kind = \"ball\"");
+  const double radius = bearing ? bearing->radius() : radius_from_table(table);
+  const double clearance = bearing ? bearing->radial_clearance()
+                           : fit   ? fit->radial_clearance()
+                                   : clearance_from_table(table, radius);
   const auto seat = joint.optional_table("seat");
   if (ball) {
     const auto whole = JointGeometry::ball(radius, clearance, inner_body);
+    if (bearing && !seat) {
+      return whole.with_seat(SeatZone::ring(bearing->ring_width(), radius));
+    }
     return seat ? whole.with_seat(zone_from_table(*seat, radius)) : whole;
   }
   if (seat) joint.needs("seat", "kind = \"ball\"");
@@ -226,6 +262,8 @@ KnownKeys geometry_keys() {
                                  {"hole"},
                                  {"shaft"},
                                  {"clearance"},
+                                 {"designation"},
+                                 {"clearance_group"},
                                  {"length", Dimension::length}}),
           table_key("seat", {{"ring_width", Dimension::length},
                              {"cup", Dimension::angle},

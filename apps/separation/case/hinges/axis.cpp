@@ -25,12 +25,28 @@ std::optional<contact::JointGroup::Sharing> read_sharing(const TomlTable& table,
       *std::move(stiffness), table.numbers("axial_share", {joints}, {0, 1})};
 }
 
+std::optional<contact::ThrustFace> read_thrust_face(const TomlTable& table) {
+  const auto face = table.optional_table("thrust_face");
+  if (!face) return {};
+  const double outer = face->number("outer_radius", Interval::positive());
+  return contact::ThrustFace(
+      face->number("inner_radius", {0, outer, false, true}), outer,
+      contact::FrictionLaw(
+          face->number("coefficient", Interval::non_negative()),
+          face->optional_number("adhesion", Interval::non_negative())
+              .value_or(0)));
+}
+
 void read(const HingeTable& from, Hinge& hinge) {
   hinge.axis = direction(from.table, "axis");
 }
 
 void read_joints(const TomlTable& table, Hinge& hinge) {
   hinge.sharing = read_sharing(table, hinge.joints.size());
+  hinge.thrust_face = read_thrust_face(table);
+  if (hinge.thrust_face && hinge.joints.size() < 2) {
+    table.needs("thrust_face", "several pins");
+  }
   if (hinge.joints.size() == 1 && is_ball(hinge.joints[0])) {
     table.needs("one pin, or two joints and more, one of them a ball");
   }
@@ -66,7 +82,15 @@ double turn(const Hinge& hinge, const Matrix3d& carrier,
 HingeType axis_hinge() {
   return {multibody::HingeKind::axis,
           "axis",
-          {{"axis"}, {"sharing"}, {"radial_stiffness"}, {"axial_share"}},
+          {{"axis"},
+           {"sharing"},
+           {"radial_stiffness"},
+           {"axial_share"},
+           contact::table_key("thrust_face",
+                              {{"inner_radius", contact::Dimension::length},
+                               {"outer_radius", contact::Dimension::length},
+                               {"coefficient"},
+                               {"adhesion", contact::Dimension::stress}})},
           true,
           "rate",
           read,
