@@ -435,7 +435,7 @@ TEST(DataFiles, MaterialsAndJoints) {
         << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 15u);
+  EXPECT_EQ(joints, 16u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {

@@ -432,6 +432,28 @@ force_N = [0, -100, 0]
   }
 }
 
+// A door that a constant moment stops: m g f r of the washer and 2 F f rho
+// /sqrt(1 + f^2) of the pins, whose contacts are nearly lines. What the pins
+// carry beside the weight's couple is 1e-4 of it.
+TEST(SeparationMotion, DoorStopsAsItsWasherAndPinsSay) {
+  const ProgramFolder folder;
+  const json door = run_json(folder, "data/cases/door.toml");
+  const double weight = 25 * 9.81, couple = weight * 0.4 / 1.5;
+  const double arm =
+      2.0 / 3 * (12e-3 * 12e-3 + 12e-3 * 6e-3 + 6e-3 * 6e-3) / (12e-3 + 6e-3);
+  const double moment =
+      0.2 * weight * arm + 2 * couple * 0.1 * 6e-3 / std::sqrt(1.01);
+  const double inertia = 25 * ((0.64 + 0.0016) / 12 + 0.16);
+  const double rate = 20 * degree;
+  ASSERT_EQ(door["events"].size(), 1U);
+  EXPECT_EQ(door["events"][0]["what"], "comes to rest");
+  EXPECT_NEAR(door["events"][0]["time_s"].get<double>(),
+              inertia * rate / moment, 1e-3);
+  EXPECT_NEAR(door["bodies"][0]["work_of_friction_J"].get<double>(),
+              inertia * rate * rate / 2, 1e-6);
+  EXPECT_EQ(door["bodies"][0]["mode_at_end"], "resting");
+}
+
 // Every peak of joints that slide and turn against those of a run whose steps
 // are some 12 times as short.
 TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
