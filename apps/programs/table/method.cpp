@@ -99,14 +99,14 @@ Method find_method(const std::string& name, double tolerance,
   };
   const Row method = cli::choice("--method", name, methods);
   if (!method.any_pressure && pressure->name() != papers_pressure) {
-    std::vector<std::string_view> others;
+    std::vector<std::string> others;
     for (const auto& [other, row] : methods) {
-      if (row.any_pressure) others.push_back(other);
+      if (row.any_pressure) others.emplace_back(other);
     }
     cli::refuse_without(
         cli::given("--method", name),
         fmt::format("the pressure {}; {} goes with {}", papers_pressure,
-                    pressure->name(), fmt::join(others, " or ")));
+                    pressure->name(), contact::detail::either(others)));
   }
   return {method.function, named.name, pressure->largest_half_angle()};
 }

@@ -66,16 +66,16 @@ cli::Joint make_ball(const cli::JointOptions& options) {
   const bool named =
       options.pressures.empty() && name != contact::default_pressure_law;
   if (!materials.empty() && !by_materials && !named) {
-    std::vector<std::string_view> laws;
+    std::vector<std::string> laws;
     for (const auto* entry : contact::detail::pressure_entries()) {
       if (entry->about.needs != Needs::nothing) {
-        laws.push_back(entry->about.name);
+        laws.emplace_back(entry->about.name);
       }
     }
     cli::refuse_without(materials,
                         fmt::format("--pressure {}: the other laws do not "
                                     "depend on the materials",
-                                    fmt::join(laws, " or ")));
+                                    contact::detail::either(laws)));
   }
   return ball;
 }
