@@ -118,6 +118,10 @@ std::vector<MeasuredMoment> read_data(const Options& options, bool pin) {
   cli::read_all_points(reader, point, false, [&](const cli::PointLines& block) {
     for (std::size_t i = 0; i < block.size(); ++i) {
       data.push_back(columns.datum(block, i, pin, options));
+      if (data.back().sigma > 0) continue;
+      cli::refuse_without(
+          fmt::format("{}: moment {}, which is 0,", options.data, data.size()),
+          "--sigma-abs: --sigma-rel leaves it no error");
     }
   });
   return data;
