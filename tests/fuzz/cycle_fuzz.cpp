@@ -23,12 +23,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     options.angle_columns = is_pin ? "a" : "a,b,c";
     options.euler = is_pin ? "" : "XYZ";
   }
-  contact::test::read_or_one_line(
-      [&] {
-        const contact::DutyCycle cycle =
-            hinge_duty::read_cycle(options, is_pin);
-        check(cycle.period() > 0);
-      },
-      "");
+  try {
+    const contact::DutyCycle cycle = hinge_duty::read_cycle(options, is_pin);
+    check(cycle.period() > 0);
+  } catch (const contact::Error&) {
+    // Its names are the file's own: cli::Program prints them on one line.
+  }
   return 0;
 }

@@ -201,7 +201,8 @@ TEST_F(BallStudy, WhatDoesNotFitIsNamed) {
       {"key = 'friction.coefficient'", "key = 'friction.coef'",
        "s.toml:11: dispersion[1].key = \"friction.coef\": j.toml with "
        "friction.coef = 0.05: unknown key \"friction.coef\" (coefficient, "
-       "adhesion, viscous_constant, viscous_pressure_slope, law, "
+       "preset, preset_share, adhesion, viscous_constant, "
+       "viscous_pressure_slope, law, "
        "static_coefficient, dynamic_coefficient, stribeck_velocity, "
        "reference_pressure, exponent, pressures, speeds_over_pressure, "
        "coefficients, curve)"},

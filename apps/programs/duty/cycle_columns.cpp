@@ -10,7 +10,6 @@
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
-#include "libcontact/base/text.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -126,10 +125,9 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
   }
   const auto angles = std::span(columns.names).subspan(CycleColumns::motion_at);
   if (columns.is_angles && !is_pin && options.euler.empty()) {
-    const std::string names = fmt::format("{}", fmt::join(angles, ", "));
     cli::refuse_without(
         fmt::format("{}: motion by the angles {}", columns.header.place,
-                    contact::detail::printable(names, names.npos)),
+                    fmt::join(angles, ", ")),
         "--euler, the sequence of their axes, such as zxy");
   }
   for (std::size_t i = 0; i < columns.names.size(); ++i) {

@@ -7,7 +7,6 @@
 
 #include "cli/number.hpp"
 #include "cli/refuse.hpp"
-#include "libcontact/base/text.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -29,16 +28,13 @@ double count_of(std::string_view key, std::string_view text,
   const auto count = cli::parse_number(text);
   if (count && *count >= 0) return *count;
   throw contact::Error(contact::detail::must_be(
-      fmt::format("{}: {} = {}", place, key, contact::detail::printable(text)),
-      "a number, 0 or more"));
+      fmt::format("{}: {} = {}", place, key, text), "a number, 0 or more"));
 }
 
 bool yes_or_no(std::string_view text, const std::string& place) {
   if (text == "yes" || text == "no") return text == "yes";
-  throw contact::Error(
-      contact::detail::must_be(fmt::format("{}: inDegrees = {}", place,
-                                           contact::detail::printable(text)),
-                               "yes or no"));
+  throw contact::Error(contact::detail::must_be(
+      fmt::format("{}: inDegrees = {}", place, text), "yes or no"));
 }
 
 }  // namespace

@@ -120,8 +120,8 @@ std::vector<MeasuredMoment> read_data(const Options& options, bool pin) {
       data.push_back(columns.datum(block, i, pin, options));
       if (data.back().sigma > 0) continue;
       cli::refuse_without(
-          fmt::format("{}: moment {}, which is 0,", options.data, data.size()),
-          "--sigma-abs: --sigma-rel leaves it no error");
+          fmt::format("{}: moment {}", options.data, data.size()),
+          "--sigma-abs or --sigma-rel that give it an error above 0");
     }
   });
   return data;
