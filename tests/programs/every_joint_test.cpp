@@ -202,5 +202,18 @@ TEST_F(EveryJoint, CasesTakeIt) {
   }
 }
 
+// An FMU has no place to say so later.
+TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
+  const std::pair<const char*, const char*> left_out[] = {
+      {"ball_stud", "the [seat] is left out: a contact is taken to go on"},
+      {"relieved_bush", "the relief of the ends is left out"}};
+  for (const auto& [joint, said] : left_out) {
+    const ProgramResult made =
+        folder_.run(std::string("hinge-fmu data/joints/") + joint + ".toml");
+    EXPECT_EQ(made.status, 0) << made.err;
+    EXPECT_TRUE(has_text(made.err, said)) << made.err;
+  }
+}
+
 }  // namespace
 }  // namespace contact::test

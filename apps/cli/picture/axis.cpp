@@ -163,7 +163,8 @@ Axis axis_of(std::string_view symbol, std::string_view meaning,
   if (unit.ends_with("^2")) unit.replace(unit.size() - 2, 2, "²");
   const std::string shown = shown_symbol(symbol);
   if (meaning.empty()) return {shown, unit};
-  const std::string_view first = meaning.substr(0, meaning.find_first_of(",;:"));
+  const std::string_view first =
+      meaning.substr(0, meaning.find_first_of(",;:"));
   constexpr double longest_letter = 1.6;  // longer texts are words
   return {std::string(first) +
               (text_width(shown) < longest_letter ? ' ' + shown : ""),

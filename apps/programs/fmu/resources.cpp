@@ -8,6 +8,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/c/contact.h"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/toml_nodes.hpp"
 #include "separation/c/run.h"
 
@@ -72,16 +73,25 @@ class Packer {
   int count_ = 0;
 };
 
-// Readers of joints and cases say what is wrong with a file.
-void check(const std::string& file, bool is_joint) {
-  contact_joint* joint = nullptr;
+// Reads a joint or a case, whose readers say what is wrong with a file.
+// Returns what an FMU cannot say while it runs.
+std::vector<std::string> notes_of(const fs::path& file, bool is_joint) {
+  if (is_joint) {
+    const contact::JointSpec joint = contact::read_joint(file);
+    std::vector<std::string> notes = joint.contact().validity_notes();
+    if (joint.geometry.seat()) {
+      notes.emplace_back(
+          "the [seat] is left out: a contact is taken to go on beyond its "
+          "rims");
+    }
+    return notes;
+  }
   contact_run* run = nullptr;
   const contact_status status =
-      is_joint ? contact_joint_read(file.c_str(), nullptr, 0, &joint)
-               : contact_run_open(file.c_str(), nullptr, 0, &run);
-  contact_joint_free(joint);
+      contact_run_open(file.c_str(), nullptr, 0, &run);
   contact_run_free(run);
   if (status != CONTACT_OK) throw contact::Error(contact_last_message());
+  return {};
 }
 
 // A case has bodies. A text that is no TOML is refused as a joint's.
@@ -98,7 +108,7 @@ bool is_joint_file(const std::string& file) {
 Resources read_resources(const fs::path& file) {
   Resources all;
   all.is_joint = is_joint_file(file);
-  check(file, all.is_joint);
+  all.notes = notes_of(file, all.is_joint);
   Packer(all).add(file, "model.toml", "");
   return all;
 }

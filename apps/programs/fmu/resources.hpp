@@ -18,7 +18,8 @@ struct Resources {
   std::map<std::string, std::string> files;  ///< texts by names
   /// Numbers of the tables and of arrays of up to three numbers.
   std::vector<Key> keys;
-  bool is_joint;  ///< else a case
+  bool is_joint;                   ///< else a case
+  std::vector<std::string> notes;  ///< limits of the theory that it exceeds
 };
 
 /// @throws contact::Error if a file cannot be read, or is neither a joint nor

@@ -11,6 +11,7 @@
 
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
+#include "cli/program.hpp"
 #include "cli/refuse.hpp"
 #include "hosts/fmu/model.hpp"
 #include "libcontact/base/error.hpp"
@@ -128,6 +129,7 @@ cli::ExitStatus run(const Options& options) {
   cli::Output output(name);
   output.write(zipped(options, resources));
   output.commit();
+  for (const std::string& note : resources.notes) cli::warn("hinge-fmu", note);
   return cli::all_good;
 }
 
