@@ -57,7 +57,7 @@ JointModel::JointModel(const Plan& plan)
         "above 0, as a joint without interference has no friction "
         "without load");
   }
-  if (first.ended.in_seat) seat_ = std::make_unique<const Seat>(first.spec);
+  if (first.ended.in_seat) seat_.reset(new Seat{first.spec});
 }
 
 JointModel::~JointModel() = default;
