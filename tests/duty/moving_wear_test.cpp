@@ -250,8 +250,8 @@ DutyCycle hip_cycle() {
   return {rows, {}, DutyCycle::TurnSequence("zxy")};
 }
 
-// Of all grids and blocks the half-angle is the same; the rigid limit has 76.78
-// deg and 7.43 MPa.
+// The half-angle is the same on all grids and with all blocks; the rigid limit
+// has 76.78 deg and 7.43 MPa.
 TEST(MovingWear, OfAHipHasTheLimitOfFinerSteps) {
   const std::filesystem::path data = CONTACT_DATA_DIR;
   const JointContact contact =

@@ -99,7 +99,7 @@ TEST(SeatMomentSet, ProxLeavesWhatFrictionCannotHold) {
       EXPECT_LT((set.moment(prox.angular_velocity) - prox.moment).norm(),
                 1e-9 * prox.moment.norm());
       EXPECT_TRUE(set.prox(inertia, free / 3.1).angular_velocity.isZero(0));
-      // Of all points of the edge the projection is the nearest.
+      // The projection is the nearest of all points of the edge.
       const Vector3d far = 2 * set.moment(random.direction());
       const Vector3d nearest = set.project(far);
       for (int k = 0; k < 10; ++k) {
@@ -111,7 +111,7 @@ TEST(SeatMomentSet, ProxLeavesWhatFrictionCannotHold) {
   }
 }
 
-// What SeatJoint::at_rest() finds by other equations.
+// SeatJoint::at_rest() finds the same by other equations.
 TEST(SeatMomentSet, OfTheSlipAtRestHoldsTheSameShare) {
   const SeatJoint joint(cup(0.1));
   for (const double direction : {25.0, 40.0, 48.0}) {

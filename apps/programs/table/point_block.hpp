@@ -30,7 +30,7 @@ struct PointBlock : cli::PointLines {
   std::vector<double> half_angle;
   std::vector<double> axis_sin;
   std::vector<double> axis_cos;
-  std::vector<std::vector<double>> results;  ///< of each quantity
+  std::vector<std::vector<double>> results;  ///< one for each quantity
 };
 
 /// Points given by their values.
