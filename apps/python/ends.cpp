@@ -282,8 +282,11 @@ A pin of finite length whose axis may be tilted in its hole, with the relief of
 its ends (libcontact's docs/finite_pin.md).
 
 joint: a Joint of a pin that needs a wall with a backing, with dry friction.)");
-  type.def(py::init<const FileJoint&>(), py::arg("joint"),
-           py::call_guard<Unlocked>());
+  type.def(py::init([](const FileJoint& joint) {
+             const Unlocked unlocked;
+             return std::make_unique<FinitePin>(joint);
+           }),
+           py::arg("joint"));
   type.def("__repr__", [](const FinitePin& p) {
     return py::str("<libcontact.FinitePin of {!r}>").format(p.name());
   });

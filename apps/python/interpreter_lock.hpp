@@ -25,6 +25,9 @@ auto outlive_python(const Call& call) noexcept {
 }
 
 /// Lets go of Python's lock while in scope, as pybind11::gil_scoped_release.
+/// A constructor has it inside its factory, not as call_guard: pybind11 must
+/// not see the new object before the lock is back, since Python may end then
+/// and would free an object that nobody has registered.
 class Unlocked {
  public:
   Unlocked();

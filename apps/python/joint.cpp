@@ -115,11 +115,12 @@ void bind_joint(py::module_& m) {
   type.def(py::init([](const std::string& text, const std::string& source,
                        const std::filesystem::path& folder,
                        const Settings& settings) {
+             const Unlocked unlocked;
              return std::make_unique<FileJoint>(text, source, folder,
                                                 key_settings(settings));
            }),
            py::arg("text"), py::arg("source"), py::arg("folder"),
-           py::arg("settings"), py::call_guard<Unlocked>());
+           py::arg("settings"));
   type.def_property_readonly("_toml", &FileJoint::toml);
   type.def_property_readonly("_canonical", &FileJoint::canonical);
   bind_contact(m, joints, type);

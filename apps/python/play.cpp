@@ -202,9 +202,12 @@ the clearance, touches, and is pressed in.
 joint: a Joint; a pin needs a wall with a backing. Its friction has to be dry.
 damping: a of F (1 + a d penetration/dt), s/m: damping_of_restitution().
 regularisation_speed: below which friction fades, m/s.)");
-  type.def(py::init<const FileJoint&, double, double>(), py::arg("joint"),
-           py::arg("damping") = 0.0, py::arg("regularisation_speed") = 1e-3,
-           py::call_guard<Unlocked>());
+  type.def(py::init([](const FileJoint& joint, double damping, double speed) {
+             const Unlocked unlocked;
+             return std::make_unique<Play>(joint, damping, speed);
+           }),
+           py::arg("joint"), py::arg("damping") = 0.0,
+           py::arg("regularisation_speed") = 1e-3);
   type.def("__repr__", [](const Play& p) {
     return py::str(
                "<libcontact.Play of {!r}, damping {:g} s/m, up to {:.4g} m>")
