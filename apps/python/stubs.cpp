@@ -233,16 +233,20 @@ int main() {
   const auto next = [&] {
     has_line = static_cast<bool>(std::getline(std::cin, line));
   };
-  for (; has_line; next()) {
+  while (has_line) {
     while (has_line && line.starts_with("    @Rows ")) {
       RowsFunction function(line);
-      for (next(); has_line && line.starts_with("        "); next())
+      next();
+      while (has_line && line.starts_with("        ")) {
         function.add(line);
+        next();
+      }
       std::cout << function.text();
     }
     const auto found = of.find(line);
     std::cout << (line.starts_with("@JointKeys") ? joint_keywords(line)
                   : found != of.end()            ? found->second
                                                  : line + '\n');
+    next();
   }
 }

@@ -235,7 +235,7 @@ std::size_t widest_line(const std::string& text) {
 
 TEST(PrintedTables, FitOnAPage) {
   const ProgramFolder folder;
-  for (const std::string run :
+  for (const std::string& run :
        {"hinge-joint --beta 30 --reaction 10:1000:log20" + hip,
         "hinge-table --theta0 5:90:5 --alpha 0:90:5"s,
         "hinge-angle --joint ball --modulus-ratio 1 --x 0.1:1:0.1 --law all"s,

@@ -175,7 +175,7 @@ TEST(Rooms, ProgramsIncludeInstalledHeadersOnly) {
     }
     const bool is_inside = std::ranges::any_of(
         for_programs,
-        [&](const auto& one) { return to == one || is_below(to, one); });
+        [&to = to](const auto& one) { return to == one || is_below(to, one); });
     EXPECT_TRUE(headers.contains(to) || is_inside)
         << from << " includes " << to << ", which is not installed";
   }
