@@ -4,6 +4,8 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "libcontact/c/contact.h"
 
@@ -15,6 +17,17 @@ namespace contact_hosts {
 inline void must(contact_status status) {
   if (status == CONTACT_OK) return;
   throw std::runtime_error(contact_last_message());
+}
+
+/// Keys of a file and texts of their values.
+using Settings = std::vector<std::pair<std::string, std::string>>;
+/// The same for C, which points into them.
+inline std::vector<contact_setting> c_settings(const Settings& keys) {
+  std::vector<contact_setting> given;
+  for (const auto& [key, value] : keys) {
+    given.push_back({key.c_str(), value.c_str()});
+  }
+  return given;
 }
 
 /// A joint of libcontact from its file (libcontact/docs/joint_file.md).

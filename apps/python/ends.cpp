@@ -59,7 +59,7 @@ class Seat {
   }
   std::optional<double> table_error() const {
     if (!table_) return {};
-    return std::max(table_->check().load, table_->check().friction);
+    return table_->check().error();
   }
 
  private:
@@ -230,9 +230,7 @@ Answers<FinitePinSolution> solve_pin(const FinitePin& self,
         const FinitePinSolution s =
             place ? self.pin().solve_at(force, *at[2], *at[1])
                   : self.pin().solve(force, Vector2d(at[2]), *at[1]);
-        for (const double half_angle : s.contact.end_half_angle) {
-          largest.add(half_angle, s.contact.peak_pressure);
-        }
+        largest.add(s.contact.largest());
         return s;
       });
   warn_of(self.limits(), largest);

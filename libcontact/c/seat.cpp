@@ -146,8 +146,7 @@ const char* contact_seat_table(const contact_seat* seat, std::size_t* size) {
 
 double contact_seat_table_error(const contact_seat* seat) {
   if (!seat || !seat->table) return std::numeric_limits<double>::quiet_NaN();
-  const contact::SeatTable::Check& check = seat->table->check();
-  return std::max(check.load, check.friction);
+  return seat->table->check().error();
 }
 
 contact_status contact_seat_solve(const contact_seat* seat,

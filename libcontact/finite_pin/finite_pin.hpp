@@ -8,6 +8,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/pair/relief.hpp"
 #include "libcontact/play/force_law.hpp"
+#include "libcontact/pressure/validity.hpp"
 
 namespace contact {
 
@@ -35,6 +36,14 @@ struct FinitePinState {
   double peak_place;     ///< z of it, m
   /// At z = -l/2 and l/2.
   std::array<double, 2> end_pressure, end_half_angle;
+  /// The larger of these half-angles, and the largest p.
+  LargestContact largest() const {
+    LargestContact all;
+    for (const double half_angle : end_half_angle) {
+      all.add(half_angle, peak_pressure);
+    }
+    return all;
+  }
 
   /// Sums for friction under turning about +z: of rho S, N m; of the area's
   /// tangents 2 rho sin(theta0) t and their z-moments, m^2 and m^3; of

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <functional>
 #include <memory>
 #include <string>
@@ -43,6 +44,9 @@ class SeatTable {
     double load = 0;      ///< error of the shift, as load
     double friction = 0;  ///< sums of section "Friction" about a random axis
     double peak = 0;      ///< error of the largest pressure, over itself
+
+    /// Over the load.
+    double error() const { return std::max(load, friction); }
   };
 
   /// @param contact  has to outlive the table

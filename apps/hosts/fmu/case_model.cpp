@@ -9,13 +9,8 @@ namespace {
 
 using RunHandle = std::unique_ptr<contact_run, void (*)(contact_run*)>;
 
-RunHandle open_run(
-    const std::string& file,
-    const std::vector<std::pair<std::string, std::string>>& keys) {
-  std::vector<contact_setting> given;
-  for (const auto& [key, value] : keys) {
-    given.push_back({key.c_str(), value.c_str()});
-  }
+RunHandle open_run(const std::string& file, const Settings& keys) {
+  const std::vector<contact_setting> given = c_settings(keys);
   contact_run* run = nullptr;
   must(contact_run_open(file.c_str(), given.data(), given.size(), &run));
   return {run, contact_run_free};

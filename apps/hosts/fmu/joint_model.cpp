@@ -146,10 +146,7 @@ class JointModel : public Model {
 
   void make() override {
     const auto keys = settings();
-    std::vector<contact_setting> given;
-    for (const auto& [key, value] : keys) {
-      given.push_back({key.c_str(), value.c_str()});
-    }
+    const std::vector<contact_setting> given = c_settings(keys);
     contact_joint* read = nullptr;
     must(contact_joint_read(file().c_str(), given.data(), given.size(), &read));
     joint_.reset(read);

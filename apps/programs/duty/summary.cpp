@@ -132,7 +132,7 @@ void add_seat(const contact::SeatCycle& seat, Report& to) {
   }
   const contact::SeatTable::Check& check = seat.check();
   if (check.states == 0) return;
-  to.add("seat_table_error", std::max(check.load, check.friction),
+  to.add("seat_table_error", check.error(),
          "of the table of contacts, over the load: the largest of 100 states");
 }
 

@@ -73,25 +73,23 @@ class Packer {
   int count_ = 0;
 };
 
-// Reads a joint or a case, whose readers say what is wrong with a file.
-// Returns what an FMU cannot say while it runs.
-std::vector<std::string> notes_of(const fs::path& file, bool is_joint) {
-  if (is_joint) {
-    const contact::JointSpec joint = contact::read_joint(file);
-    std::vector<std::string> notes = joint.contact().validity_notes();
-    if (joint.geometry.seat()) {
-      notes.emplace_back(
-          "the [seat] is left out: a contact is taken to go on beyond its "
-          "rims");
-    }
-    return notes;
+// Readers of joints and cases say what is wrong with a file. Notes are what an
+// FMU cannot say while it runs.
+void check_joint(const fs::path& file, Resources& all) {
+  const contact::JointSpec joint = contact::read_joint(file);
+  all.notes = joint.contact().validity_notes();
+  if (joint.geometry.seat()) {
+    all.notes.emplace_back(
+        "the [seat] is left out: a contact is taken to go on beyond its rims");
   }
+}
+void check_case(const fs::path& file, Resources& all) {
   contact_run* run = nullptr;
-  const contact_status status =
-      contact_run_open(file.c_str(), nullptr, 0, &run);
+  if (contact_run_open(file.c_str(), nullptr, 0, &run) != CONTACT_OK) {
+    throw contact::Error(contact_last_message());
+  }
+  all.end_time = contact_run_end_time(run);
   contact_run_free(run);
-  if (status != CONTACT_OK) throw contact::Error(contact_last_message());
-  return {};
 }
 
 // A case has bodies. A text that is no TOML is refused as a joint's.
@@ -108,7 +106,7 @@ bool is_joint_file(const std::string& file) {
 Resources read_resources(const fs::path& file) {
   Resources all;
   all.is_joint = is_joint_file(file);
-  all.notes = notes_of(file, all.is_joint);
+  (all.is_joint ? check_joint : check_case)(file, all);
   Packer(all).add(file, "model.toml", "");
   return all;
 }

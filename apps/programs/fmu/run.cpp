@@ -2,12 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <cstdio>
 #include <filesystem>
 #include <fstream>
-#include <regex>
-#include <sstream>
-#include <vector>
 
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
@@ -21,7 +17,6 @@
 #include "programs/fmu/description.hpp"
 #include "programs/fmu/resources.hpp"
 #include "programs/fmu/shared_object.hpp"
-#include "separation/c/run.h"
 
 namespace hinge_fmu {
 namespace {
@@ -79,14 +74,6 @@ std::string output_of(const Options& o) {
                           : o.output;
 }
 
-double end_of(const std::string& file) {
-  contact_run* run = nullptr;
-  contact_run_open(file.c_str(), nullptr, 0, &run);
-  const double end = contact_run_end_time(run);
-  contact_run_free(run);
-  return end;
-}
-
 std::string zipped(const Options& o, const Resources& resources) {
   const TemporaryFolder folder;
   for (const auto& [name, text] : resources.files) {
@@ -96,12 +83,9 @@ std::string zipped(const Options& o, const Resources& resources) {
   const auto model = is_joint ? contact_hosts::fmu::joint_model(folder.path())
                               : contact_hosts::fmu::case_model(folder.path());
   const std::string kind = is_joint ? "joint" : "case";
-  const Description description = {fs::path(o.file).stem(),
-                                   "contact_" + kind,
-                                   model->token(),
-                                   o.version,
-                                   is_joint && o.version == 2,
-                                   is_joint ? 0 : end_of(o.file)};
+  const Description description = {
+      fs::path(o.file).stem(),    "contact_" + kind, model->token(), o.version,
+      is_joint && o.version == 2, resources.end_time};
   const fs::path zip = folder.path() / "fmu.zip";
   Archive archive(zip);
   archive.add("modelDescription.xml", description.text(*model));

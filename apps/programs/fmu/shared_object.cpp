@@ -5,6 +5,7 @@
 #include <regex>
 #include <sstream>
 
+#include "cli/stream/quoting.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace hinge_fmu {
@@ -14,9 +15,8 @@ namespace fs = std::filesystem;
 
 // Words of the loader on a shared object: lines "NAME => PATH (ADDRESS)".
 std::string said_by_loader(const fs::path& object) {
-  const std::string quoted =
-      std::regex_replace(object.string(), std::regex("'"), "'\\''");
-  std::FILE* const pipe = ::popen(("ldd '" + quoted + "'").c_str(), "r");
+  const std::string command = "ldd " + cli::shell_word(object.string());
+  std::FILE* const pipe = ::popen(command.c_str(), "r");
   if (!pipe) throw contact::Error("ldd: cannot be run");
   std::string text;
   std::array<char, 4096> block;

@@ -29,9 +29,7 @@ struct Problems {
   std::size_t not_converged = 0;
 
   void add(const FinitePinSolution& s) {
-    for (const double half_angle : s.contact.end_half_angle) {
-      largest.add(half_angle, s.contact.peak_pressure);
-    }
+    largest.add(s.contact.largest());
     out_of_range += s.contact.status == contact::Status::out_of_range ? 1 : 0;
     not_converged += s.contact.status == contact::Status::not_converged ? 1 : 0;
   }

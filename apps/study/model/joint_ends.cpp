@@ -136,12 +136,8 @@ Result run_pin_that_ends(const contact::JointSpec& joint, const EndedLoad& load,
     return {failure_of(s.contact.status), {}};
   }
   Result result;
-  contact::LargestContact largest;
-  for (const double half_angle : s.contact.end_half_angle) {
-    largest.add(half_angle, s.contact.peak_pressure);
-  }
   add(contact::finite_pin_quantities(), s, result);
-  add(joint, largest, effort, result);
+  add(joint, s.contact.largest(), effort, result);
   return result;
 }
 
