@@ -95,7 +95,7 @@ const char* word(separation::Run::Status status) {
 }
 
 /// A run that Python moves on. What takes long goes on without Python's lock;
-/// whoever looks at the run meanwhile is refused.
+/// looks at the run meanwhile are refused.
 class CaseRun {
  public:
   CaseRun(const FileCase& file, bool clearance)
@@ -150,7 +150,7 @@ class CaseRun {
   }
 
  private:
-  // Options by which the run asks whoever listens to it.
+  // Options by which the run asks its listener.
   separation::RunOptions heard(separation::RunOptions options) {
     options.progress = [this](const separation::Run& r) {
       if (listener_) listener_->come_to(r.time());

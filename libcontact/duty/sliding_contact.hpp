@@ -31,7 +31,7 @@ class SlidingContact {
     double theta;           ///< from the contact's centre, rad
     Eigen::Vector3d place;  ///< unit vector from the joint's centre
   };
-  /// All that is said here, without what it refers to.
+  /// The numbers alone, without what they refer to.
   struct Rating {
     Peak pv;
     Peak heat_flux;

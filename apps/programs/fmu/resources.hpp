@@ -19,7 +19,7 @@ struct Resources {
   /// Numbers of the tables and of arrays of up to three numbers.
   std::vector<Key> keys;
   bool is_joint;                   ///< else a case
-  double end_time = 0;             ///< of a case, s
+  double end_time = 0;             ///< duration of a case, s
   std::vector<std::string> notes;  ///< limits of the theory that it exceeds
 };
 

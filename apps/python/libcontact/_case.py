@@ -68,8 +68,8 @@ class Case(FileText, _core.Case):
         clearance: whether to work out distances between bodies.
         progress: called ten times a second with the time and the end, s.
 
-        A run that fails on its way gives a RuntimeWarning and what has come of
-        it by then. Joints whose contact leaves the theory, or what its materials
+        A run that fails on its way gives a RuntimeWarning and its results
+        until then. Joints whose contact leaves the theory, or what its materials
         bear, give a ContactWarning.
         """
         of_run, notes = _core._run(self, clearance, progress)

@@ -227,7 +227,7 @@ addSummary();
 addCurves();
 const ready = addPicture().then(() => update(performance.now()));
 
-// For whoever wants to ask the page from its console.
+// The page, asked from its console.
 window.replay = {
   ready, go, play, snapshot,
   get time() { return now; },
