@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "libcontact/base/number.hpp"
+
 namespace cli {
 namespace {
 
@@ -26,7 +28,8 @@ std::optional<double> take_number(std::string_view& text) {
   }
   double value = 0;
   const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, value);
+  const auto [stop, error] =
+      contact::detail::number_from(text.data(), end, value);
   if (error != std::errc()) return std::nullopt;
   text.remove_prefix(static_cast<std::size_t>(stop - text.data()));
   return value;

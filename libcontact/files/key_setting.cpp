@@ -9,6 +9,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/number.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_units.hpp"
@@ -37,10 +38,9 @@ const KnownKey* known(const KnownKeys* keys, std::string_view name) {
   return found == keys->end() ? nullptr : &*found;
 }
 
-// The number that a text is and nothing else.
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-  Number number = 0;
+// The number of a place that a text is and nothing else.
+std::optional<std::size_t> place_in(std::string_view text) {
+  std::size_t number = 0;
   const auto end = text.data() + text.size();
   const auto [stop, error] = std::from_chars(text.data(), end, number);
   if (error != std::errc() || stop != end) return {};
@@ -50,14 +50,14 @@ std::optional<Number> number_of(std::string_view text) {
 // The node of an array that "[2]" calls; null if there is none.
 toml::node* element(toml::node* array, std::string_view which) {
   if (array == nullptr || array->as_array() == nullptr) return nullptr;
-  const auto index = number_of<std::size_t>(which);
+  const auto index = place_in(which);
   return index ? array->as_array()->get(*index - 1) : nullptr;
 }
 
 // The place in an array of tables, from 1, that a number or a name calls; 0 if
 // no table has that name.
 std::size_t place_among(const toml::array& tables, std::string_view which) {
-  if (const auto number = number_of<std::size_t>(which)) return *number;
+  if (const auto number = place_in(which)) return *number;
   for (std::size_t i = 0; i < tables.size(); ++i) {
     const toml::table* table = tables[i].as_table();
     if (table != nullptr && (*table)["name"] == which) return i + 1;
@@ -87,7 +87,7 @@ Inner table_at(toml::table& from, const Step& step) {
 void refuse_stranger(const toml::table& from, const Step& step,
                      const std::string& setting) {
   const toml::array* const array = from.get_as<toml::array>(step.name);
-  if (array == nullptr || number_of<std::size_t>(step.which)) return;
+  if (array == nullptr || place_in(step.which)) return;
   std::vector<std::string> names;
   for (const toml::node& node : *array) {
     const toml::table* const table = node.as_table();
@@ -147,7 +147,7 @@ std::string multiplied(const toml::node& node, double factor) {
 // The factor of a value "*1.05".
 std::optional<double> factor_of(std::string_view value) {
   if (!value.starts_with('*')) return {};
-  const auto factor = number_of<double>(value.substr(1));
+  const auto factor = number_in(value.substr(1));
   return factor && std::isfinite(*factor) ? factor : std::nullopt;
 }
 
@@ -267,8 +267,8 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
   std::string key = put(*table, leaf, in, setting.value, text);
   if (key.empty()) refuse();
   if (!leaf.which.empty()) key += message("[{}]", leaf.which);
-  place += place_text(known(in, leaf.name), leaf,
-                      number_of<std::size_t>(leaf.which).value_or(0));
+  place +=
+      place_text(known(in, leaf.name), leaf, place_in(leaf.which).value_or(0));
   return {table, key, false, place};
 }
 

@@ -1,7 +1,6 @@
 #include "libcontact/half_angle/paper_laws.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -11,6 +10,7 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/number.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -278,14 +278,9 @@ std::unique_ptr<HalfAngleLaw> make_blend(const HalfAngleRequest& asked,
 
 // The K of "blend:K".
 double parse_share(std::string_view text) {
-  double share = nan;
-  const char* const end = text.data() + text.size();
-  const auto [stop, error] = std::from_chars(text.data(), end, share);
-  if (error != std::errc() || stop != end) {
-    throw Error(must_be(message("half-angle law blend:{}", printable(text)),
-                        "blend:K with K a number from 0 to 1"));
-  }
-  return share;
+  if (const auto share = number_in(text)) return *share;
+  throw Error(must_be(message("half-angle law blend:{}", printable(text)),
+                      "blend:K with K a number from 0 to 1"));
 }
 
 }  // namespace

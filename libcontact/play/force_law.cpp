@@ -143,7 +143,8 @@ struct ForceLaw::Cells {
   Cells(const ForceSeries& series, double clearance, double unit);
 
   const Cell& of(double penetration) const {
-    return cells[std::min(cell_number(penetration) - first, cells.size() - 1)];
+    return cells[std::min<std::uint64_t>(cell_number(penetration) - first,
+                                         cells.size() - 1)];
   }
   // The power below the first cell.
   ForceState small(double penetration) const {
