@@ -12,13 +12,17 @@
 #   packages  Debian packages of build/ install, work and go in a clean root
 #   hosts     adapters to simulators (apps/hosts) build, and their tests pass
 #   fmu       descriptions of FMUs fit the schemas of FMI, in $FMI_SCHEMAS
+#   libcxx    the library builds by clang++ 19 with libc++, and its tests pass
+#             with every set of instructions
+#   libcxx_quick  the same of some tests, without optimisation
+#   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
 #   all       all of them
-# Format and symbols are tests of the gate too.
+# Format, symbols and libcxx_quick are in the gate too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,15s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,19s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -156,16 +160,51 @@ check_fmu() {
 }
 
 check_hosts() {
-  [ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
-    scripts/setup.sh scripts/packages-hosts.txt
+  install packages-hosts.txt
   cmake --preset release
   cmake --build --preset release --target hosts
   ctest --preset release --no-tests=error -L '^host$'
 }
 
+install() { # LIST
+  [ "${CONTACT_SKIP_SETUP:-}" = 1 ] || scripts/setup.sh "scripts/$1"
+}
+
+check_libcxx() {
+  install packages-libcxx.txt
+  cmake --preset libcxx
+  cmake --build --preset libcxx
+  local sets=(baseline) set
+  grep -q ' avx2 .* fma\| fma .* avx2 ' /proc/cpuinfo && sets+=(avx2)
+  grep -q ' avx512vl' /proc/cpuinfo && sets+=(avx512)
+  for set in "${sets[@]}"; do
+    CONTACT_INSTRUCTION_SET=$set ctest --preset libcxx --no-tests=error \
+      --parallel "$(nproc)"
+  done
+}
+
+check_libcxx_quick() {
+  install packages-libcxx.txt
+  cmake --preset libcxx -B build-libcxx-quick -D CMAKE_CXX_FLAGS_RELEASE=-O0
+  local tests=(base_number base_units pair_pair half_angle_laws files_joint_file
+    joint_step c_joint)
+  cmake --build build-libcxx-quick --target "${tests[@]/%/_test}"
+  local test
+  for test in "${tests[@]}"; do
+    build-libcxx-quick/tests/"${test}_test" --gtest_brief=1
+  done
+}
+
+check_aarch64() {
+  install packages-aarch64.txt
+  cmake --preset aarch64
+  cmake --build --preset aarch64
+  ctest --preset aarch64 --no-tests=error --parallel "$(nproc)"
+}
+
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu libcxx aarch64)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

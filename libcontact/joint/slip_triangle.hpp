@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/base/inverse_root.hpp"
+#include "libcontact/base/lanes/inverse_root.hpp"
 
 namespace contact::detail {
 

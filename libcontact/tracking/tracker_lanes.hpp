@@ -1,7 +1,7 @@
 #pragma once
 
-#include "libcontact/base/inverse_root.hpp"
 #include "libcontact/base/lanes.hpp"
+#include "libcontact/base/lanes/inverse_root.hpp"
 #include "libcontact/base/select.hpp"
 #include "libcontact/tracking/tracker_exchange.hpp"
 #include "libcontact/tracking/tracker_state.hpp"

@@ -1,4 +1,4 @@
-#include "libcontact/base/inverse_root.hpp"
+#include "libcontact/base/lanes/inverse_root.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "libcontact/base/sine_cosine.hpp"
+#include "libcontact/base/lanes/sine_cosine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "c/door.hpp"
+#include "c/run_door.hpp"
 #include "separation/case/case_reader.hpp"
 
 namespace contact::test {

@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "c/door.hpp"
+#include "c/run_door.hpp"
 #include "libcontact/version.hpp"
 
 namespace {

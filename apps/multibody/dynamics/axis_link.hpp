@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/base/sine_cosine.hpp"
+#include "libcontact/base/lanes/sine_cosine.hpp"
 #include "multibody/dynamics/carrier_equations.hpp"
 #include "multibody/dynamics/held_link.hpp"
 #include "multibody/dynamics/state_rates.hpp"

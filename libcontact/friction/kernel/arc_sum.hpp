@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "libcontact/base/logarithm.hpp"
+#include "libcontact/base/lanes/logarithm.hpp"
 #include "libcontact/base/select.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "libcontact/base/inverse_root.hpp"
+#include "libcontact/base/lanes/inverse_root.hpp"
 #include "libcontact/friction/kernel/arc_polynomials.hpp"
 #include "libcontact/friction/kernel/cap_rule.hpp"
 

@@ -4,8 +4,8 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/lanes/sine_cosine.hpp"
 #include "libcontact/base/select.hpp"
-#include "libcontact/base/sine_cosine.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// Steps of the exact method before and after its sum over nodes, for V a lane

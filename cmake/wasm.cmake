@@ -1,0 +1,7 @@
+# Toolchain: WebAssembly by Debian's emscripten 3.1.6, with its vectors and
+# exceptions; programs run in node.
+include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
+set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions \
+-include ${CMAKE_CURRENT_LIST_DIR}/libcxx13.hpp")
+# Node and pages opened from a disk fetch no second file.
+set(CMAKE_EXE_LINKER_FLAGS_INIT "-s SINGLE_FILE=1")
