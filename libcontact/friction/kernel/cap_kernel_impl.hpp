@@ -38,8 +38,11 @@ auto with_branches(bool pole_inside, ArcRange range, F f) {
                      : with_range.template operator()<false>();
 }
 
+// Apart, each has registers enough with 16 of two numbers: 4 % fewer
+// instructions of a call.
 template <bool pole_inside, ArcRange range>
-CapSums<double> sum_nodes(const CapPoint<double>& point, const CapRule& rule) {
+[[gnu::noinline]] CapSums<double> sum_nodes(const CapPoint<double>& point,
+                                            const CapRule& rule) {
   NodeSum<pole_inside, range, Lanes> nodes(
       CapPoint<Lanes>{point.s, point.c, point.sa, point.q, point.k, point.m});
   for (int i = 0; i < rule.padded_size; i += width) {
