@@ -13,7 +13,7 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-// What the standard says of std::from_chars, of libraries with and without it.
+// As the standard has std::from_chars, by libraries with and without it.
 TEST(Number, ReadsAsFromCharsDoes) {
   struct Row {
     std::string text;
