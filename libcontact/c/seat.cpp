@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libcontact/c/joint.hpp"
@@ -34,6 +35,12 @@ struct contact_seat  // NOLINT(readability-identifier-naming)
   contact::SeatJoint joint;
   std::shared_ptr<const contact::SeatTable> table;
   std::string bytes;
+};
+
+/// Last solution of a seat, as C holds it.
+struct contact_seat_memory  // NOLINT(readability-identifier-naming)
+    : contact::c::Handle {
+  contact::SeatJointSolution last;
 };
 
 namespace contact::c {
@@ -95,6 +102,19 @@ contact_status reported(const SeatJoint& joint, const SeatJointSolution& s,
                         why.c_str());
 }
 
+contact_status solve(const SeatJoint& joint, const contact_slip& at,
+                     SeatJointSolution& last, contact_seat_solution& to,
+                     const char* function) {
+  SeatJointSolution s =
+      joint.solve({.reaction = Vector3d(at.reaction),
+                   .angular_velocity = Vector3d(at.angular_velocity)},
+                  last);
+  put(to, s);
+  const contact_status status = reported(joint, s, function);
+  if (status == CONTACT_OK) last = std::move(s);
+  return status;
+}
+
 }  // namespace
 
 template <>
@@ -154,13 +174,41 @@ contact_status contact_seat_solve(const contact_seat* seat,
                                   contact_seat_solution* solution) {
   return call_for(
       [=] {
-        const auto& joint = given(seat, "contact_seat_solve: seat").joint;
-        const contact_slip& at = given(slip, "contact_seat_solve: slip");
-        const auto s =
-            joint.solve({.reaction = Vector3d(at.reaction),
-                         .angular_velocity = Vector3d(at.angular_velocity)});
-        contact::c::put(given(solution, "contact_seat_solve: solution"), s);
-        return contact::c::reported(joint, s, "contact_seat_solve");
+        contact::SeatJointSolution none;
+        return contact::c::solve(
+            given(seat, "contact_seat_solve: seat").joint,
+            given(slip, "contact_seat_solve: slip"), none,
+            given(solution, "contact_seat_solve: solution"),
+            "contact_seat_solve");
+      },
+      solution);
+}
+
+contact_status contact_seat_memory_make(contact_seat_memory** memory) {
+  return call([=] {
+    contact_seat_memory** const to =
+        contact::c::emptied(memory, "contact_seat_memory_make: memory");
+    *to = new contact_seat_memory;
+    return CONTACT_OK;
+  });
+}
+
+void contact_seat_memory_free(contact_seat_memory* memory) {
+  contact::c::give_back(memory);
+}
+
+contact_status contact_seat_solve_from(const contact_seat* seat,
+                                       const contact_slip* slip,
+                                       contact_seat_memory* memory,
+                                       contact_seat_solution* solution) {
+  return call_for(
+      [=] {
+        return contact::c::solve(
+            given(seat, "contact_seat_solve_from: seat").joint,
+            given(slip, "contact_seat_solve_from: slip"),
+            given(memory, "contact_seat_solve_from: memory").last,
+            given(solution, "contact_seat_solve_from: solution"),
+            "contact_seat_solve_from");
       },
       solution);
 }

@@ -74,6 +74,40 @@ TEST(CSeat, IsWhatCppSays) {
   expect_same(rest.slip, s.slip);
 }
 
+// The second of two solutions that are near begins from the first.
+TEST(CSeat, GoesOnFromItsMemory) {
+  const CSeat seat = c_seat(ring);
+  const SeatJoint joint(contact::read_joint(ring));
+  contact_seat_memory* memory = nullptr;
+  ASSERT_EQ(contact_seat_memory_make(&memory), CONTACT_OK);
+  SeatJointSolution last;
+  for (const double load : {3e5, 3.01e5}) {
+    const contact_slip slip = {{load, 0, 0}, {0.1, 0, 0.5}, {}};
+    last = joint.solve(
+        {.reaction = {load, 0, 0}, .angular_velocity = {0.1, 0, 0.5}}, last);
+    contact_seat_solution c;
+    ASSERT_EQ(contact_seat_solve_from(seat.get(), &slip, memory, &c),
+              CONTACT_OK);
+    expect_same(c, last);
+    // Loads are found to 1e-5 of themselves by either way.
+    contact_seat_solution cold;
+    ASSERT_EQ(contact_seat_solve(seat.get(), &slip, &cold), CONTACT_OK);
+    EXPECT_NEAR(c.shift[0] / cold.shift[0], 1, 1e-4);
+    EXPECT_NEAR(c.friction_moment[2] / cold.friction_moment[2], 1, 1e-4);
+    // Out of the seat: the memory stays as it was.
+    const contact_slip outside = {{NAN, 0, 0}, {0, 0, 1}, {}};
+    EXPECT_NE(contact_seat_solve_from(seat.get(), &outside, memory, &c),
+              CONTACT_OK);
+    EXPECT_TRUE(std::isnan(c.friction_moment[0]));
+  }
+  contact_seat_memory_free(memory);
+  contact_seat_memory_free(nullptr);
+  const contact_slip slip = {{3e5, 0, 0}, {0, 0, 1}, {}};
+  contact_seat_solution c;
+  expect_failure(contact_seat_solve_from(seat.get(), &slip, nullptr, &c),
+                 CONTACT_BAD_INPUT, "contact_seat_solve_from: memory must be other than NULL");
+}
+
 // Radial rings have side faces at acute angles to the seat.
 TEST(CSeat, SaysWhatTheModelLeavesOut) {
   const CSeat seat = c_seat(ring);
