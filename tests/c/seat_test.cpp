@@ -105,7 +105,8 @@ TEST(CSeat, GoesOnFromItsMemory) {
   const contact_slip slip = {{3e5, 0, 0}, {0, 0, 1}, {}};
   contact_seat_solution c;
   expect_failure(contact_seat_solve_from(seat.get(), &slip, nullptr, &c),
-                 CONTACT_BAD_INPUT, "contact_seat_solve_from: memory must be other than NULL");
+                 CONTACT_BAD_INPUT,
+                 "contact_seat_solve_from: memory must be other than NULL");
 }
 
 // Radial rings have side faces at acute angles to the seat.
