@@ -1,10 +1,10 @@
 #include "support/reference_table.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <fstream>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/number.hpp"
 
 namespace contact::test {
 namespace {
@@ -73,15 +73,13 @@ std::string ReferenceTable::Row::label() const {
 template <>
 double ReferenceTable::Row::value<double>(std::string_view column) const {
   const std::string& cell = text(column);
-  double number = 0;
-  // from_chars rounds to nearest: the double nearest to the printed decimal.
-  const auto [end, error] =
-      std::from_chars(cell.data(), cell.data() + cell.size(), number);
-  if (error != std::errc() || end != cell.data() + cell.size()) {
+  // Rounded to nearest: the double nearest to the printed decimal.
+  const auto number = detail::number_in(cell);
+  if (!number) {
     throw Error(label() + ": " + std::string(column) + " is \"" + cell +
                 "\", not a number");
   }
-  return number;
+  return *number;
 }
 
 }  // namespace contact::test

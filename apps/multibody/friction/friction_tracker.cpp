@@ -20,11 +20,13 @@ Eigen::Map<const Lanes> at(const double* row, int component = 0) {
   return Eigen::Map<const Lanes>(row + component * VectorRows::lanes);
 }
 
-// Contacts of a hinge if it can be tracked, else none: of a thrust face nothing
-// is tracked.
+// Contacts of a hinge if it can be tracked, else none: thrust faces and seats
+// are not.
 std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   const auto* const of_group = std::get_if<GroupFriction>(&friction);
   if (of_group && of_group->group.thrust_face()) return {};
+  const auto* const alone = std::get_if<JointFriction>(&friction);
+  if (alone && alone->seat) return {};
   const auto is_consistent = [](const auto& of) {
     if constexpr (requires { of.estimate; }) {
       return of.estimate == FrictionEstimate::consistent;

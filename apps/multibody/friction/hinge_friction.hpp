@@ -1,10 +1,12 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 #include <vector>
 
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/seat/joint.hpp"
 
 /// Friction in the hinge of a body.
 namespace multibody {
@@ -21,6 +23,9 @@ enum class FrictionEstimate {
 struct JointFriction {
   contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
+  /// Confines the contact of a ball to its seat; `joint` is its unbounded().
+  /// Without: the seat goes on beyond its rims.
+  std::shared_ptr<const contact::SeatJoint> seat = {};
 };
 
 /// Several joints on the axis of an axis body (HingeKind::axis); positions

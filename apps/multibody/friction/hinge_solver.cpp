@@ -38,6 +38,7 @@ bool holds(const contact::JointContact& contact) {
 HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
       contacts_(contacts(friction_)),
+      link_(link),
       axes_(link.axes),
       is_axis_(hinge_traits(link.kind).is_axis) {
   const auto refuse = [&](const char* what, const char* where) {
@@ -49,6 +50,9 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
       if (!is_axis_) refuse("a pin joint", "an axis");
     } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
+    }
+    if (one->seat && one->estimate == FrictionEstimate::consistent) {
+      seat_.emplace(one->seat);
     }
   } else if (std::holds_alternative<GroupFriction>(friction_) && !is_axis_) {
     refuse("a group of joints", "an axis");
@@ -78,10 +82,7 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
                                         rate.z() * axis, axis}
                  : contact::Joint::Slip{force, axes_ * rate};
     JointSolution& last = memory.joints[0];
-    last = one->estimate == FrictionEstimate::consistent
-               ? one->joint.solve(slip, last, inner)
-               : one->joint.solve_contact(
-                     {slip.reaction, slip.angular_velocity, slip.axis});
+    last = slide_ball(*one, slip, memory);
     if (last.status != contact::Status::ok) return nan_vector();
     if (is_axis_) return {0, 0, last.friction_moment.dot(axis)};
     return axes_.transpose() * last.friction_moment;
@@ -92,6 +93,20 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     sum += joint.friction_moment.dot(axis);
   }
   return {0, 0, sum};
+}
+
+JointSolution HingeSolver::slide_ball(const JointFriction& ball,
+                                      const contact::Joint::Slip& slip,
+                                      Memory& memory) const {
+  if (ball.estimate == FrictionEstimate::traditional) {
+    return ball.joint.solve_contact(
+        {slip.reaction, slip.angular_velocity, slip.axis});
+  }
+  if (seat_) {
+    const JointSolution confined = seat_->slide(slip, memory.seat);
+    if (!memory.seat.is_free()) return confined;
+  }
+  return ball.joint.solve(slip, memory.joints[0], inner);
 }
 
 // The joints of a group that turns.
@@ -130,9 +145,11 @@ void HingeSolver::estimate_joints(const contact::JointGroup& group, double rate,
 double HingeSolver::utilisation_of(const JointFriction& ball,
                                    const contact::Joint::Hold& hold,
                                    Memory& memory) const {
-  auto& [joints, group, rest, slip_direction] = memory;
+  auto& [joints, group, rest, seat, slip_direction] = memory;
   if (ball.estimate == FrictionEstimate::consistent) {
-    rest = ball.joint.at_rest(hold, rest);
+    const contact::RestSolution last = rest;
+    if (seat_) rest = seat_->at_rest(hold, seat);
+    if (!seat_ || seat.is_free()) rest = ball.joint.at_rest(hold, last);
     joints[0] = rest.slip;
     slip_direction = axes_.transpose() * rest.direction;
     return rest.utilisation;
@@ -202,6 +219,9 @@ Vector3d HingeSolver::prox(const Matrix3d& inertia, const Vector3d& free,
                            const Memory& memory) const {
   const contact::Joint& joint = std::get<JointFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
+  if (seat_ && !memory.seat.is_free()) {
+    return axes_.transpose() * seat_->prox(given, axes_ * free, memory.seat);
+  }
   return axes_.transpose() * joint.moment_set(memory.joints[0])
                                  .prox(given, axes_ * free)
                                  .angular_velocity;

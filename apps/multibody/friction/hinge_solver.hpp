@@ -1,9 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "multibody/friction/hinge_friction.hpp"
+#include "multibody/friction/seat_solver.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/system.hpp"
 
@@ -18,6 +20,7 @@ class HingeSolver {
     std::vector<contact::JointSolution> joints;
     contact::JointGroup::Solution group;
     contact::RestSolution rest;
+    SeatSolver::Memory seat;
     /// Direction of impending slip in the last utilisation(), unit vector; 0
     /// without a driving moment.
     Eigen::Vector3d slip_direction = Eigen::Vector3d::Zero();
@@ -29,6 +32,12 @@ class HingeSolver {
 
   /// Without solutions.
   Memory make_memory() const;
+  /// A hinge that turns: before the calls that follow.
+  void set_state(const double* link_state, Memory& memory) const {
+    if (seat_) seat_->set_state(link_, link_state, memory.seat);
+  }
+  /// The contact is confined to a seat that ends.
+  bool is_in_seat() const { return seat_.has_value(); }
   bool has_friction() const { return !contacts_.empty(); }
   /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
@@ -71,11 +80,17 @@ class HingeSolver {
   double utilisation_of(const JointFriction& ball,
                         const contact::Joint::Hold& hold, Memory& memory) const;
 
+  contact::JointSolution slide_ball(const JointFriction& ball,
+                                    const contact::Joint::Slip& slip,
+                                    Memory& memory) const;
+
   HingeFriction friction_;
   std::vector<contact::JointContact> contacts_;
+  Link link_;
   Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;
+  std::optional<SeatSolver> seat_;
 };
 
 }  // namespace multibody

@@ -85,6 +85,10 @@ void Hinges::set_state(const double* state) {
     const JointMode mode = joint_mode(hinges_[i].mode);
     if (dynamics.mode(i) != mode) dynamics.set_mode(i, mode);
     if (hinges_[i].is_active()) at_.active.push_back(i);
+    if (hinges_[i].mode != HingeMode::released) {
+      hinges_[i].solver.set_state(state + dynamics.layout().offset(i),
+                                  memory(i).solver);
+    }
   }
   if (state != at_.state.data()) {
     at_.state.assign(state, state + dynamics.layout().size());

@@ -37,7 +37,15 @@ const char* reason(CoupledStatus status) {
   return "";
 }
 
-std::string reason(const contact::JointContact& contact, double force) {
+std::string reason(const HingeSolver& solver, const CoupledReport& report) {
+  const contact::JointContact& contact = solver.contact(report.joint);
+  const double force = report.force;
+  if (solver.is_in_seat()) {
+    return fmt::format(
+        "no contact on the joint's seat carries its load of {:.6g} N: it "
+        "points out of the seat, or almost",
+        force);
+  }
   const std::string law = contact.half_angle_law().name();
   return std::isfinite(contact.half_angle(force).half_angle)
              ? fmt::format(
@@ -88,11 +96,10 @@ Motion::Motion(Motion&&) noexcept = default;
 Motion& Motion::operator=(Motion&&) noexcept = default;
 
 void Motion::set_failure(const CoupledReport& report, double time) {
-  const std::string why = report.status == CoupledStatus::no_contact
-                              ? reason(equations_->coupled.hinge(report.body)
-                                           .solver.contact(report.joint),
-                                       report.force)
-                              : reason(report.status);
+  const std::string why =
+      report.status == CoupledStatus::no_contact
+          ? reason(equations_->coupled.hinge(report.body).solver, report)
+          : reason(report.status);
   failure_ = MotionFailure{report.status,
                            time,
                            report.body,

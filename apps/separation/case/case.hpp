@@ -45,6 +45,8 @@ struct HingeJoint {
   double position;  ///< along the axis from the hinge's centre, m
   /// Joints of the case that are alike have the same laws.
   contact::JointContact contact;
+  /// A ball whose contact is confined to its seat (`in_seat`).
+  std::shared_ptr<const contact::SeatJoint> seat = {};
 };
 
 /// The upper node: what a body turns on.

@@ -73,7 +73,9 @@ Keys hinge_keys() {
       table_key("joint",
                 with(contact::joint_keys(),
                      {{.key = "file", .of_file = contact::joint_keys()},
-                      {"position", Dimension::length}}))};
+                      {"position", Dimension::length},
+                      {"in_seat"},
+                      {"seat_loads", Dimension::force}}))};
   for (const HingeType& type : hinge_types()) {
     keys = with(keys, of(type.name, type.keys));
   }

@@ -6,6 +6,7 @@
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_tables.hpp"
+#include "libcontact/seat/table.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 
@@ -62,13 +63,46 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   return joint;
 }
 
+// The seat with a table of its contacts, if loads for one are given. Who refers
+// to the seat keeps it.
+std::shared_ptr<const contact::SeatJoint> read_seat(
+    const TomlTable& table, const contact::JointSpec& joint) {
+  const auto loads =
+      table.optional_numbers("seat_loads", {2}, Interval::positive());
+  if (!table.flag("in_seat")) {
+    if (loads) table.needs("seat_loads", "in_seat = true");
+    return {};
+  }
+  if (!joint.geometry.seat()) table.needs("in_seat", "a ball with a [seat]");
+  if (loads && !((*loads)[1] > (*loads)[0])) {
+    table.must_be("seat_loads", "a load and a larger one");
+  }
+  try {
+    auto seat = std::make_shared<contact::SeatJoint>(joint);
+    if (loads) {
+      seat->use(std::make_shared<const contact::SeatTable>(
+          seat->contact(),
+          contact::SeatTable::Options{.least_load = (*loads)[0],
+                                      .most_load = (*loads)[1]}));
+    }
+    return seat;
+  } catch (const Error& error) {
+    table.fail("in_seat", error.what());
+  }
+}
+
 HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
                             contact::SharedLaws& made) {
   contact::JointSpec joint = read_joint_of(table, laws, made);
+  const double position =
+      table.optional_number("position", Interval::any()).value_or(0);
+  if (auto seat = read_seat(table, joint)) {
+    // The exact laws, which the seat goes by.
+    JointContact contact = seat->unbounded().contact();
+    return {std::move(joint), position, std::move(contact), std::move(seat)};
+  }
   JointContact contact = joint.contact(made);
-  return {std::move(joint),
-          table.optional_number("position", Interval::any()).value_or(0),
-          std::move(contact)};
+  return {std::move(joint), position, std::move(contact)};
 }
 
 contact::JointGroup make_group(const Hinge& hinge) {
@@ -121,7 +155,7 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
                                         : FrictionEstimate::consistent;
   if (hinge.joints.size() == 1) {
     return multibody::JointFriction{contact::Joint(hinge.joints[0].contact),
-                                    estimate};
+                                    estimate, hinge.joints[0].seat};
   }
   return multibody::GroupFriction{make_group(hinge), estimate};
 }

@@ -82,7 +82,22 @@ Texts joint_texts(const Case& c, const TextsOf& texts_of) {
 }
 
 contact::ContactLimits limits_of(const HingeJoint& joint) {
-  return joint.contact.limits();
+  if (!joint.seat) return joint.contact.limits();
+  return {joint.contact.half_angle_law(), joint.contact.pair()};
+}
+
+// What the model of a seat leaves out beside the rims that were come near to.
+Texts rim_notes(const HingeJoint& joint, const JointPeaks& peaks) {
+  if (!joint.seat) return {};
+  contact::SeatState nearest;
+  nearest.status = contact::SeatStatus::ok;
+  const double radius = joint.contact.geometry().radius();
+  for (const auto& [rim, gap] :
+       {std::pair(0, peaks.lower_gap), std::pair(1, peaks.upper_gap)}) {
+    nearest.rims[rim].distance = gap / radius;
+    nearest.rims[rim].intensity = gap > 0 ? 0 : 1;
+  }
+  return joint.seat->contact().notes(nearest);
 }
 
 }  // namespace
@@ -103,7 +118,11 @@ std::vector<std::string> contact_notes(const Case& c,
                                        const Recorder::Memory& memory) {
   return joint_texts(c, [&](const HingeJoint& joint, auto body, auto place) {
     const JointPeaks& peaks = memory.bodies[body].joints[place];
-    return limits_of(joint).notes({peaks.half_angle, peaks.pressure});
+    Texts texts = limits_of(joint).notes({peaks.half_angle, peaks.pressure});
+    for (std::string& note : rim_notes(joint, peaks)) {
+      texts.push_back(std::move(note));
+    }
+    return texts;
   });
 }
 

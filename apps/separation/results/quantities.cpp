@@ -18,6 +18,10 @@ constexpr Quantity<JointPeaks> of_joint[] = {
      [](const JointPeaks& p) { return p.half_angle; }},
     {"largest_friction_moment", "", Dimension::moment,
      "largest friction moment", [](const JointPeaks& p) { return p.moment; }},
+    {"least_rim_gap", "", Dimension::length,
+     "least distance of the contact to a rim of its seat",
+     [](const JointPeaks& p) { return p.least_gap(); }, "",
+     [](const JointPeaks& p) { return std::isfinite(p.least_gap()); }},
 };
 
 constexpr Quantity<BodyRecord> of_hinge[] = {

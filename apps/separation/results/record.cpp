@@ -219,6 +219,8 @@ void Recorder::look_at_peaks(const MotionSample& sample, int i) {
     peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
     peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
     peaks.moment = std::max(peaks.moment, moment);
+    peaks.lower_gap = std::min(peaks.lower_gap, hinge.rim_gaps[0]);
+    peaks.upper_gap = std::min(peaks.upper_gap, hinge.rim_gaps[1]);
     seen_.insert(seen_.end(),
                  {reaction, joint.peak_pressure, joint.half_angle, moment});
   }

@@ -37,6 +37,11 @@ struct JointPeaks {
   double pressure = 0;       ///< Pa
   double half_angle = 0;     ///< theta0, rad
   double moment = 0;         ///< friction moment, N m
+  /// Least distances to the rims of a seat that the contact is confined to, m.
+  double lower_gap = History::not_yet;
+  double upper_gap = History::not_yet;
+
+  double least_gap() const { return std::min(lower_gap, upper_gap); }
 };
 
 /// Results of one body.

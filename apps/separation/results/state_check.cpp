@@ -76,6 +76,8 @@ void check_body(const BodyRecord& body, const Past& past) {
     check_size(joint.pressure, "bodies.joints.pressure");
     check_size(joint.half_angle, "bodies.joints.half_angle");
     check_size(joint.moment, "bodies.joints.moment");
+    require(joint.lower_gap >= 0 && joint.upper_gap >= 0, "bodies.joints.gap",
+            joint.least_gap(), "0 or more");
   }
   past.check_or_never(body.release.time, "bodies.release.time");
 }

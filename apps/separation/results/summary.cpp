@@ -23,6 +23,7 @@ template <class T>
 void add(std::span<const contact::Quantity<T>> quantities, const T& of,
          ordered_json& to) {
   for (const auto& q : quantities) {
+    if (q.exists && !q.exists(of)) continue;
     ordered_json& value = to[summary_name(q)];
     for_numbers(q, of, [&](double number, int k) {
       if (k == 0) {
