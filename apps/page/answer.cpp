@@ -40,6 +40,8 @@ constexpr std::string_view drawn_columns[] = {"theta0_deg",
                                               "pv_max_W_per_m2",
                                               "pv_nominal_W_per_m2"};
 
+constexpr const char* textbook = "M_textbook_N_m";
+
 // Points of a curve over four decades of load, and of a pressure profile.
 constexpr int curve_points = 81;
 constexpr int curve_decades = 4;
@@ -231,21 +233,26 @@ struct Calculator::Prepared {
           curves[column.name].push_back(column(a));
         }
       }
+      curves[textbook].push_back(textbook_moment(a));
     }
     return curves;
   }
 
-  // Those of the columns, and what textbooks have for dry friction.
+  // Of dry friction; else NaN.
+  double textbook_moment(const Answer& a) const {
+    return a.coefficient * a.given->force * spec.geometry.radius();
+  }
+
+  // Those of the columns, and what textbooks have.
   Json numbers(const Answer& a) const {
     Json all = numbers_of(columns, a);
-    const double radius = spec.geometry.radius();
-    all.push_back({{"name", "M_textbook_N_m"},
+    all.push_back({{"name", textbook},
                    {"symbol", "f0 R rho"},
                    {"unit", "N m"},
                    {"meaning",
                     "friction moment of textbooks: coefficient times load "
                     "times radius"},
-                   {"value", a.coefficient * a.given->force * radius}});
+                   {"value", textbook_moment(a)}});
     return all;
   }
 

@@ -11,7 +11,7 @@ function ticksOf(low, high, logarithmic) {
          power <= Math.log10(high) + 1e-9; ++power) ticks.push(10 ** power);
     return ticks;
   }
-  const rough = (high - low) / 4;
+  const rough = (high - low) / 5;
   const power = 10 ** Math.floor(Math.log10(rough));
   const step = power * [1, 2, 5, 10].find((each) => each * power >= rough);
   for (let i = Math.ceil(low / step - 1e-9); i * step <= high + step * 1e-9;
@@ -24,12 +24,12 @@ const tickText = (value) => value === 0 ? '0' :
         value.toExponential(0).replace('e', '·10^').replace('+', '') :
         String(Number(value.toPrecision(3)));
 
-// An axis from numbers to places in the picture.
-function axisOf(numbers, unit, from, to, logarithmic) {
+// An axis from numbers to places in the picture, in the unit that suits `size`.
+function axisOf(numbers, unit, size, from, to, logarithmic) {
   const finite = numbers.filter((x) => x !== null && isFinite(x) &&
       (!logarithmic || x > 0));
   const largest = Math.max(...finite);
-  const {factor, name} = scaleOf(largest, unit);
+  const {factor, name} = scaleOf(size > 0 ? size : largest, unit);
   let [low, high] = [Math.min(...finite), largest].map((x) => x / factor);
   if (!logarithmic) [low, high] = [Math.min(low, 0), high * 1.05 || 1];
   else if (!(high > low)) [low, high] = [low / 10, low * 10];
@@ -56,9 +56,9 @@ function pathOf(x, y, values) {
 // numbers; `here`: the x of the joint's state.
 function chart({title, x, xUnit, xLabel, curves, unit, logX, logY, here}) {
   const {left, right, top, bottom, width, height} = room;
-  const xAxis = axisOf(x, xUnit, left, width - right, logX);
-  const yAxis = axisOf(curves.flatMap(({y}) => y), unit, height - bottom, top,
-                       logY);
+  const xAxis = axisOf(x, xUnit, here, left, width - right, logX);
+  const yAxis = axisOf(curves.flatMap(({y}) => y), unit, curves[0].at,
+                       height - bottom, top, logY);
   yAxis.positive = logY;
   const text = `${title} over ${xLabel}: ` + curves.map(
       ({label, at}) => `${label} ${pretty(at, unit)}`).join(', ');

@@ -17,10 +17,11 @@ const draw = (name, attributes = {}, ...children) =>
     filled(document.createElementNS('http://www.w3.org/2000/svg', name),
            attributes, children);
 
-// Symbols as the library has them: M_t with its index, theta0 in Greek.
-const greek = {theta0: 'θ0', Dw: 'Δω', rho: 'ρ'};
+// Symbols as the library has them: M_t with its index, theta0 in Greek; none of
+// those that are words.
 function symbolOf(symbol) {
-  const text = symbol.replace(/theta0|Dw|rho/g, (name) => greek[name]);
-  const match = /^(\w)_(\w+)$/.exec(text);
-  return match ? [match[1], make('sub', {}, match[2])] : [text];
+  const text = symbol.replace('theta0', 'θ0').replace('rho', 'ρ');
+  const match = /^(\w{1,2})_(\w+)$/.exec(text);
+  if (match) return [match[1], make('sub', {}, match[2])];
+  return text.length < 3 || text.includes(' ') ? [text] : [];
 }

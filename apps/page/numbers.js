@@ -21,8 +21,9 @@ function scaleOf(largest, unit) {
 function digits(value) {
   if (value === 0) return '0';
   const size = Math.abs(value);
-  return size >= 1e-3 && size < 1e5 ? value.toPrecision(4).replace(/e.*/, '') :
+  const text = size >= 1e-3 && size < 9999.5 ? value.toPrecision(4) :
       value.toExponential(3);
+  return text.replace('-', '−');
 }
 
 function pretty(value, unit) {

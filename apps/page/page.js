@@ -2,7 +2,7 @@
 
 const worker = new Worker(URL.createObjectURL(new Blob(
     [byId('engine').textContent], {type: 'text/javascript'})));
-byId('engine').remove();
+worker.postMessage({wasm: byId('wasm').textContent});
 
 const waiting = new Map();
 let lastId = 0;
@@ -27,7 +27,7 @@ const shownNumbers = [
   ['theta0_deg', 'Half-angle of the contact', true],
   ['p_peak_Pa', 'Peak pressure', true],
   ['M_t_N_m', 'Friction moment', true],
-  ['M_textbook_N_m', 'the textbook’s, f0 R ρ'],
+  ['M_textbook_N_m', 'that of textbooks'],
   ['f_M', 'Coefficient of catalogues'],
   ['p_mean_Pa', 'Mean pressure'],
   ['p_nominal_Pa', 'Nominal pressure'],
@@ -45,7 +45,7 @@ const shownNumbers = [
 const shownCurves = [
   {title: 'Half-angle', names: ['theta0_deg'], labels: ['half-angle']},
   {title: 'Friction moment', logY: true,
-   names: ['M_t_N_m', 'M_textbook_N_m'], labels: ['here', 'textbook']},
+   names: ['M_t_N_m', 'M_textbook_N_m'], labels: ['computed', 'textbook']},
   {title: 'Pressure', logY: true, names: ['p_peak_Pa', 'p_mean_Pa', 'p_nominal_Pa'],
    labels: ['peak', 'mean', 'nominal']},
   {title: 'Approach', logY: true, names: ['approach_m'], labels: ['approach']},
@@ -82,8 +82,8 @@ function showWays({file, command, python, cpp}) {
   const ways = [['Joint file', file], ['Command line', command],
                 ['Python', python], ['C++', cpp]];
   byId('ways').replaceChildren(...ways.map(([name, text]) => {
-    const pre = make('pre', {tabindex: 0, role: 'region', 'aria-label': name},
-                     text);
+    const pre = make('pre', {tabindex: 0, role: 'region', 'aria-label': name,
+                             class: text === command && 'wraps'}, text);
     const button = make('button', {type: 'button', 'aria-label': `Copy: ${name}`},
                         'Copy');
     button.addEventListener('click', () => copy(text, pre));

@@ -25,8 +25,10 @@ function arrow(line, tip, [x1, y1], [x2, y2]) {
           draw('path', {class: tip, d: `M${places(head)}Z`})];
 }
 
-function label(text, [x, y], anchor = 'middle') {
-  return draw('text', {x, y, 'text-anchor': anchor}, text);
+// A symbol with its index.
+function label(text, [x, y], anchor = 'middle', index = '') {
+  return draw('text', {x, y, 'text-anchor': anchor}, text,
+              draw('tspan', {class: 'index', dy: 3}, index));
 }
 
 // The seat or hole about the ball or pin, its layers from the contact on.
@@ -87,20 +89,20 @@ function drawJoint({joint, pressure, words}, number) {
       const middle = Math.min(half, 1.2) / 2;
       parts.push(draw('path', {class: 'aid', d: `M${places(
           arcOf(30, 0, half))}`}),
-                 label('θ0', onCircle(42, Math.max(middle, .35)), 'start'));
+                 label('θ', onCircle(42, Math.max(middle, .35)), 'start', '0'));
     }
   }
   const slides = words.state === 'sliding';
   parts.push(...axisOfSlip(isPin, (number.a_deg ?? 0) * Math.PI / 180, slides));
   if (loaded) {
     parts.push(...arrow('force', 'tip', [0, -88], [0, -30]),
-               label('R_n', [6, -72], 'start'));
+               label('R', [6, -72], 'start', 'n'));
     if (isPin && number.R_t_N > 0) {
       // To the scale of R_n.
       const width = 58 * number.R_t_N / number.R_n_N;
       if (width > 12) {
         parts.push(...arrow('force', 'tip', [0, -30], [Math.min(width, 90), -30]),
-                   label('R_t', [Math.min(width, 90) + 4, -20], 'start'));
+                   label('R', [Math.min(width, 90) + 4, -26], 'start', 't'));
       }
     }
   }
