@@ -1,7 +1,7 @@
 // Curves in pictures: lines over an axis that is linear or logarithmic, and
 // the point at which the joint works.
 
-const room = {left: 46, right: 12, top: 8, bottom: 34, width: 380, height: 190};
+const room = {left: 46, right: 18, top: 8, bottom: 34, width: 380, height: 190};
 
 // Round numbers from `low` to `high`.
 function ticksOf(low, high, logarithmic) {

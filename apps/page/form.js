@@ -73,7 +73,7 @@ function fieldsOf(choices) {
      units: 'force', unit: 'kN', state: true},
     {id: 'rate', label: 'Speed', key: 'rate', value: '10', state: true,
      units: 'angular_velocity', unit: 'deg_per_s'},
-    {id: 'beta', label: 'Load to axis', key: 'beta_deg', value: '90', unit: '°',
+    {id: 'beta', label: 'Load to axis, b', key: 'beta_deg', value: '90', unit: '°',
      state: true, when: isBall},
   ];
 }
