@@ -134,6 +134,12 @@ void add(const Texts& from, Json& to) {
   }
 }
 
+// As tables of the programs have it: JSON knows no infinity.
+Json cell_of(double value) {
+  if (std::isinf(value)) return value > 0 ? "inf" : "-inf";
+  return value + 0.0;  // no -0
+}
+
 Json numbers_of(const std::vector<AnswerColumn>& columns, const Answer& a) {
   Json numbers = Json::array();
   std::string_view meaning;  // of all parts of a vector
@@ -148,7 +154,7 @@ Json numbers_of(const std::vector<AnswerColumn>& columns, const Answer& a) {
                        {"symbol", symbol},
                        {"unit", contact::unit_symbol(unit)},
                        {"meaning", meaning},
-                       {"value", column(a) + 0.0}});  // no -0
+                       {"value", cell_of(column(a))}});
   }
   return numbers;
 }
@@ -230,7 +236,7 @@ struct Calculator::Prepared {
       for (const AnswerColumn& column : columns) {
         if (std::find(std::begin(drawn_columns), std::end(drawn_columns),
                       column.name) != std::end(drawn_columns)) {
-          curves[column.name].push_back(column(a));
+          curves[column.name].push_back(cell_of(column(a)));
         }
       }
       curves[textbook].push_back(textbook_moment(a));

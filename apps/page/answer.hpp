@@ -33,7 +33,7 @@ class Calculator {
   ///      "pressure": {"theta_deg": [..], "p_Pa": [..]},
   ///      "same": {"file", "command", "python", "cpp"}}
   ///
-  /// A number that does not exist is null.
+  /// A number that does not exist is null, an infinite one "inf".
   /// @param joint  text of a joint file
   /// @param state  TOML too: reaction, rate and, of a ball, beta_deg
   std::string answer(const std::string& joint, const std::string& state);

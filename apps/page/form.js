@@ -121,7 +121,8 @@ class Form {
     const units = this.choices.units[field.units];
     if (units) {
       field.unitInput = make(
-          'select', {class: 'unit', 'aria-label': `Unit of: ${label}`},
+          'select', {id: `${id}_unit`, class: 'unit',
+                     'aria-label': `Unit of: ${label}`},
           ...units.map(({ending, symbol}) => make(
               'option', {value: ending}, symbol.replace(/^um$/, 'µm'))));
     } else if (!field.unit) {

@@ -28,6 +28,7 @@ function digits(value) {
 
 function pretty(value, unit) {
   if (value === null || value === undefined) return '–';
+  if (typeof value === 'string') return value.replace('inf', '∞');
   const {factor, name} = scaleOf(Math.abs(value), unit);
   const text = digits(value / factor);
   return name === '°' ? text + '°' : name ? `${text} ${name}` : text;

@@ -127,27 +127,20 @@ async function copy(text, element) {
 }
 
 let form;
-let asked = 0;
-// Times of the last answer, for tests: from the key to what is seen.
-const seen = {count: 0, ms: 0};
 
-async function update() {
-  const id = ++asked;
+// Asks and shows the answer, unless a newer question makes it late. The times
+// from the key to what is seen are measures of the browser's.
+async function answerOnce(isLate) {
   const start = performance.now();
   const {joint, state} = form.question;
-  history.replaceState(null, '', '#' + form.link);
-  byId('copied').textContent = '';
-  // The engine answers in turn; only the last question counts.
-  const late = setTimeout(
-      () => document.body.classList.add('computing'), 60);
+  const slow = setTimeout(() => document.body.classList.add('computing'), 60);
   const answer = await ask('answer', joint, state);
-  clearTimeout(late);
-  if (id !== asked) return;
+  clearTimeout(slow);
   document.body.classList.remove('computing');
   form.say(answer.error);
   document.body.classList.toggle('stale', 'error' in answer);
   if ('error' in answer) {
-    ++seen.count;
+    performance.measure('answer', {start});
     return;
   }
   const number = Object.fromEntries(
@@ -158,11 +151,34 @@ async function update() {
   drawJoint(answer, number);
   showTexts(answer);
   showWays(answer.same);
-  seen.ms = performance.now() - start;
+  performance.measure('answer', {start});
+  if (isLate()) return;
   const curves = await ask('curves', joint, state);
-  if (id === asked) showCurves(answer, curves, number);
-  ++seen.count;
+  if (isLate()) return;
+  showCurves(answer, curves, number);
+  performance.measure('curves', {start});
 }
+
+// One question at a time: of those that come meanwhile the last one counts.
+let busy = false;
+let again = false;
+let linking;
+async function update() {
+  byId('copied').textContent = '';
+  // Browsers allow some changes of the address a second.
+  clearTimeout(linking);
+  linking = setTimeout(writeLink, 300);
+  again = true;
+  if (busy) return;
+  busy = true;
+  while (again) {
+    again = false;
+    await answerOnce(() => again);
+  }
+  busy = false;
+}
+
+const writeLink = () => history.replaceState(null, '', '#' + form.link);
 
 function changeMode() {
   if (form.own === null) {
@@ -188,7 +204,10 @@ ask('choices').then((choices) => {
   });
   byId('form').addEventListener('submit', (event) => event.preventDefault());
   byId('mode').addEventListener('click', changeMode);
-  byId('link').addEventListener('click', () => copy(location.href, byId('link')));
+  byId('link').addEventListener('click', () => {
+    writeLink();
+    copy(location.href, byId('link'));
+  });
   addEventListener('hashchange', () => {
     form.set(new URLSearchParams(location.hash.slice(1)));
     update();

@@ -1,0 +1,82 @@
+// The page's engine, in WebAssembly, beside hinge-joint and hinge-pressure for
+// every joint that is shipped; in node.
+'use strict';
+const assert = require('assert');
+const {spawnSync} = require('child_process');
+const fs = require('fs');
+const path = require('path');
+const {test} = require('node:test');
+const ask = require('./engine.js');
+
+const bin = path.resolve(process.env.CONTACT_BUILD, 'bin');
+const joints = path.resolve(__dirname, '../../data/joints');
+
+// Its functions of the C library round otherwise than those of the programs.
+// The equations of a ball's seat with a wall multiply such roundings by some
+// 1e5; the wall's own accuracy is 3e-8.
+const toleranceOf = (text) => /^kind = "ball"/m.test(text) &&
+    text.includes('[[wall.layer]]') ? 1e-10 : 1e-12;
+
+// Relative to `size` where numbers are parts of something larger.
+function errorOf(value, expected, size) {
+  if (value === expected || (value === null && expected === undefined)) return 0;
+  if (typeof value !== 'number' || typeof expected !== 'number') return Infinity;
+  return Math.abs(value - expected) / Math.max(Math.abs(expected), size);
+}
+
+const rows = (program, ...options) => JSON.parse(spawnSync(
+    path.join(bin, program), [...options, '--format', 'json'],
+    {encoding: 'utf8'}).stdout);
+
+// How the solver came to the numbers, which they stop at by rounding.
+const ofTheWay = ['evaluations', 'residual'];
+
+// Vectors' parts are as exact as the vector is long.
+const sizeOf = (name, row) => {
+  const [, stem, unit] = /^(.*)_[xyz](_.*)?$/.exec(name) ?? [];
+  return stem === undefined ? 0 : Math.abs(row[stem + (unit ?? '')] ?? 1);
+};
+
+for (const name of fs.readdirSync(joints)) {
+  test(`${name}: numbers of the programs to 1e-12`, async (t) => {
+    const file = path.join(joints, name);
+    const text = fs.readFileSync(file, 'utf8');
+    const isPin = /^kind = "pin"/m.test(text);
+    let worst = {error: 0};
+    const compare = (value, expected, size, what) => {
+      const error = errorOf(value, expected, size);
+      if (error > worst.error) worst = {error, what, value, expected};
+    };
+    for (const load of ['0', '1', '10', '300']) {
+      for (const beta of isPin ? ['90'] : ['0', '35', '90', '180']) {
+        const [row] = rows('hinge-joint', '--joint', file, '--reaction',
+                           `${load}kN`, '--rate', '7deg_per_s', '--pv',
+                           ...(isPin ? [] : ['--beta', beta]));
+        const answer = await ask('answer', text, `reaction_kN = ${load}\n` +
+            `rate_deg_per_s = 7\n${isPin ? '' : `beta_deg = ${beta}`}`);
+        assert.strictEqual(answer.error, undefined);
+        const number = {};
+        for (const {name: column, value} of answer.numbers) {
+          number[column] = value;
+          if (column === 'M_textbook_N_m' || ofTheWay.includes(column)) continue;
+          compare(value, row[column], sizeOf(column, row),
+                  `${column} at ${load} kN, ${beta} deg`);
+        }
+        for (const word of ['law', 'pressure', 'state', 'status']) {
+          assert.strictEqual(answer.words[word], row[word]);
+        }
+        if (!(number.R_n_N > 0)) continue;
+        const profile = rows('hinge-pressure', '--joint', file, '--load',
+                             String(number.R_n_N), '--points', '101');
+        const column = Object.keys(profile[0]).find((key) => /^p_/.test(key));
+        profile.slice(0, -1).forEach((at, i) => {
+          compare(answer.pressure.p_Pa[i], at[column], number.p_peak_Pa,
+                  `pressure at ${at.theta_deg} deg of ${number.theta0_deg}`);
+        });
+      }
+    }
+    t.diagnostic(`largest difference ${worst.error.toExponential(1)}, ${
+        worst.what}`);
+    assert.ok(worst.error <= toleranceOf(text), JSON.stringify(worst));
+  });
+}
