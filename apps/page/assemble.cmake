@@ -1,12 +1,18 @@
 # Puts the page together: cmake -D ENGINE=engine.js -D PAGE=calculator.html
 #   -D VERSION=0.2.0 -D SCRIPTS=a.js;b.js -P assemble.cmake
-# engine.wasm lies beside engine.js; the page has it packed by gzip, in base64.
+# engine.wasm lies beside engine.js.
 set(html ${CMAKE_CURRENT_LIST_DIR}/../cli/html)
 string(REGEX REPLACE "[.]js$" ".wasm" wasm ${ENGINE})
-execute_process(COMMAND gzip -9nc ${wasm} COMMAND base64 -w0
-  OUTPUT_VARIABLE packed COMMAND_ERROR_IS_FATAL ANY)
 file(SHA256 ${wasm} nonce)
 string(SUBSTRING ${nonce} 0 16 nonce)
+# By gzip, in base64.
+function(pack variable)
+  execute_process(COMMAND cat ${ARGN} COMMAND gzip -9n COMMAND base64 -w0
+    OUTPUT_VARIABLE packed COMMAND_ERROR_IS_FATAL ANY)
+  set(${variable} "${packed}" PARENT_SCOPE)
+endfunction()
+pack(packed_wasm ${wasm})
+pack(packed_engine ${ENGINE} ${CMAKE_CURRENT_LIST_DIR}/worker.js)
 
 set(all "")
 foreach(name ${SCRIPTS})
@@ -15,11 +21,6 @@ foreach(name ${SCRIPTS})
 endforeach()
 file(READ ${html}/page.css style)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/page.css own_style)
-file(READ ${ENGINE} engine)
-file(READ ${CMAKE_CURRENT_LIST_DIR}/worker.js worker)
-if(engine MATCHES "</script")
-  message(FATAL_ERROR "the engine would end its own script element")
-endif()
 
 file(READ ${html}/head.html page)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/page.html body)
@@ -27,7 +28,7 @@ string(APPEND page "${body}")
 foreach(part
     "title=Calculator of hinges" "style=${style}${own_style}"
     "policy= 'wasm-unsafe-eval'; worker-src blob:" "version=${VERSION}"
-    "engine=${engine}\n${worker}" "wasm=${packed}"
+    "engine=${packed_engine}" "wasm=${packed_wasm}"
     "scripts=(() => {\n'use strict';\n${all}})();" "nonce=${nonce}")
   string(FIND "${part}" "=" at)
   string(SUBSTRING "${part}" 0 ${at} name)

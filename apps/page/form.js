@@ -100,7 +100,7 @@ class Form {
     this.choices = choices;
     this.fields = fieldsOf(choices);
     for (const field of this.fields) this.#build(field);
-    byId('example').append(...choices.joints.map(
+    byId('example').append(make('option', {value: ''}, '–'), ...choices.joints.map(
         ({file}) => make('option', {value: file}, file.replace('.toml', ''))));
   }
 
@@ -230,7 +230,8 @@ class Form {
       const head = name === 'wall.layer' ? `[[${name}]]` : `[${name}]`;
       text += `\n${head}\n${tables.get(name)}`;
     }
-    return text;
+    // Which alone knows the approach.
+    return text + '\n[half_angle]\nlaw = "exact"\n';
   }
 
   // A message beside the field whose key it names, else below the form.

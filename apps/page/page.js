@@ -1,21 +1,41 @@
 // Asks the engine while one types, and shows its answers.
 
-const worker = new Worker(URL.createObjectURL(new Blob(
-    [byId('engine').textContent], {type: 'text/javascript'})));
-worker.postMessage({wasm: byId('wasm').textContent});
+// A part of the page that is packed by gzip, in base64.
+async function unpacked(id) {
+  const packed = Uint8Array.from(atob(byId(id).textContent),
+                                 (c) => c.charCodeAt(0));
+  byId(id).remove();
+  return new Response(new Blob([packed]).stream().pipeThrough(
+      new DecompressionStream('gzip'))).arrayBuffer();
+}
 
-const waiting = new Map();
-let lastId = 0;
-worker.onmessage = ({data: {id, json}}) => {
-  waiting.get(id)(JSON.parse(json));
-  waiting.delete(id);
-};
-worker.onerror = (event) => {
-  event.preventDefault();
+// The engine's script and code, in a worker, so that tables of thin walls do
+// not stop the page.
+async function startWorker() {
+  const [script, wasmBinary] =
+      await Promise.all([unpacked('engine'), unpacked('wasm')]);
+  worker = new Worker(URL.createObjectURL(
+      new Blob([script], {type: 'text/javascript'})));
+  worker.onmessage = ({data: {id, json}}) => {
+    waiting.get(id)(JSON.parse(json));
+    waiting.delete(id);
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    stopped(event.message);
+  };
+  worker.postMessage({wasmBinary}, [wasmBinary]);
+}
+
+function stopped(why) {
   byId('error').hidden = false;
   byId('error').textContent =
-      `The calculator has stopped (${event.message}): load the page again.`;
-};
+      `The calculator has stopped (${why}): load the page again.`;
+}
+
+let worker;
+const waiting = new Map();
+let lastId = 0;
 const ask = (call, ...texts) => new Promise((resolve) => {
   waiting.set(++lastId, resolve);
   worker.postMessage({id: lastId, call, texts});
@@ -52,12 +72,14 @@ const shownCurves = [
   {title: 'Coefficient of catalogues', names: ['f_M'], labels: ['f_M']},
 ];
 
-function showNumbers(numbers, number) {
+function showNumbers(numbers, number, {kind}) {
   const rows = new Map(numbers.map((row) => [row.name, row]));
   byId('key_numbers').replaceChildren(...shownNumbers.flatMap(
       ([name, text, main]) => {
         const row = rows.get(name);
-        if (!row || number[name] === null) return [];
+        // Pins do not spin.
+        const isTold = name === 'a_deg' && kind === 'pin';
+        if (!row || isTold || number[name] === null) return [];
         const of = {class: main && 'main', title: `${row.meaning}: ${
             row.value} ${row.unit}`};
         return [make('dt', of, text + ' ', make('small', {},
@@ -138,7 +160,8 @@ async function answerOnce(isLate) {
   clearTimeout(slow);
   document.body.classList.remove('computing');
   form.say(answer.error);
-  document.body.classList.toggle('stale', 'error' in answer);
+  document.body.classList.toggle(
+      'stale', 'error' in answer && byId('numbers').hasChildNodes());
   if ('error' in answer) {
     performance.measure('answer', {start});
     return;
@@ -147,7 +170,7 @@ async function answerOnce(isLate) {
       answer.numbers.map(({name, value}) => [name, value]));
   byId('name').textContent = answer.joint.name === 'joint' ?
       'Answer' : answer.joint.name;
-  showNumbers(answer.numbers, number);
+  showNumbers(answer.numbers, number, answer.joint);
   drawJoint(answer, number);
   showTexts(answer);
   showWays(answer.same);
@@ -190,11 +213,11 @@ function changeMode() {
   update();
 }
 
-ask('choices').then((choices) => {
+startWorker().then(() => ask('choices')).then((choices) => {
   form = new Form(choices);
   form.set(new URLSearchParams(location.hash.slice(1)));
   byId('form').addEventListener('input', ({target}) => {
-    if (target.id === 'example') {
+    if (target.id === 'example' && target.value !== '') {
       byId('file').value = choices.joints.find(
           ({file}) => file === target.value).text;
     }
@@ -213,4 +236,4 @@ ask('choices').then((choices) => {
     update();
   });
   return update();
-});
+}).catch((error) => stopped(error.message));

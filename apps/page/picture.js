@@ -11,10 +11,11 @@ const places = (points) =>
     points.map((p) => p.map((c) => c.toFixed(2)).join(' ')).join('L');
 const arcOf = (radius, from, to, y = 0) => Array.from(
     {length: 97}, (_, i) => onCircle(radius, from + (to - from) * i / 96, y));
+// Part of a ring, or all of it: then its two edges are paths of their own.
 const ring = (name, inner, outer, half, y) => draw('path', {
-  class: name,
-  d: `M${places([...arcOf(inner, -half, half, y),
-                 ...arcOf(outer, half, -half, y)])}Z`});
+  class: name, 'fill-rule': 'evenodd',
+  d: `M${places(arcOf(inner, -half, half, y))}${half < Math.PI ? 'L' : 'ZM'}${
+    places(arcOf(outer, half, -half, y))}Z`});
 
 function arrow(line, tip, [x1, y1], [x2, y2]) {
   const length = Math.hypot(x2 - x1, y2 - y1);

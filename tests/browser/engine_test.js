@@ -38,7 +38,7 @@ const sizeOf = (name, row) => {
 };
 
 for (const name of fs.readdirSync(joints)) {
-  test(`${name}: numbers of the programs to 1e-12`, async (t) => {
+  test(`${name}: numbers are those of the programs`, async (t) => {
     const file = path.join(joints, name);
     const text = fs.readFileSync(file, 'utf8');
     const isPin = /^kind = "pin"/m.test(text);
