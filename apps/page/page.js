@@ -69,7 +69,7 @@ const shownCurves = [
   {title: 'Pressure', logY: true, names: ['p_peak_Pa', 'p_mean_Pa', 'p_nominal_Pa'],
    labels: ['peak', 'mean', 'nominal']},
   {title: 'Approach', logY: true, names: ['approach_m'], labels: ['approach']},
-  {title: 'Coefficient of catalogues', names: ['f_M'], labels: ['f_M']},
+  {title: 'Coefficient of catalogues', names: ['f_M'], labels: ['computed']},
 ];
 
 function showNumbers(numbers, number, {kind}) {

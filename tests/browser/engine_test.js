@@ -4,6 +4,7 @@
 const assert = require('assert');
 const {spawnSync} = require('child_process');
 const fs = require('fs');
+const os = require('os');
 const path = require('path');
 const {test} = require('node:test');
 const ask = require('./engine.js');
@@ -80,3 +81,42 @@ for (const name of fs.readdirSync(joints)) {
     assert.ok(worst.error <= toleranceOf(text), JSON.stringify(worst));
   });
 }
+
+test('the C++ and the Python that it writes give its numbers', async (t) => {
+  const text = fs.readFileSync(path.join(joints, 'hip_cup.toml'), 'utf8');
+  const {numbers, same} = await ask('answer', text,
+      'reaction_kN = 2\nrate_deg_per_s = 40\nbeta_deg = 70');
+  const number = Object.fromEntries(
+      numbers.map(({name, value}) => [name, value]));
+  const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'page-'));
+  t.after(() => fs.rmSync(folder, {recursive: true}));
+  for (const [name, content] of [['joint.toml', same.file], ['a.cpp', same.cpp],
+                                 ['a.py', same.python]]) {
+    fs.writeFileSync(path.join(folder, name), content);
+  }
+  const run = (command, args, env = {}) => {
+    const {stdout, stderr, status} = spawnSync(
+        command, args, {cwd: folder, encoding: 'utf8',
+                        env: {...process.env, ...env}});
+    assert.strictEqual(status, 0, stderr);
+    return stdout;
+  };
+  const build = path.resolve(process.env.CONTACT_BUILD);
+  const root = path.resolve(__dirname, '../..');
+  run('c++', ['-std=c++20', `-I${root}`, `-I${build}/include`,
+              '-I/usr/include/eigen3', 'a.cpp',
+              `${build}/libcontact/libcontact_files.a`,
+              `${build}/libcontact/libcontact.a`, '-o', 'a']);
+  const said = [run(path.join(folder, 'a'), [])];
+  const python = path.join(build, 'python');
+  const hasCore = fs.readdirSync(path.join(python, 'libcontact'))
+      .some((name) => /^_core.*\.so$/.test(name));
+  if (hasCore) said.push(run('python3', ['a.py'],
+                                           {PYTHONPATH: python}));
+  t.diagnostic(said.length === 1 ? 'C++ alone: no Python package' : 'both');
+  for (const each of said) {
+    const [halfAngle, peak] = each.match(/-?\d[\d.e+-]*/g).map(Number);
+    assert.ok(errorOf(halfAngle * 180 / Math.PI, number.theta0_deg, 0) < 1e-10);
+    assert.ok(errorOf(peak, number.p_peak_Pa, 0) < 1e-10);
+  }
+});
