@@ -142,7 +142,7 @@ Json cell_of(double value) {
 
 Json numbers_of(const std::vector<AnswerColumn>& columns, const Answer& a) {
   Json numbers = Json::array();
-  std::string_view meaning;  // of all parts of a vector
+  std::string_view meaning;  // parts of a vector share one
   for (const AnswerColumn& column : columns) {
     if (!column.meaning.empty()) meaning = column.meaning;
     const auto [symbol, unit] = std::visit(
@@ -165,7 +165,7 @@ Json numbers_of(const std::vector<AnswerColumn>& columns, const Answer& a) {
 struct Calculator::Prepared {
   std::string text;
   JointSpec spec;
-  std::string file;  // that needs no other file
+  std::string file;  // its text needs no other file
   contact::SharedLaws laws;
   hinge_joint::NamedJoint joint;
   std::vector<AnswerColumn> columns;
@@ -244,12 +244,12 @@ struct Calculator::Prepared {
     return curves;
   }
 
-  // Of dry friction; else NaN.
+  // NaN unless friction is dry.
   double textbook_moment(const Answer& a) const {
     return a.coefficient * a.given->force * spec.geometry.radius();
   }
 
-  // Those of the columns, and what textbooks have.
+  // Numbers of the columns, and the moment of textbooks.
   Json numbers(const Answer& a) const {
     Json all = numbers_of(columns, a);
     all.push_back({{"name", textbook},
