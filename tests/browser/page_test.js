@@ -111,7 +111,8 @@ test('a link carries the inputs', async () => {
     await afterAnswer(page, () => page.fill('#length', '33'));
     await afterAnswer(page, () => page.selectOption('#load_unit', 'lbf'));
     await page.click('#link');
-    assert.match(await page.textContent('#copied'), /Copied|Selected/);
+    await page.waitForFunction(() => /Copied|Selected/.test(
+        document.getElementById('copied').textContent));
     return [await page.evaluate(() => location.hash), await numbersOf(page)];
   });
   await withCalculator({hash}, async (page) => {
