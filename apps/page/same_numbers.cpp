@@ -19,8 +19,8 @@ print(s.half_angle, "rad", s.peak_pressure, "Pa", s.friction_moment, "N m")
 )";
 
 constexpr std::string_view cpp = R"(#include <cstdio>
-#include <libcontact/contact.hpp>
-#include <libcontact/files.hpp>
+#include <libcontact/{}.hpp>
+#include <libcontact/{}.hpp>
 
 int main() {{
   const contact::Joint joint(contact::read_joint("joint.toml"));
@@ -42,7 +42,8 @@ SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin) {
                   input.given->force,
                   is_pin ? "" : message(" --beta {}", input.given->angle_deg),
                   input.turn[2]),
-          message(python, force, turn), message(cpp, force, turn)};
+          message(python, force, turn),
+          message(cpp, "contact", "files", force, turn)};
 }
 
 }  // namespace page

@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "libcontact/base/units.hpp"
+
 namespace hinge_joint {
 
 /// Kind of question to the joint.
@@ -27,8 +29,19 @@ struct Input {
 };
 
 /// R at the angle b from Dw: Dw along Z, R in the plane XOZ.
-Input state_from_reaction(double reaction, double b_deg, double rate);
+inline Input state_from_reaction(double reaction, double b_deg, double rate) {
+  const auto [sin, cos] = contact::detail::sine_cosine_deg(b_deg);
+  return {{reaction * sin, 0, reaction * cos},
+          {0, 0, rate},
+          Input::Given{reaction, b_deg}};
+}
 /// R_n n along Z, Dw in the plane YOZ at the angle a from Y, as in NOTATION.md.
-Input state_from_contact(double normal_force, double a_deg, double rate);
+inline Input state_from_contact(double normal_force, double a_deg,
+                                double rate) {
+  const auto [sin, cos] = contact::detail::sine_cosine_deg(a_deg);
+  return {{0, 0, normal_force},
+          {0, rate * cos, rate * sin},
+          Input::Given{normal_force, a_deg}};
+}
 
 }  // namespace hinge_joint
