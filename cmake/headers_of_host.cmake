@@ -3,7 +3,7 @@
 # headers must not come in.
 set(CONTACT_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${CONTACT_HEADERS})
-foreach(name eigen3/Eigen eigen3/unsupported boost fmt toml++)
+foreach(name eigen3/Eigen eigen3/unsupported boost fmt toml++ nlohmann)
   get_filename_component(link ${name} NAME)
   file(CREATE_LINK /usr/include/${name} ${CONTACT_HEADERS}/${link} SYMBOLIC)
 endforeach()

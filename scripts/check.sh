@@ -16,13 +16,14 @@
 #             with every set of instructions
 #   libcxx_quick  the same of some tests, without optimisation
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
+#   page      the page to calculate on has the programs' numbers and manners
 #   all       all of them
 # Format, symbols and libcxx_quick are in the gate too.
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,19s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,20s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -202,9 +203,20 @@ check_aarch64() {
   ctest --preset aarch64 --no-tests=error --parallel "$(nproc)"
 }
 
+check_page() {
+  install packages-page.txt
+  CONTACT_SKIP_SETUP=1 scripts/page.sh
+  cmake --preset release
+  cmake --build --preset release --target hinge-joint hinge-pressure
+  [ -d tests/browser/node_modules/axe-core ] || npm ci --prefix tests/browser
+  CONTACT_BUILD=build CONTACT_PAGE=build-wasm/calculator.html \
+    CONTACT_ENGINE=build-wasm/bin/engine.js \
+    node --test-concurrency=1 --test tests/browser/{engine,page}_test.js
+}
+
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu libcxx aarch64)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu libcxx aarch64 page)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

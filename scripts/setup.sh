@@ -5,7 +5,8 @@
 # installs the packages of other lists than scripts/packages.txt, which has what
 # the build needs: packages-extra.txt (some tests; without them these are
 # skipped), packages-check.txt (scripts/check.sh), packages-hosts.txt (adapters
-# to simulators; without one it is left out).
+# to simulators; without one it is left out), packages-page.txt (the page to
+# calculate on).
 set -euo pipefail
 cd "$(dirname "$0")/.."
 

@@ -16,8 +16,10 @@ const settings = [
 
 // Calls use(page, said) with a page on which `file` is open and ready; `said`
 // has everything that a good page does not do: console messages, errors,
-// requests for anything but itself. `prepare` sees the page before.
-async function withPage(file, options, use, prepare = async () => {}) {
+// requests for anything but itself and parts of itself (blobs). `hash` follows
+// in the address. `prepare` sees the page before.
+async function withPage(file, {hash = '', ...options}, use,
+                        prepare = async () => {}) {
   const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'replay-'));
   const context = await chromium.launchPersistentContext(profile, {
     executablePath: '/usr/bin/chromium', headless: false, args: settings,
@@ -32,10 +34,11 @@ async function withPage(file, options, use, prepare = async () => {}) {
     page.on('pageerror', (error) => said.push(error.message));
     page.on('dialog', (dialog) => said.push(dialog.message()));
     page.on('request', (request) => {
-      if (request.url() !== url) said.push(request.url().slice(0, 200));
+      if (![url, url + hash].includes(request.url()) &&
+          !request.url().startsWith('blob:')) said.push(request.url().slice(0, 200));
     });
     await prepare(page);
-    await page.goto(url);
+    await page.goto(url + hash);
     // A report of a study has no data.
     await page.evaluate(() => document.getElementById('data') && replay.ready);
     return await use(page, said);

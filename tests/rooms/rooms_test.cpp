@@ -57,6 +57,7 @@ const std::vector<std::string> rooms = {
     "apps/programs/separation/replay",
     "apps/programs/separation",
     "apps/programs/study",
+    "apps/page",
     "apps/hosts",
     "apps/programs/fmu",
     "apps/python",

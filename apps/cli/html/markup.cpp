@@ -47,6 +47,7 @@ std::string still_page(const std::string& title, const std::string& body) {
   const auto part = [&](std::string_view name) -> std::string_view {
     if (name == "nonce") return nonce;
     if (name == "title") return safe_title;
+    if (name == "policy") return "";
     return page_style;
   };
   return fill_template(page_head, part) + body + "</body>\n</html>\n";

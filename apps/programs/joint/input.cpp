@@ -6,7 +6,6 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/units.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -26,20 +25,6 @@ cli::Sweep angle_sweep(std::string_view option, const std::string& text,
 }
 
 }  // namespace
-
-Input state_from_reaction(double reaction, double b_deg, double rate) {
-  const auto [sin, cos] = contact::detail::sine_cosine_deg(b_deg);
-  return {{reaction * sin, 0, reaction * cos},
-          {0, 0, rate},
-          Input::Given{reaction, b_deg}};
-}
-
-Input state_from_contact(double normal_force, double a_deg, double rate) {
-  const auto [sin, cos] = contact::detail::sine_cosine_deg(a_deg);
-  return {{0, 0, normal_force},
-          {0, rate * cos, rate * sin},
-          Input::Given{normal_force, a_deg}};
-}
 
 Inputs::Inputs(const Options& options, bool pin) {
   const bool reaction = !options.reaction.empty();

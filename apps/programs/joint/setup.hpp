@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -90,13 +91,14 @@ struct Setup {
 
   /// Whether any of them has one.
   bool has_approach() const {
-    return std::ranges::any_of(joints, [](const NamedJoint& joint) {
-      return joint.approach.has_value();
-    });
+    return std::any_of(
+        joints.begin(), joints.end(),
+        [](const NamedJoint& joint) { return joint.approach.has_value(); });
   }
   /// Whether any of them is without clearance or has interference.
   bool has_preload() const {
-    return std::ranges::any_of(joints, &NamedJoint::has_preload);
+    return std::any_of(joints.begin(), joints.end(),
+                       std::mem_fn(&NamedJoint::has_preload));
   }
 };
 

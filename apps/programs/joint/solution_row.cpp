@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace hinge_joint {
@@ -73,8 +74,10 @@ std::vector<AnswerColumn> solution_columns() {
     }
   }
   for (const Given& shown : shown_as_given) {
-    AnswerColumn& column =
-        *std::ranges::find(all, shown.column, &AnswerColumn::name);
+    AnswerColumn& column = *std::find_if(all.begin(), all.end(),
+                                         [&shown](const AnswerColumn& each) {
+                                           return each.name == shown.column;
+                                         });
     column.given = shown.given;
     column.given_in = shown.question;
   }
@@ -134,7 +137,8 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
     }
   }
   const contact::JointSolution& s = a.solution();
-  a.patch.emplace(joint.contact(), s.normal_force, s.half_angle);
+  a.patch.emplace(
+      contact::ContactPatch{joint.contact(), s.normal_force, s.half_angle});
   if (named.approach) a.approach = (*named.approach)(s.half_angle);
   const double force = s.reaction.stableNorm();
   const contact::JointSolution traditional = joint.solve_contact(
@@ -168,8 +172,8 @@ std::string_view contact_state_text(const Answer& a) {
 }
 
 bool have_preload(std::span<const AnswerColumn> columns) {
-  return std::ranges::any_of(
-      columns, [](const AnswerColumn& c) { return c.of.index() == 5; });
+  return std::any_of(columns.begin(), columns.end(),
+                     [](const AnswerColumn& c) { return c.of.index() == 5; });
 }
 
 std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
@@ -193,7 +197,10 @@ std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
   if (friction) add(found_friction, all);
   if (!pv) return all;
   for (const auto& quantity : contact::rating_quantities()) {
-    if (std::ranges::count(not_of_pv, quantity.key) == 0) add(quantity, all);
+    if (std::find(std::begin(not_of_pv), std::end(not_of_pv), quantity.key) ==
+        std::end(not_of_pv)) {
+      add(quantity, all);
+    }
   }
   return all;
 }

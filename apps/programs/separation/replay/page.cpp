@@ -53,6 +53,7 @@ std::string PageParts::page(const std::string& title,
   const auto part = [&](std::string_view name) -> std::string_view {
     if (name == "nonce") return nonce;
     if (name == "title") return safe_title;
+    if (name == "policy") return "";
     if (name == "style") return style_;
     if (name == "scripts") return scripts_;
     return data;

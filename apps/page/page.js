@@ -1,0 +1,239 @@
+// Asks the engine while one types, and shows its answers.
+
+// A part of the page that is packed by gzip, in base64.
+async function unpacked(id) {
+  const packed = Uint8Array.from(atob(byId(id).textContent),
+                                 (c) => c.charCodeAt(0));
+  byId(id).remove();
+  return new Response(new Blob([packed]).stream().pipeThrough(
+      new DecompressionStream('gzip'))).arrayBuffer();
+}
+
+// The engine's script and code, in a worker, so that tables of thin walls do
+// not stop the page.
+async function startWorker() {
+  const [script, wasmBinary] =
+      await Promise.all([unpacked('engine'), unpacked('wasm')]);
+  worker = new Worker(URL.createObjectURL(
+      new Blob([script], {type: 'text/javascript'})));
+  worker.onmessage = ({data: {id, json}}) => {
+    waiting.get(id)(JSON.parse(json));
+    waiting.delete(id);
+  };
+  worker.onerror = (event) => {
+    event.preventDefault();
+    stopped(event.message);
+  };
+  worker.postMessage({wasmBinary}, [wasmBinary]);
+}
+
+function stopped(why) {
+  byId('error').hidden = false;
+  byId('error').textContent =
+      `The calculator has stopped (${why}): load the page again.`;
+}
+
+let worker;
+const waiting = new Map();
+let lastId = 0;
+const ask = (call, ...texts) => new Promise((resolve) => {
+  waiting.set(++lastId, resolve);
+  worker.postMessage({id: lastId, call, texts});
+});
+
+// Rows beside the picture: names of numbers, and what to call them; the first
+// ones in bold.
+const shownNumbers = [
+  ['theta0_deg', 'Half-angle of the contact', true],
+  ['p_peak_Pa', 'Peak pressure', true],
+  ['M_t_N_m', 'Friction moment', true],
+  ['M_textbook_N_m', 'that of textbooks'],
+  ['f_M', 'Coefficient of catalogues'],
+  ['p_mean_Pa', 'Mean pressure'],
+  ['p_nominal_Pa', 'Nominal pressure'],
+  ['pv_max_W_per_m2', 'Largest p v'],
+  ['pv_nominal_W_per_m2', 'Nominal p v'],
+  ['power_W', 'Power of friction'],
+  ['R_n_N', 'Normal force'],
+  ['a_deg', 'Slip axis angle'],
+  ['approach_m', 'Approach'],
+  ['stiffness_N_per_m', 'Stiffness'],
+  ['p_0_Pa', 'Pressure of interference'],
+  ['R_lift_off_N', 'Load of lift-off'],
+  ['M_0_N_m', 'Moment without load'],
+];
+const shownCurves = [
+  {title: 'Half-angle', names: ['theta0_deg'], labels: ['half-angle']},
+  {title: 'Friction moment', logY: true,
+   names: ['M_t_N_m', 'M_textbook_N_m'], labels: ['computed', 'textbook']},
+  {title: 'Pressure', logY: true, names: ['p_peak_Pa', 'p_mean_Pa', 'p_nominal_Pa'],
+   labels: ['peak', 'mean', 'nominal']},
+  {title: 'Approach', logY: true, names: ['approach_m'], labels: ['approach']},
+  {title: 'Coefficient of catalogues', names: ['f_M'], labels: ['computed']},
+];
+
+function showNumbers(numbers, number, {kind}) {
+  const rows = new Map(numbers.map((row) => [row.name, row]));
+  byId('key_numbers').replaceChildren(...shownNumbers.flatMap(
+      ([name, text, main]) => {
+        const row = rows.get(name);
+        // Pins do not spin.
+        const isTold = name === 'a_deg' && kind === 'pin';
+        if (!row || isTold || number[name] === null) return [];
+        const of = {class: main && 'main', title: `${row.meaning}: ${
+            row.value} ${row.unit}`};
+        return [make('dt', of, text + ' ', make('small', {},
+                                                ...symbolOf(row.symbol))),
+                make('dd', {...of, id: name}, pretty(row.value, row.unit))];
+      }));
+  byId('numbers').replaceChildren(...numbers.map(
+      ({name, value, unit, meaning}) => make(
+          'tr', {}, make('th', {scope: 'row'}, name),
+          make('td', {}, value === null ? '–' : String(value)),
+          make('td', {}, unit), make('td', {}, meaning))));
+}
+
+function showTexts({warnings, notes}) {
+  const items = (texts) => texts.map((text) => make('li', {}, text));
+  byId('warnings').replaceChildren(...items(warnings));
+  byId('warnings_box').hidden = warnings.length === 0;
+  byId('notes').replaceChildren(...items(notes));
+  byId('notes').hidden = notes.length === 0;
+}
+
+function showWays({file, command, python, cpp}) {
+  const ways = [['Joint file', file], ['Command line', command],
+                ['Python', python], ['C++', cpp]];
+  byId('ways').replaceChildren(...ways.map(([name, text]) => {
+    const pre = make('pre', {tabindex: 0, role: 'region', 'aria-label': name,
+                             class: text === command && 'wraps'}, text);
+    const button = make('button', {type: 'button', 'aria-label': `Copy: ${name}`},
+                        'Copy');
+    button.addEventListener('click', () => copy(text, pre));
+    return make('div', {class: 'way'},
+                make('div', {}, make('h3', {}, name), button), pre);
+  }));
+}
+
+function showCurves(answer, curves, number) {
+  const units = new Map(answer.numbers.map(({name, unit}) => [name, unit]));
+  const figures = shownCurves.flatMap(({title, names, labels, logY}) => {
+    const all = names.map((name, i) => ({label: labels[i], y: curves[name],
+                                         at: number[name]}))
+        .filter(({y}) => y?.some((each) => each !== null &&
+                                           (!logY || each > 0)));
+    if (all.length === 0) return [];
+    return [chart({title, x: curves.R_N, xUnit: 'N', xLabel: 'load',
+                   curves: all, unit: units.get(names[0]), logX: true, logY,
+                   here: number.R_N})];
+  });
+  const {theta_deg: theta, p_Pa: p} = answer.pressure;
+  if (p.some((each) => each > 0)) {
+    figures.push(chart({
+      title: 'Pressure over the contact', x: theta, xUnit: 'deg',
+      xLabel: 'angle from its centre', unit: 'Pa',
+      curves: [{label: 'from the centre to the edge', y: p, at: p[0]}]}));
+  }
+  byId('charts').replaceChildren(...figures);
+}
+
+async function copy(text, element) {
+  try {
+    await navigator.clipboard.writeText(text);
+    byId('copied').textContent = 'Copied.';
+  } catch {
+    // Without the right to write there the text is selected at least.
+    getSelection().selectAllChildren(element);
+    byId('copied').textContent = 'Selected: copy it with Ctrl+C.';
+  }
+}
+
+let form;
+
+// Asks and shows the answer, unless a newer question makes it late. The times
+// from the key to what is seen are measures of the browser's.
+async function answerOnce(isLate) {
+  const start = performance.now();
+  const {joint, state} = form.question;
+  const slow = setTimeout(() => document.body.classList.add('computing'), 60);
+  const answer = await ask('answer', joint, state);
+  clearTimeout(slow);
+  document.body.classList.remove('computing');
+  form.say(answer.error);
+  document.body.classList.toggle(
+      'stale', 'error' in answer && byId('numbers').hasChildNodes());
+  if ('error' in answer) {
+    performance.measure('answer', {start});
+    return;
+  }
+  const number = Object.fromEntries(
+      answer.numbers.map(({name, value}) => [name, value]));
+  byId('name').textContent = answer.joint.name === 'joint' ?
+      'Answer' : answer.joint.name;
+  showNumbers(answer.numbers, number, answer.joint);
+  drawJoint(answer, number);
+  showTexts(answer);
+  showWays(answer.same);
+  performance.measure('answer', {start});
+  if (isLate()) return;
+  const curves = await ask('curves', joint, state);
+  if (isLate()) return;
+  showCurves(answer, curves, number);
+  performance.measure('curves', {start});
+}
+
+// One question at a time: of those that come meanwhile the last one counts.
+let busy = false;
+let again = false;
+let linking;
+async function update() {
+  byId('copied').textContent = '';
+  // Browsers allow some changes of the address a second.
+  clearTimeout(linking);
+  linking = setTimeout(writeLink, 300);
+  again = true;
+  if (busy) return;
+  busy = true;
+  while (again) {
+    again = false;
+    await answerOnce(() => again);
+  }
+  busy = false;
+}
+
+const writeLink = () => history.replaceState(null, '', '#' + form.link);
+
+function changeMode() {
+  if (form.own === null) {
+    form.own = byId('file').value = form.question.joint;
+  } else {
+    form.own = null;
+  }
+  form.show();
+  update();
+}
+
+startWorker().then(() => ask('choices')).then((choices) => {
+  form = new Form(choices);
+  form.set(new URLSearchParams(location.hash.slice(1)));
+  byId('form').addEventListener('input', ({target}) => {
+    if (target.id === 'example' && target.value !== '') {
+      byId('file').value = choices.joints.find(
+          ({file}) => file === target.value).text;
+    }
+    if (form.own !== null) form.own = byId('file').value;
+    form.show();
+    update();
+  });
+  byId('form').addEventListener('submit', (event) => event.preventDefault());
+  byId('mode').addEventListener('click', changeMode);
+  byId('link').addEventListener('click', () => {
+    writeLink();
+    copy(location.href, byId('link'));
+  });
+  addEventListener('hashchange', () => {
+    form.set(new URLSearchParams(location.hash.slice(1)));
+    update();
+  });
+  return update();
+}).catch((error) => stopped(error.message));

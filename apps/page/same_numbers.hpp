@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+
+#include "programs/joint/state.hpp"
+
+namespace page {
+
+/// Other ways to the numbers of the page, each with the joint file beside it as
+/// joint.toml.
+struct SameNumbers {
+  std::string command;
+  std::string python;
+  std::string cpp;
+};
+
+/// @param input   with what was given
+/// @param is_pin  a pin has no angle between reaction and rate
+SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin);
+
+}  // namespace page
