@@ -36,7 +36,7 @@ std::shared_ptr<const SeatTable> table_of(
                          .progress = progress});
 }
 
-// Of a contact that reaches no rim by the exact law.
+// A contact that reaches no rim has it by the exact law.
 SeatPv pv_of(const SeatJoint& joint, const SeatCycle::Instant& row,
              SeatState& near) {
   const SeatJointSolution& s = row.solution;

@@ -76,7 +76,7 @@ TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
     // The load is nearest to the rim at a quarter and at three.
     ASSERT_NE(in_seat.largest_peak(), nullptr);
     EXPECT_NEAR(std::abs(in_seat.largest_peak()->time - 0.5), 0.25, 0.1);
-    // Of dry friction the heat is f0 times p v, free or at the rim.
+    // The heat of dry friction is f0 times p v, free or at the rim.
     double heat = 0, largest = 0;
     for (const auto& row : in_seat.rows()) {
       heat -= row.weight * row.solution.power;
