@@ -1,11 +1,13 @@
 #include "libcontact/duty/seat_cycle.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <set>
 
 #include "libcontact/base/text.hpp"
+#include "libcontact/duty/sliding_contact.hpp"
 
 namespace contact {
 
@@ -32,6 +34,21 @@ std::shared_ptr<const SeatTable> table_of(
       SeatTable::Options{.least_load = std::max(0.9 * least, 1e-2 * most),
                          .most_load = 1.1 * most,
                          .progress = progress});
+}
+
+// A contact that reaches no rim has it by the exact law.
+SeatPv pv_of(const SeatJoint& joint, const SeatCycle::Instant& row,
+             SeatState& near) {
+  const SeatJointSolution& s = row.solution;
+  if (!s.contact.is_free) return joint.pv(s, row.angular_velocity, near);
+  const Joint& unbounded = joint.unbounded();
+  const SlidingContact sliding(
+      unbounded.contact(),
+      unbounded.solve(
+          {.reaction = s.reaction, .angular_velocity = row.angular_velocity}),
+      row.angular_velocity);
+  const SlidingContact::Peak peak = sliding.largest_pv();
+  return {sliding.pv_total(), peak.value, peak.place};
 }
 
 }  // namespace
@@ -65,12 +82,16 @@ SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
   if (table) check_ = table->check();
   joint.use(table);
   SeatJointSolution last;
+  SeatState near;
   std::set<std::string> said;
   for (Instant& row : rows_) {
     row.solution = joint.solve({.reaction = row.solution.reaction,
                                 .angular_velocity = row.angular_velocity},
                                last);
     last = row.solution;
+    if (row.solution.contact.status == SeatStatus::ok) {
+      row.pv = pv_of(joint, row, near);
+    }
     row.solution.contact.solution = nullptr;
     if (row.solution.contact.status == SeatStatus::no_load) continue;
     for (auto& note : joint.notes(row.solution)) {
@@ -96,23 +117,37 @@ const SeatCycle::Instant* SeatCycle::largest(const Of& of) const {
   const Instant* found = nullptr;
   double value = -std::numeric_limits<double>::infinity();
   for (const Instant& row : rows_) {
-    if (!(of(row.solution.contact) > value)) continue;
-    value = of(row.solution.contact);
+    if (!(of(row) > value)) continue;
+    value = of(row);
     found = &row;
   }
   return found;
 }
 
 const SeatCycle::Instant* SeatCycle::largest_peak() const {
-  return largest([](const SeatState& s) { return s.peak_pressure; });
+  return largest(
+      [](const Instant& i) { return i.solution.contact.peak_pressure; });
+}
+
+const SeatCycle::Instant* SeatCycle::largest_pv() const {
+  return largest([](const Instant& i) { return i.pv.largest; });
+}
+
+double SeatCycle::pv_integral() const {
+  double sum = 0;
+  for (const Instant& row : rows_) {
+    if (!std::isnan(row.pv.total)) sum += row.weight * row.pv.total;
+  }
+  return sum;
 }
 
 const SeatCycle::Instant* SeatCycle::least_gap() const {
-  return largest([](const SeatState& s) { return -s.gap(); });
+  return largest([](const Instant& i) { return -i.solution.contact.gap(); });
 }
 
 const SeatCycle::Instant* SeatCycle::largest_intensity() const {
-  return largest([](const SeatState& s) { return s.intensity(); });
+  return largest(
+      [](const Instant& i) { return i.solution.contact.intensity(); });
 }
 
 std::vector<std::string> SeatCycle::notes() const { return notes_; }

@@ -20,6 +20,7 @@ class SeatCycle {
     SeatJointSolution solution;  ///< in the axes of the body with the seat
     /// Dw in these axes, rad/s.
     Eigen::Vector3d angular_velocity;
+    SeatPv pv = {};  ///< in these axes too; NaN without a contact
   };
 
   struct Options {
@@ -50,6 +51,10 @@ class SeatCycle {
   const Instant* largest_peak() const;
   /// The row whose contact is nearest to a rim; null if none has one.
   const Instant* least_gap() const;
+  /// The row with the largest p v.
+  const Instant* largest_pv() const;
+  /// Integral of p v over contact and time, J; rows without a contact left out.
+  double pv_integral() const;
   /// The row with the largest K at a rim.
   const Instant* largest_intensity() const;
   /// Notes on the cycle, a sentence for each reason.

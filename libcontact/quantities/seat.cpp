@@ -117,6 +117,13 @@ constexpr Quantity<SeatCycle> of_cycle[] = {
        return c.largest_peak()->solution.contact.peak_pressure;
      },
      "", [](const SeatCycle& c) { return c.largest_peak() != nullptr; }},
+    {"pv_integral", "seat_pv_integral", Dimension::energy,
+     "of p v over contact and time, in the seat that ends",
+     [](const SeatCycle& c) { return c.pv_integral(); }},
+    {"largest_pv", "seat_largest_pv", Dimension::power_density,
+     "largest p v at 0.02 radii or more from every rim",
+     [](const SeatCycle& c) { return c.largest_pv()->pv.largest; }, "",
+     [](const SeatCycle& c) { return c.largest_pv() != nullptr; }},
     {"largest_intensity", "seat_largest_K", Dimension::number,
      "largest p sqrt(2 pi s) at a rim, s from it, Pa m^0.5",
      [](const SeatCycle& c) {

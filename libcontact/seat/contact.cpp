@@ -219,6 +219,23 @@ double SeatContact::pressure(const SeatState& state,
          read.pressure(v, place.longitude);
 }
 
+SeatPv SeatContact::pv(const SeatState& state,
+                       const Eigen::Vector3d& rate) const {
+  if (!state.solution) return {};
+  const double speed = rate.norm();
+  const Eigen::Matrix3d axes = detail::plane_axes(state.force);
+  const Eigen::Vector3d axis =
+      speed > 0 ? Eigen::Vector3d(axes.transpose() * rate / speed)
+                : Eigen::Vector3d::UnitZ();
+  const detail::SeatReadout read(*state.solution->solver,
+                                 state.solution->patch);
+  const auto slip = read.slip(axis, report_distance_);
+  const double modulus = contact_.pair().effective_modulus();
+  const double unit = modulus / (4 * radius_) * radius_ * speed;
+  return {unit * radius_ * radius_ * slip.total, unit * slip.largest,
+          axes * slip.place};
+}
+
 Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
   const Eigen::Vector3d n = state.force.normalized();
   if (state.is_free) {

@@ -111,6 +111,16 @@ struct SeatState {
   std::shared_ptr<const detail::SeatSolution> solution = {};
 };
 
+/// p v over a contact in a seat that ends, while the ball turns in it.
+struct SeatPv {
+  double total = std::numeric_limits<double>::quiet_NaN();  ///< integral, W
+  /// At the reported distance or more from every rim, W/m^2.
+  double largest = std::numeric_limits<double>::quiet_NaN();
+  /// Unit vector from the ball's centre to where it is.
+  Eigen::Vector3d place =
+      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
+};
+
 /// Pressure on a rim that is rounded (Hertz' shape of a punch's edge).
 struct RoundedRim {
   double peak_pressure;  ///< Pa
@@ -163,6 +173,13 @@ class SeatContact {
   /// so that p r sums up to F within 1e-3 (seat/identities_test.cpp). NaN
   /// without a contact, and of states of a SeatTable.
   double pressure(const SeatState& state, const SeatPlace& place) const;
+
+  /// p v of a contact on the grid, v = rho |rate x r|: the total to 1e-3, the
+  /// largest to 5e-3 (seat/pv_test.cpp). NaN of free contacts, which
+  /// SlidingContact has, and of states of a SeatTable. At the rim itself the
+  /// model's p v is infinite, and what wears there is beyond it.
+  /// @param rate  Dw, rad/s, in the axes of the force
+  SeatPv pv(const SeatState& state, const Eigen::Vector3d& rate) const;
 
   /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
   /// (a set of cells has a stiffness of its own): eight solutions. NaN without

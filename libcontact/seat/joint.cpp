@@ -325,6 +325,18 @@ std::vector<double> SeatJoint::pressures(
   return all;
 }
 
+SeatPv SeatJoint::pv(const SeatJointSolution& solution, const Vector3d& rate,
+                     SeatState& near) const {
+  SeatState state = in_seat(solution);
+  if (!state.is_free && !state.solution) {
+    state = contact_.under(state.force, near);
+  }
+  SeatPv pv = contact_.pv(state, from_seat_.transpose() * rate);
+  pv.place = from_seat_ * pv.place;
+  near = std::move(state);
+  return pv;
+}
+
 std::vector<std::string> SeatJoint::notes(const SeatJointSolution& s) const {
   return contact_.notes(in_seat(s));
 }

@@ -101,6 +101,13 @@ class SeatJoint {
   std::vector<double> pressures(const SeatJointSolution& solution,
                                 std::span<const Eigen::Vector3d> places) const;
 
+  /// SeatContact::pv() of a solution, in the axes of the reaction. A contact
+  /// that is from the table is solved for it.
+  /// @param near  where the search begins; then the contact that was found, in
+  ///              the seat's axes
+  SeatPv pv(const SeatJointSolution& solution, const Eigen::Vector3d& rate,
+            SeatState& near) const;
+
   /// Whether the contact reaches no rim as long as friction is small: under
   /// the reaction alone.
   bool is_free(const Eigen::Vector3d& reaction) const;

@@ -1,7 +1,9 @@
 #include "libcontact/seat/readout.hpp"
 
+#include <Eigen/Geometry>
 #include <Eigen/QR>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -11,6 +13,18 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+using Eigen::Vector3d;
+
+Vector3d direction(double v, double longitude) {
+  return {std::sin(v) * std::cos(longitude), std::sin(v) * std::sin(longitude),
+          std::cos(v)};
+}
+
+// |w x r|
+double lever(const Vector3d& axis, double v, double longitude) {
+  return axis.cross(direction(v, longitude)).norm();
+}
 
 }  // namespace
 
@@ -122,6 +136,75 @@ SeatReadout::Peak SeatReadout::peak(double low, double high, int j) const {
     }
   }
   return peak;
+}
+
+// The largest p |w x r| on a longitude, k below 0 on the other side of the
+// plane, between two polar angles.
+SeatReadout::Best SeatReadout::best(const Vector3d& axis, double from,
+                                    double to, int k) const {
+  constexpr int parts = 32;  // over two cells: a maximum is flat
+  const int j = std::abs(k);
+  Best best{0, from};
+  for (int i = 0; i <= parts; ++i) {
+    const double v = from + (to - from) * i / parts;
+    const double value = pressure(v, j) * lever(axis, v, longitude(k));
+    if (value > best.value) best = {value, v};
+  }
+  return best;
+}
+
+double SeatReadout::longitude(int k) const {
+  return k < 0 ? -solver_.longitude(-k) : solver_.longitude(k);
+}
+
+SeatReadout::Slip SeatReadout::slip(const Vector3d& axis,
+                                    double rim_distance) const {
+  const SeatWindow& window = cells_.window;
+  const double low = window.from + (window.rim[0] ? rim_distance : 0);
+  const double high = window.to - (window.rim[1] ? rim_distance : 0);
+  const int last = solver_.order();
+  Slip slip{0, 0, Vector3d::Constant(nan)};
+  double most = 0;
+  int cell = 0, node = 0;
+  for (int k = 1 - last; k <= last; ++k) {
+    const int j = std::abs(k);
+    const double weight =
+        solver_.longitude_weight(j) / (j == 0 || j == last ? 1 : 2);
+    for (int i = 0; i < cells_.size(); ++i) {
+      if (patch_.contact(i, j) == 0) continue;
+      const double v = cells_.mean_angle(i);
+      const double p = patch_.pressure(i, j);
+      slip.total += weight * cells_.unit(i) * p * lever(axis, v, longitude(k));
+      const double inside = std::clamp(v, low, high);
+      if (inside < cells_.bound(i) || inside > cells_.bound(i + 1)) continue;
+      const double value = pressure(inside, j) * lever(axis, v, longitude(k));
+      if (value > most) {
+        most = value;
+        cell = i;
+        node = k;
+      }
+    }
+  }
+  if (!(most > 0)) return slip;
+  const double from = std::max(low, cells_.mean_angle(std::max(cell - 1, 0)));
+  const double to =
+      std::min(high, cells_.mean_angle(std::min(cell + 1, cells_.size() - 1)));
+  std::array<Best, 3> at;
+  for (const int side : {-1, 0, 1}) {
+    int k = node + side;
+    if (k > last) k -= 2 * last;
+    if (k <= -last) k += 2 * last;
+    at[side + 1] = best(axis, from, to, k);
+  }
+  // The parabola through three longitudes.
+  const double slope = (at[2].value - at[0].value) / 2;
+  const double bend = at[2].value - 2 * at[1].value + at[0].value;
+  const double x = bend < 0 ? std::clamp(-slope / bend, -1.0, 1.0) : 0;
+  slip.largest = at[1].value + x * (slope + x * bend / 2);
+  const double v =
+      at[1].polar_angle + x * (at[2].polar_angle - at[0].polar_angle) / 2;
+  slip.place = direction(v, longitude(node) + x * solver_.longitude(1));
+  return slip;
 }
 
 // f at the rim by the line through the two cells there.

@@ -36,6 +36,17 @@ class SeatReadout {
   /// order(); 0 without contact there.
   Peak peak(double from, double to, int j) const;
 
+  /// p |w x r| over the contact, r the unit vector from the ball's centre.
+  struct Slip {
+    double total;           ///< integral over the sphere
+    double largest;         ///< at some distance or more from every rim
+    Eigen::Vector3d place;  ///< r there
+  };
+  /// The total by the nodes, the largest from the best node by parabolas.
+  /// @param axis  w, unit vector in the plane's axes: x on the side of the
+  ///              load, z the seat's axis
+  Slip slip(const Eigen::Vector3d& axis, double rim_distance) const;
+
   struct Rim {
     /// lim p sqrt(s), s in rad, where it is largest; 0 if not reached
     double strength;
@@ -59,6 +70,11 @@ class SeatReadout {
   struct Run {
     int first, last;
   };
+  struct Best {
+    double value, polar_angle;
+  };
+  double longitude(int k) const;
+  Best best(const Eigen::Vector3d& axis, double from, double to, int k) const;
   std::vector<Run> runs(int j) const;
   Run run_of(int cell, int j) const;
   Eigen::Vector3d parabola(int cell, int j) const;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/units.hpp"
@@ -75,6 +76,18 @@ TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
     // The load is nearest to the rim at a quarter and at three.
     ASSERT_NE(in_seat.largest_peak(), nullptr);
     EXPECT_NEAR(std::abs(in_seat.largest_peak()->time - 0.5), 0.25, 0.1);
+    // The heat of dry friction is f0 times p v, free or at the rim.
+    double heat = 0, largest = 0;
+    for (const auto& row : in_seat.rows()) {
+      heat -= row.weight * row.solution.power;
+      largest = std::max(largest, row.pv.largest);
+      EXPECT_NEAR(-0.05 * row.pv.total, row.solution.power,
+                  (row.solution.contact.is_free ? 1e-9 : 1e-3) *
+                      std::abs(row.solution.power));
+    }
+    EXPECT_NEAR(0.05 * in_seat.pv_integral() / heat, 1, 1e-3);
+    ASSERT_NE(in_seat.largest_pv(), nullptr);
+    EXPECT_EQ(in_seat.largest_pv()->pv.largest, largest);
   }
 }
 

@@ -135,7 +135,7 @@ TEST(MotionSeat, AtTheRimsIsTheEquationOfOneAngle) {
             1e-3);
   EXPECT_EQ(hinge.joints[0].peak_pressure > 0, true);
   EXPECT_LT(hinge.joints[0].power, 0);
-  // What RK4 leaves at this step, as of a plain ball.
+  // RK4 leaves as much of a plain ball at this step.
   EXPECT_NEAR(motion.sample().energy().balance() / before, 1, 1e-6);
 }
 
@@ -178,7 +178,7 @@ TEST(MotionSeat, RestsAsTheSeatSays) {
       const Matrix3d to_body =
           Eigen::AngleAxisd(-angle, axis).toRotationMatrix();
       const Vector3d weight(0, mass * g, 0);
-      // Of gravity about the ball, as friction has to hold it.
+      // Friction has to hold gravity's moment about the ball.
       const Vector3d held = -(to_body.transpose() * Vector3d(0, -arm, 0))
                                  .cross(Vector3d(0, -mass * g, 0));
       const bool has_body = inner == JointBody::carrier;

@@ -47,6 +47,11 @@ TEST_F(HingeDuty, InSeat) {
             *std::ranges::max_element(rows["p_peak_Pa"]));
   EXPECT_NEAR(value(text, "seat_rim_share"), at_rim, 1e-9);
   EXPECT_EQ(value(text, "seat_least_gap_m"), 0);
+  // Confined, the same load presses harder; the work is nearly the same.
+  EXPECT_GT(value(text, "seat_largest_pv_W_per_m2"),
+            value(text, "largest_pv_max_W_per_m2"));
+  EXPECT_NEAR(value(text, "seat_pv_integral_J") / value(text, "pv_integral_J"),
+              1, 0.03);
   const ProgramResult other =
       folder_.run(run + " --seat-table data/joints/hip_cup.toml");
   EXPECT_EQ(other.status, 2);

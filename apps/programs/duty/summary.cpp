@@ -120,6 +120,7 @@ void add_seat(const contact::SeatCycle& seat, Report& to) {
   const std::pair<std::string_view, const contact::SeatCycle::Instant*> rows[] =
       {{"least_gap", seat.least_gap()},
        {"largest_peak_pressure", seat.largest_peak()},
+       {"largest_pv", seat.largest_pv()},
        {"largest_intensity", seat.largest_intensity()}};
   for (const auto& column : columns_of(contact::seat_cycle_quantities())) {
     const auto* row = std::ranges::find(rows, column.quantity->key,
@@ -127,7 +128,16 @@ void add_seat(const contact::SeatCycle& seat, Report& to) {
     if (row == std::end(rows)) {
       to.add(column.name, column(seat), column.meaning);
     } else if (row->second) {
-      to.add(column.name, column(seat), column.meaning, {row->second->time});
+      const auto* at = row->second;
+      if (row->first == "largest_pv") {
+        to.add(column.name, column(seat),
+               std::string(column.meaning) +
+                   "; x, y, z from the ball's centre, axes of the body with "
+                   "the seat",
+               at_place(at->time, at->pv.place));
+      } else {
+        to.add(column.name, column(seat), column.meaning, {at->time});
+      }
     }
   }
   const contact::SeatTable::Check& check = seat.check();

@@ -86,7 +86,7 @@ contact::ContactLimits limits_of(const HingeJoint& joint) {
   return {joint.contact.half_angle_law(), joint.contact.pair()};
 }
 
-// What the model of a seat leaves out beside the rims that were come near to.
+// The model of a seat leaves this out beside the rims that were come near to.
 Texts rim_notes(const HingeJoint& joint, const JointPeaks& peaks) {
   if (!joint.seat) return {};
   contact::SeatState nearest;
