@@ -52,7 +52,7 @@ typedef struct contact_sweeps {
 } contact_sweeps;
 
 /* The same of joints of one mechanism: M_i = sum_j W_ij (Dw_j - free_j), by
- * sweeps over the joints until the residual is 1e-12.
+ * Newton steps and sweeps over the joints until the residual is 1e-12.
  * inertia: W, mass matrix over the time step in the joints' angular velocities,
  *     three rows for a ball and one, about its axis, for a pin. Whether it is
  *     symmetric and the joints' blocks positive definite is looked at.

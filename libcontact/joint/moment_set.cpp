@@ -121,7 +121,6 @@ Vector3d MomentSet::project(const Vector3d& moment) const noexcept {
   return -prox(Matrix3d::Identity(), moment).moment;
 }
 
-// Second derivative of Phi at a unit vector.
 Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
   const Split split(direction, normal_);
   const SlipAxis axis = axis_of(split);
@@ -150,13 +149,24 @@ Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
          parallel * across * across.transpose();
 }
 
-MomentSet::Prox MomentSet::prox(const Matrix3d& inertia,
-                                const Vector3d& free) const noexcept {
+MomentSet::Prox MomentSet::prox(const Matrix3d& inertia, const Vector3d& free,
+                                const Vector3d& guess) const noexcept {
   const Vector3d wanted = inertia * free;
   const double size = wanted.norm();
   if (!std::isfinite(size)) {
     return {Vector3d::Constant(nan), Vector3d::Constant(nan),
             Status::out_of_range, 0, nan};
+  }
+  const auto slide = [&](const Vector3d& u) {
+    return detail::motion_left([&](const Vector3d& v) { return support(v); },
+                               [&](const Vector3d& v) { return moment(v); },
+                               [&](const Vector3d& v) { return curvature(v); },
+                               inertia, free, u);
+  };
+  // A plane between W free and the set.
+  const Vector3d likely = guess.stableNormalized();
+  if (most_sliding_ > 0 && likely.dot(wanted) > support(likely) * (1 + 1e-6)) {
+    return slide(likely);
   }
   if (size == 0 || utilisation(wanted) <= 1) {
     return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
@@ -169,10 +179,7 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia,
   const SlipAxis start = axis_of_moment(split.across, std::abs(split.along));
   const Vector3d u = start.cos * split.direction +
                      std::copysign(start.sin, split.along) * normal_;
-  return detail::motion_left([&](const Vector3d& v) { return support(v); },
-                             [&](const Vector3d& v) { return moment(v); },
-                             [&](const Vector3d& v) { return curvature(v); },
-                             inertia, free, u);
+  return slide(u);
 }
 
 }  // namespace contact

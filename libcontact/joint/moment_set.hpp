@@ -73,9 +73,16 @@ class MomentSet {
   /// friction: 0 where C holds W free, else M_t(alpha) = W (alpha - free).
   ///
   /// @param inertia  W, symmetric and positive definite
+  /// @param guess    a motion near to the answer, for speed; 0: none
   /// @return residual at most 1e-12 (joint/moment_set_test.cpp)
-  Prox prox(const Eigen::Matrix3d& inertia,
-            const Eigen::Vector3d& free) const noexcept;
+  Prox prox(
+      const Eigen::Matrix3d& inertia, const Eigen::Vector3d& free,
+      const Eigen::Vector3d& guess = Eigen::Vector3d::Zero()) const noexcept;
+
+  /// Second derivative of Phi at a unit vector, N m: -dM_t/dDw times |Dw|.
+  /// Differences of the set's edge, for Newton's method: relative error at most
+  /// 1e-4/theta0 (joint/moment_set_test.cpp).
+  Eigen::Matrix3d curvature(const Eigen::Vector3d& direction) const noexcept;
 
  private:
   /// A point of the edge: parts along the tangent plane and along n.
@@ -85,7 +92,6 @@ class MomentSet {
   };
   Edge edge(SlipAxis axis) const noexcept;
   SlipAxis axis_of_moment(double sliding, double spinning) const noexcept;
-  Eigen::Matrix3d curvature(const Eigen::Vector3d& direction) const noexcept;
 
   const JointContact* contact_;
   Eigen::Vector3d normal_;

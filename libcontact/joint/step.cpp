@@ -27,6 +27,12 @@ struct Move {
 
 Move hold(const Vector3d& moment) { return {Vector3d::Zero(), moment}; }
 
+// The moment of a sliding joint as its rate has it, and -dM_t/dDw.
+struct Resistance {
+  Vector3d moment;
+  Matrix3d slope;
+};
+
 // M_t = -k Dw about u.
 Move viscous_about(const Vector3d& u, double k, double inertia, double free) {
   const double rate = free * inertia / (inertia + k);
@@ -59,30 +65,57 @@ class Sliding {
     if (solution_.state == JointState::unloaded) {
       return {free, Vector3d::Zero()};
     }
-    if (joint_.contact().is_viscous()) return viscous(inertia, free);
+    if (joint_.contact().is_viscous()) {
+      const Matrix3d k = viscosity();
+      const Vector3d rate = (inertia + k).llt().solve(inertia * free);
+      return {rate, -k * rate};
+    }
     const MomentSet set = joint_.moment_set(solution_);
-    // A friction stress makes the set that of rest, its size that of the speed.
-    const double scale =
-        joint_.contact().stress()
-            ? solution_.friction_moment.norm() / set.moment(rate_).norm()
-            : 1;
-    const MomentSet::Prox prox = set.prox(inertia / scale, free);
+    const double scale = scale_of(set);
+    const MomentSet::Prox prox = set.prox(inertia / scale, free, rate_);
     return {prox.angular_velocity, scale * prox.moment, prox.status};
+  }
+
+  // About the axis of a pin, in the corner of the slope.
+  Resistance about(const Vector3d& u, double rate) const {
+    const double size = std::abs(solution_.friction_moment.dot(u));
+    const double k = joint_.contact().is_viscous() ? size / rate_.norm() : 0;
+    const double moment = k > 0 ? -k * rate : -std::copysign(size, rate);
+    return {moment * u, Vector3d(k, 0, 0).asDiagonal()};
+  }
+
+  Resistance of_ball(const Vector3d& rate) const {
+    if (solution_.state == JointState::unloaded) {
+      return {Vector3d::Zero(), Matrix3d::Zero()};
+    }
+    if (joint_.contact().is_viscous()) {
+      const Matrix3d k = viscosity();
+      return {-k * rate, k};
+    }
+    const MomentSet set = joint_.moment_set(solution_);
+    const double scale = scale_of(set);
+    const double size = rate.norm();
+    return {scale * set.moment(rate),
+            scale / size * set.curvature(rate / size)};
   }
 
  private:
   // M_t = -K Dw, K round about n.
-  Move viscous(const Matrix3d& inertia, const Vector3d& free) const {
+  Matrix3d viscosity() const {
     const Vector3d& n = solution_.normal;
     const auto size = [&](const Vector3d& u) {
       return joint_.solve_contact({solution_.normal_force * n, u})
           .friction_moment.norm();
     };
     const double across = size(n.unitOrthogonal());
-    const Matrix3d k =
-        across * Matrix3d::Identity() + (size(n) - across) * n * n.transpose();
-    const Vector3d rate = (inertia + k).llt().solve(inertia * free);
-    return {rate, -k * rate};
+    return across * Matrix3d::Identity() +
+           (size(n) - across) * n * n.transpose();
+  }
+  // A friction stress makes the set that of rest, its size that of the speed.
+  double scale_of(const MomentSet& set) const {
+    return joint_.contact().stress()
+               ? solution_.friction_moment.norm() / set.moment(rate_).norm()
+               : 1;
   }
 
   const Joint& joint_;
@@ -112,6 +145,12 @@ bool holds(const Joint& joint, const StepStart& start, const Vector3d& axis,
   return false;
 }
 
+// A rate to which the solution of a step belongs, if the joint slides.
+const Vector3d& rate_of(const StepStart& start, const JointStep& step) {
+  if (!start.angular_velocity.isZero(0)) return start.angular_velocity;
+  return std::isinf(step.rest.utilisation) ? start.free : step.rest.direction;
+}
+
 // Goes on from begin(), with an inertia and a free motion that may change from
 // sweep to sweep.
 // @param held   the moment that would hold the joint
@@ -122,11 +161,7 @@ void go_on(const Joint& joint, const StepStart& start, const Vector3d& axis,
   const bool rests = start.angular_velocity.isZero(0);
   Move next = hold(held);
   if (!rests || !holds(joint, start, axis, held, step)) {
-    const Vector3d& rate = !rests ? start.angular_velocity
-                           : std::isinf(step.rest.utilisation)
-                               ? start.free
-                               : step.rest.direction;
-    next = slide(Sliding(joint, step.solution, rate));
+    next = slide(Sliding(joint, step.solution, rate_of(start, step)));
     step.status = std::max(step.status, next.status);
   }
   if (!next.moment.allFinite() || !next.angular_velocity.allFinite()) {
@@ -255,13 +290,15 @@ void check(std::span<const Joint* const> joints,
   }
 }
 
-// One joint after the other, until their moments fit:
+// Newton's method for the joints that move, and one joint after the other where
+// it ends, until their moments fit:
 //
 //     W (Dw - free) = M,   Dw = 0 of those that hold.
 //
-// Of those that move, B = W^-1 says how they answer to a moment; each takes its
-// step with the moments of the others, which hardly change. A change of who
-// holds needs another B.
+// Those that move make the smallest of a convex function, whose solution is the
+// only one. In a sweep each takes its step with the moments of the others,
+// which hardly change; B = W^-1, of those that move, says how they answer to a
+// moment. A change of who holds needs another W.
 class Mechanism {
  public:
   Mechanism(std::span<const Joint* const> joints,
@@ -287,14 +324,45 @@ class Mechanism {
     pull_ = inertia * free;
   }
 
-  // Largest change of a moment over the largest W_ii free; infinite where
-  // other joints hold than before.
-  double sweep() {
+  // Moments of those that move from the rates that they cause, as far as
+  // Newton's steps halve what is left.
+  void fit(double tolerance) {
     if (is_other_) divide();
+    double left = std::numeric_limits<double>::infinity();
+    Eigen::VectorXd rate = rate_;
+    Eigen::VectorXd moment = moment_;
+    for (fits_ = false; !fits_;) {
+      Eigen::MatrixXd slope = weight_;
+      const Eigen::VectorXd moments = resist(rate, slope);
+      const Eigen::VectorXd change = moments - moment(moving_);
+      const double now = change.norm();
+      if (!(now <= left / 2)) return;
+      left = now;
+      fits_ = now <= tolerance / 10 * size_;
+      rate_ = rate;
+      moment_ = moment;
+      if (fits_) {
+        moment_(moving_) = moments;
+        for (std::size_t i = 0; i < joints_.size(); ++i) take(i);
+      } else {
+        const Eigen::VectorXd step = slope.llt().solve(change);
+        rate(moving_) += step;
+        moment(moving_) += weight_ * step;
+      }
+    }
+  }
+
+  // Largest change of a moment over the largest W_ii free; infinite where
+  // other joints hold than before. Those that fit are left alone.
+  double sweep() {
     status_ = Status::ok;
     double change = 0;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
-      change = std::max(change, joints_[i]->is_pin() ? turn<1>(i) : turn<3>(i));
+      const bool held = holds_[i];
+      if (!fits_ || held || starts_[i].angular_velocity.isZero(0)) {
+        const double turned = joints_[i]->is_pin() ? turn<1>(i) : turn<3>(i);
+        if (!(fits_ && held)) change = std::max(change, turned);
+      }
       status_ = std::max(status_, steps_[i].status);
     }
     if (is_other_) return std::numeric_limits<double>::infinity();
@@ -312,23 +380,67 @@ class Mechanism {
     }
   }
 
-  // B and Dw.
+  Vector3d get(std::size_t i, const Eigen::VectorXd& from) const {
+    if (joints_[i]->is_pin()) return from[at_[i]] * starts_[i].axis;
+    return from.segment<3>(at_[i]);
+  }
+
+  // W and Dw of those that move.
   void divide() {
-    std::vector<Eigen::Index> moving;
+    moving_.clear();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       for (Eigen::Index k = 0; k < size_of(*joints_[i]) && !holds_[i]; ++k) {
-        moving.push_back(at_[i] + k);
+        moving_.push_back(at_[i] + k);
       }
     }
+    weight_ = inertia_(moving_, moving_);
+    factor_.compute(weight_);
+    has_answer_ = is_other_ = false;
+    rate_.setZero(inertia_.rows());
+    const Eigen::VectorXd forces = (moment_ + pull_)(moving_);
+    const Eigen::VectorXd rates = factor_.solve(forces);
+    rate_(moving_) = rates;
+  }
+
+  // B, 0 in rows and columns of those that hold.
+  void invert() {
     answer_.setZero(inertia_.rows(), inertia_.rows());
-    if (!moving.empty()) {
-      const Eigen::MatrixXd w = inertia_(moving, moving);
-      const Eigen::MatrixXd inverse =
-          w.llt().solve(Eigen::MatrixXd::Identity(w.rows(), w.rows()));
-      answer_(moving, moving) = inverse;
+    const auto rows = weight_.rows();
+    const Eigen::MatrixXd inverse =
+        factor_.solve(Eigen::MatrixXd::Identity(rows, rows));
+    answer_(moving_, moving_) = inverse;
+    has_answer_ = true;
+  }
+
+  // Moments of those that move, and W - dM/dDw in the place of W.
+  Eigen::VectorXd resist(const Eigen::VectorXd& rate,
+                         Eigen::MatrixXd& slope) const {
+    Eigen::VectorXd moments(slope.rows());
+    Eigen::Index at = 0;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (holds_[i]) continue;
+      const Sliding sliding(*joints_[i], steps_[i].solution,
+                            rate_of(starts_[i], steps_[i]));
+      if (joints_[i]->is_pin()) {
+        const auto r = sliding.about(starts_[i].axis, rate[at_[i]]);
+        moments[at] = r.moment.dot(starts_[i].axis);
+        slope(at, at) += r.slope(0, 0);
+      } else {
+        const auto r = sliding.of_ball(Vector3d(rate.segment<3>(at_[i])));
+        moments.segment<3>(at) = r.moment;
+        slope.block<3, 3>(at, at) += r.slope;
+      }
+      at += size_of(*joints_[i]);
     }
-    rate_ = answer_ * (moment_ + pull_);
-    is_other_ = false;
+    return moments;
+  }
+
+  // Takes over what fits, if joint i moves.
+  void take(std::size_t i) {
+    if (holds_[i]) return;
+    steps_[i].angular_velocity = get(i, rate_);
+    steps_[i].moment = get(i, moment_);
+    steps_[i].holds = false;
   }
 
   // The step of joint i; the change of its moment.
@@ -345,6 +457,7 @@ class Mechanism {
       w = inertia_.block<rows, rows>(at, at);
       free = -w.llt().solve(held);
     } else {
+      if (!has_answer_) invert();
       const Block b = answer_.block<rows, rows>(at, at);
       w = b.llt().solve(Block::Identity());
       free = rate_.segment<rows>(at) - b * moment_.segment<rows>(at);
@@ -373,13 +486,18 @@ class Mechanism {
   std::span<JointStep> steps_;
   std::vector<Eigen::Index> at_;  // first rows
   std::vector<char> holds_;
-  bool is_other_ = true;  // others hold than those of B
-  double size_ = 0;       // largest W_ii free
+  std::vector<Eigen::Index> moving_;  // rows
+  bool is_other_ = true;              // others hold than those of W
+  bool fits_ = false;                 // the moving ones fit each other
+  bool has_answer_ = false;
+  double size_ = 0;  // largest W_ii free
   Status status_ = Status::ok;
   Eigen::VectorXd pull_;    // W free
   Eigen::VectorXd moment_;  // M
   Eigen::VectorXd rate_;    // Dw
-  Eigen::MatrixXd answer_;  // B, 0 in rows and columns of those that hold
+  Eigen::MatrixXd weight_;  // W of those that move
+  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd answer_;  // B
 };
 
 }  // namespace
@@ -400,6 +518,7 @@ StepSweeps step(std::span<const Joint* const> joints,
   constexpr int sweep_limit = 1000;
   StepSweeps result;
   for (result.sweeps = 1;; ++result.sweeps) {
+    mechanism.fit(tolerance);
     result.residual = mechanism.sweep();
     result.status = mechanism.status();
     if (result.status == Status::out_of_range || result.residual <= tolerance) {

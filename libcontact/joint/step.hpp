@@ -82,8 +82,9 @@ struct StepSweeps {
 ///
 ///     M_i = sum_j W_ij (Dw_j - free_j)
 ///
-/// by sweeps over the joints, each with step() and the moments of the others
-/// (block Gauss-Seidel; those that hold stay at 0 until they let go).
+/// by Newton's method for those that move and, where it ends as one stops or
+/// lets go, by sweeps over the joints, each with step() and the moments of the
+/// others (block Gauss-Seidel; those that hold stay at 0 until they let go).
 ///
 /// @param inertia  W: mass matrix over the time step in the joints'
 ///                 angular velocities, three rows for a ball and one, about its

@@ -188,6 +188,44 @@ TEST(MomentSet, ProxMeetsItsConditions) {
   std::printf("prox: most Newton steps %d\n", most_steps);
 }
 
+// Both are differences, over lengths that u near to n has not much more of.
+TEST(MomentSet, CurvatureIsTheDerivativeOfTheMoment) {
+  RandomSlips random(9);
+  AccuracyReport slope("curvature against moments, theta0 times", 1e-4);
+  for (const RandomSet& r : random_sets(random, 200)) {
+    const MomentSet set = r.set();
+    const Vector3d u = random.direction();
+    const Matrix3d curvature = set.curvature(u);
+    const double step = 1e-4 * r.thickness();
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d way = step * Vector3d::Unit(k);
+      const Vector3d difference =
+          (set.moment(u - way) - set.moment(u + way)) / (2 * step);
+      slope.add_error(r.thickness() * (curvature.col(k) - difference).norm() /
+                          curvature.norm(),
+                      "");
+    }
+  }
+}
+
+TEST(MomentSet, ProxFromAGuessIsTheSame) {
+  RandomSlips random(10);
+  AccuracyReport same("moments over |W free|", 1e-11);
+  for (const RandomSet& r : random_sets(random, 300)) {
+    const MomentSet set = r.set();
+    const Vector3d free = random.direction();
+    const double held = set.moment(random.direction()).norm();
+    const Matrix3d w =
+        random.log_uniform(0.3, 30) * held * Matrix3d::Identity();
+    const Prox plain = set.prox(w, free);
+    for (const Vector3d& guess : {free, random.direction()}) {
+      same.add_error(
+          (set.prox(w, free, guess).moment - plain.moment).norm() / w.norm(),
+          "");
+    }
+  }
+}
+
 TEST(MomentSet, ProjectionIsTheNearestPoint) {
   RandomSlips random(6);
   AccuracyReport idempotent("project(project(M)), over |M|", 1e-11);

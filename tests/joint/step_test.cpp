@@ -292,6 +292,32 @@ TEST(JointSteps, SatisfyTheEquationsOfAllJoints) {
   EXPECT_LT(holding, 900);
 }
 
+// Sweeps alone took 38: Newton's steps need none but that which sees it.
+TEST(JointSteps, OfAChainThatSlidesFitInOneSweep) {
+  RandomSlips random(14);
+  constexpr int links = 16;
+  for (const Joint* joint : {&dry, &viscous}) {
+    const std::vector<const Joint*> joints(links, joint);
+    std::vector<StepStart> starts;
+    for (int i = 0; i < links; ++i) {
+      starts.push_back(random_start(random, 1000));
+      starts.back().angular_velocity = starts.back().free;
+    }
+    const MatrixXd w = random_inertia(random, 3 * links);
+    std::vector<JointStep> steps(links);
+    const StepSweeps done = step(joints, starts, w, steps);
+    EXPECT_EQ(done.status, Status::ok);
+    EXPECT_EQ(done.sweeps, 1);
+    Eigen::VectorXd change(3 * links), moment(3 * links);
+    for (int i = 0; i < links; ++i) {
+      change.segment<3>(3 * i) = steps[i].angular_velocity - starts[i].free;
+      moment.segment<3>(3 * i) = steps[i].moment;
+      EXPECT_FALSE(steps[i].holds);
+    }
+    EXPECT_LE((w * change - moment).norm(), 1e-11 * moment.norm());
+  }
+}
+
 TEST(JointSteps, ThatDependOnNothingAreThoseOfEachJoint) {
   RandomSlips random(12);
   for (int i = 0; i < 20; ++i) {
