@@ -245,9 +245,11 @@ SeatRestSolution SeatJoint::rest(const Joint::Hold& hold, Work& work) const {
   };
   const RestSolution unbounded = joint_.at_rest(hold);
   if (is_free(unbounded.slip) || size == 0 || joint_.contact().is_viscous()) {
-    result.utilisation = unbounded.utilisation;
-    result.direction = unbounded.direction;
     result.slip = slide(slip_about(unbounded.direction), work);
+    if (result.slip.contact.status == SeatStatus::ok) {
+      result.utilisation = unbounded.utilisation;
+      result.direction = unbounded.direction;
+    }
     return result;
   }
   const Vector3d against = -hold.moment / size;

@@ -20,7 +20,6 @@ namespace {
 using Eigen::Vector3d;
 
 constexpr auto f0 = FrictionParameter::coefficient;
-constexpr auto adhesion = FrictionParameter::adhesion;
 constexpr auto clearance = FrictionParameter::clearance;
 
 constexpr double true_coefficient = 0.08;

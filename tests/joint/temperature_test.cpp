@@ -14,7 +14,6 @@ namespace {
 
 const Material steel{2.1e11, 0.3, "steel", infinity, 11.5e-6};
 const Material bronze{1.1e11, 0.34, "bronze", infinity, 18e-6};
-const Material liner{5e8, 0.46, "liner", infinity, 135e-6};
 
 JointSpec bush() {
   return {.geometry = JointGeometry::pin(0.025, 60e-6, 0.05),

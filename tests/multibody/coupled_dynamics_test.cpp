@@ -199,7 +199,8 @@ TEST(CoupledDynamics, GroupsTakeFewOuterIterations) {
     }
     tracked.print();
     EXPECT_LT(tracked.largest_miss, 1e-9);
-    EXPECT_LT(tracked.iterations, most * tracked.evaluations);
+    EXPECT_LT(static_cast<double>(tracked.iterations),
+              most * static_cast<double>(tracked.evaluations));
   }
 }
 

@@ -216,8 +216,14 @@ TEST(MotionSeat, OutOfTheSeatIsSaid) {
     body.hinge_from_com = Vector3d(0, 0.1, 0);
     MotionOptions options = with_gravity(0.01);
     options.gravity = sign * g * along;
+    // At rest too, where there is no moment to be held.
+    Body balanced = body;
+    balanced.hinge_from_com.setZero();
+    const Motion resting({ground, {balanced}}, {in(seat)}, nullptr,
+                         turned(0, 0), options);
     Motion motion({ground, {body}}, {in(seat)}, nullptr, turned(0, 0.1),
                   options);
+    EXPECT_EQ(resting.failure().has_value(), motion.failure().has_value());
     if (!motion.failure()) continue;
     ++failed;
     EXPECT_NE(motion.failure()->message().find(

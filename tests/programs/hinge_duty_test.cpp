@@ -113,13 +113,13 @@ TEST_F(HingeDuty, PathAndSpread) {
 
 // Half the cycles, and the other half from the seat that they left.
 TEST_F(HingeDuty, WornSeats) {
-  const std::string pin =
+  const std::string run =
       "hinge-duty --joint data/joints/pin_joint.toml --cycle "
       "data/duty/pin_cycle.csv --grid 10 --wear-seat 2e-7 ";
-  const std::string whole = out(pin + "--cycles 2e4 --worn-out whole.toml");
-  out(pin + "--cycles 1e4 --worn-out half.toml");
+  const std::string whole = out(run + "--cycles 2e4 --worn-out whole.toml");
+  out(run + "--cycles 1e4 --worn-out half.toml");
   const std::string rest =
-      out(pin + "--cycles 1e4 --worn half.toml --worn-out rest.toml");
+      out(run + "--cycles 1e4 --worn half.toml --worn-out rest.toml");
   EXPECT_TRUE(has_text(folder_.read("half.toml"), "cycles = 10000"));
   EXPECT_TRUE(has_text(folder_.read("rest.toml"), "cycles = 20000"));
   // Other steps.

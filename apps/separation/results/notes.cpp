@@ -81,14 +81,18 @@ Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   return {texts.begin(), texts.end()};
 }
 
-contact::ContactLimits limits_of(const HingeJoint& joint) {
-  if (!joint.seat) return joint.contact.limits();
+// The traditional friction knows no seat that ends.
+bool is_confined(const Case& c, const HingeJoint& joint) {
+  return joint.seat && c.friction == FrictionChoice::full;
+}
+
+contact::ContactLimits limits_of(const Case& c, const HingeJoint& joint) {
+  if (!is_confined(c, joint)) return joint.contact.limits();
   return {joint.contact.half_angle_law(), joint.contact.pair()};
 }
 
 // The model of a seat leaves this out beside the rims that were come near to.
 Texts rim_notes(const HingeJoint& joint, const JointPeaks& peaks) {
-  if (!joint.seat) return {};
   contact::SeatState nearest;
   nearest.status = contact::SeatStatus::ok;
   const double radius = joint.contact.geometry().radius();
@@ -118,7 +122,8 @@ std::vector<std::string> contact_notes(const Case& c,
                                        const Recorder::Memory& memory) {
   return joint_texts(c, [&](const HingeJoint& joint, auto body, auto place) {
     const JointPeaks& peaks = memory.bodies[body].joints[place];
-    Texts texts = limits_of(joint).notes({peaks.half_angle, peaks.pressure});
+    Texts texts = limits_of(c, joint).notes({peaks.half_angle, peaks.pressure});
+    if (!is_confined(c, joint)) return texts;
     for (std::string& note : rim_notes(joint, peaks)) {
       texts.push_back(std::move(note));
     }
@@ -131,7 +136,8 @@ std::optional<double> pressure_over_limit(const Case& c,
   std::optional<double> most;
   for_each_joint(c, [&](const HingeJoint& joint, auto body, auto place) {
     const double peak = memory.bodies[body].joints[place].pressure;
-    most = std::max(most.value_or(0), peak / limits_of(joint).peak_pressure());
+    most =
+        std::max(most.value_or(0), peak / limits_of(c, joint).peak_pressure());
   });
   return most;
 }

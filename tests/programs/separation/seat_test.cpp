@@ -80,5 +80,16 @@ TEST(SeparationSeat, RefusesWhatIsNoSeat) {
       << refused(pin);
 }
 
+// As without in_seat, a warning says that.
+TEST(SeparationSeat, TraditionalFrictionKnowsNoRims) {
+  const ProgramFolder folder;
+  std::string text = swinging("in_seat = true\n");
+  text.insert(text.find("end_time_s"), "friction = \"traditional\"\n");
+  folder.write("c.toml", text);
+  EXPECT_NE(folder.run_well("hinge-separation c.toml")
+                .err.find("its pressures are not confined here"),
+            std::string::npos);
+}
+
 }  // namespace
 }  // namespace contact::test
