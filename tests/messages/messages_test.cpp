@@ -128,7 +128,7 @@ TEST_P(Messages, AreAsWritten) {
 
 std::vector<fs::path> scripts() {
   std::vector<fs::path> found;
-  for (const auto& entry : fs::directory_iterator(messages_folder)) {
+  for (const auto& entry : fs::directory_iterator(messages_folder())) {
     if (entry.path().extension() == ".txt") found.push_back(entry.path());
   }
   std::ranges::sort(found);

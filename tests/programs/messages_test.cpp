@@ -27,7 +27,7 @@ struct Case {
 std::vector<Case> cases(const std::string& name, const ProgramFolder& folder) {
   std::vector<Case> all;
   for (const std::string& line :
-       lines_of(messages_folder / "options" / (name + ".txt"))) {
+       lines_of(messages_folder() / "options" / (name + ".txt"))) {
     if (line.empty() || line.starts_with('#')) continue;
     if (line.starts_with("$ ")) {
       all.push_back({line.substr(2), ""});

@@ -10,8 +10,9 @@
 namespace contact::test {
 
 /// The files that messages are about, and the messages.
-inline const std::filesystem::path messages_folder =
-    CONTACT_DATA_DIR "/../tests/messages";
+inline std::filesystem::path messages_folder() {
+  return CONTACT_DATA_DIR "/../tests/messages";
+}
 
 inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   std::ifstream stream(path);
@@ -27,7 +28,7 @@ class EditedFile {
   EditedFile() = default;
   /// @param name  of a file in tests/messages
   explicit EditedFile(const std::string& name)
-      : lines_(lines_of(messages_folder / name)) {}
+      : lines_(lines_of(messages_folder() / name)) {}
 
   /// Puts `text` in the place of line "4", in that of line 4 and all below it,
   /// "4...", at the end, "+", or below the text of the last call, "".

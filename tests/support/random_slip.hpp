@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <random>
 
 #include "libcontact/joint/joint.hpp"
@@ -29,8 +30,10 @@ class RandomSlips {
 
   RandomSlip next();
 
-  /// Uniform in [0, 1).
-  double uniform() { return uniform_(random_); }
+  /// Uniform in [0, 1): the same numbers with every standard library.
+  double uniform() {
+    return std::min(static_cast<double>(random_()) * 0x1p-64, 1 - 0x1p-53);
+  }
   /// Uniform on the unit sphere.
   Eigen::Vector3d direction();
   /// Uniform in the logarithm.
@@ -40,7 +43,6 @@ class RandomSlips {
   double angle();
 
   std::mt19937_64 random_;
-  std::uniform_real_distribution<double> uniform_{0, 1};
 };
 
 }  // namespace contact::test
