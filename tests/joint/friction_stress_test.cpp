@@ -128,10 +128,11 @@ TEST(FrictionStress, UsualPoints) {
                                       {77.7, 70.3},
                                       {80., 85.},
                                       {89., 45.}}) {
-        const auto at = [&, theta0 = theta0, a = a,
-                         &stress = stress](int points) {
-          return stress_integrals(*law, {theta0 * degree, 3e7, 0.035},
-                                  SlipAxis::from_degrees(a), stress, points);
+        const auto at = [&, half_angle = theta0 * degree,
+                         axis = SlipAxis::from_degrees(a),
+                         &of = stress](int points) {
+          return stress_integrals(*law, {half_angle, 3e7, 0.035}, axis, of,
+                                  points);
         };
         const FrictionTriple i = at(usual_stress_points);
         const FrictionTriple exact = at(96);
@@ -169,8 +170,8 @@ TEST(FrictionStress, ThinLayersBesideTheSlipAxis) {
          {0.3, 0.1, 0.03, 0.01, 0.005, 0.002, 0.001, 1e-4}) {
       const std::string label = std::to_string(theta0) + " " +
                                 std::to_string(a) + " " + std::to_string(layer);
-      const auto at = [&, theta0 = theta0](int count) {
-        return stress_integrals(*law, {theta0 * degree, 1, rim}, axis,
+      const auto at = [&, half_angle = theta0 * degree](int count) {
+        return stress_integrals(*law, {half_angle, 1, rim}, axis,
                                 FrictionStress::stribeck(fs, fc, layer * rim),
                                 count);
       };

@@ -174,9 +174,10 @@ TEST(Rooms, ProgramsIncludeInstalledHeadersOnly) {
       EXPECT_TRUE(is_below(to, "libcontact/c")) << from << " includes " << to;
       continue;
     }
-    const bool is_inside = std::ranges::any_of(
-        for_programs,
-        [&to = to](const auto& one) { return to == one || is_below(to, one); });
+    const bool is_inside =
+        std::ranges::any_of(for_programs, [&file = to](const auto& one) {
+          return file == one || is_below(file, one);
+        });
     EXPECT_TRUE(headers.contains(to) || is_inside)
         << from << " includes " << to << ", which is not installed";
   }
