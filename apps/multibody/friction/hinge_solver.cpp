@@ -38,7 +38,6 @@ bool holds(const contact::JointContact& contact) {
 HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
       contacts_(contacts(friction_)),
-      link_(link),
       axes_(link.axes),
       is_axis_(hinge_traits(link.kind).is_axis) {
   const auto refuse = [&](const char* what, const char* where) {
@@ -52,7 +51,7 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
       refuse("a ball joint alone", "a ball hinge");
     }
     if (one->seat && one->estimate == FrictionEstimate::consistent) {
-      seat_.emplace(one->seat);
+      seat_.emplace(one->seat, link);
     }
   } else if (std::holds_alternative<GroupFriction>(friction_) && !is_axis_) {
     refuse("a group of joints", "an axis");
@@ -147,9 +146,10 @@ double HingeSolver::utilisation_of(const JointFriction& ball,
                                    Memory& memory) const {
   auto& [joints, group, rest, seat, slip_direction] = memory;
   if (ball.estimate == FrictionEstimate::consistent) {
-    const contact::RestSolution last = rest;
-    if (seat_) rest = seat_->at_rest(hold, seat);
-    if (!seat_ || seat.is_free()) rest = ball.joint.at_rest(hold, last);
+    std::optional<contact::RestSolution> confined;
+    if (seat_) confined = seat_->at_rest(hold, seat);
+    rest = confined && !seat.is_free() ? *confined
+                                       : ball.joint.at_rest(hold, rest);
     joints[0] = rest.slip;
     slip_direction = axes_.transpose() * rest.direction;
     return rest.utilisation;

@@ -34,7 +34,7 @@ class HingeSolver {
   Memory make_memory() const;
   /// A hinge that turns: before the calls that follow.
   void set_state(const double* link_state, Memory& memory) const {
-    if (seat_) seat_->set_state(link_, link_state, memory.seat);
+    if (seat_) seat_->set_state(link_state, memory.seat);
   }
   /// The contact is confined to a seat that ends.
   bool is_in_seat() const { return seat_.has_value(); }
@@ -86,7 +86,6 @@ class HingeSolver {
 
   HingeFriction friction_;
   std::vector<contact::JointContact> contacts_;
-  Link link_;
   Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;

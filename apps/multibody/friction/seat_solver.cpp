@@ -1,6 +1,5 @@
 #include "multibody/friction/seat_solver.hpp"
 
-#include <algorithm>
 #include <utility>
 
 #include "multibody/system/kinematics.hpp"
@@ -12,15 +11,17 @@ using contact::SeatJointSolution;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-SeatSolver::SeatSolver(std::shared_ptr<const contact::SeatJoint> seat)
+SeatSolver::SeatSolver(std::shared_ptr<const contact::SeatJoint> seat,
+                       const Link& link)
     : seat_(std::move(seat)),
+      link_(link),
       is_carriers_(seat_->unbounded().contact().geometry().inner_body() ==
                    contact::JointBody::body) {}
 
-void SeatSolver::set_state(const Link& link, const double* link_state,
-                           Memory& memory) const {
+void SeatSolver::set_state(const double* link_state, Memory& memory) const {
   if (!is_carriers_) return;
-  memory.to_seat = relative_rotation(link, link_state) * link.axes.transpose();
+  memory.to_seat =
+      relative_rotation(link_, link_state) * link_.axes.transpose();
 }
 
 // A confined contact has no axis of symmetry: numbers about one are left out,

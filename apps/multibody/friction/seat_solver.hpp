@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <memory>
-#include <string>
 
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/seat/joint.hpp"
@@ -24,13 +23,12 @@ class SeatSolver {
     bool is_free() const { return last.contact.is_free; }
   };
 
-  explicit SeatSolver(std::shared_ptr<const contact::SeatJoint> seat);
+  SeatSolver(std::shared_ptr<const contact::SeatJoint> seat, const Link& link);
 
   /// The seat turns against the body: a carrier's.
-  void set_state(const Link& link, const double* link_state,
-                 Memory& memory) const;
+  void set_state(const double* link_state, Memory& memory) const;
 
-  /// As Joint::solve(); memory.joints is not needed.
+  /// As Joint::solve().
   contact::JointSolution slide(const contact::Joint::Slip& slip,
                                Memory& memory) const;
   /// As Joint::at_rest(); its slip as of slide().
@@ -44,6 +42,7 @@ class SeatSolver {
   contact::JointSolution in_body(const Memory& memory) const;
 
   std::shared_ptr<const contact::SeatJoint> seat_;
+  Link link_;
   bool is_carriers_;
 };
 
