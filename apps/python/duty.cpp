@@ -10,8 +10,10 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
+#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/worn_seat_file.hpp"
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
@@ -45,14 +47,31 @@ JointBody body_of(const char* name, const std::string& text) {
 /// A joint on its duty cycle.
 class Cycle {
  public:
-  Cycle(const contact::Joint& joint, DutyCycle cycle)
-      : on_(std::move(cycle), joint) {}
+  Cycle(const FileJoint& joint, DutyCycle cycle)
+      : spec_(joint.spec()), on_(std::move(cycle), joint.joint()) {}
 
+  const contact::JointSpec& spec() const { return spec_; }
   const JointCycle& on() const { return on_; }
   const contact::JointContact& contact() const { return on_.contact(); }
 
  private:
+  contact::JointSpec spec_;
   JointCycle on_;
+};
+
+/// The same with the contact confined to the joint's [seat].
+class SeatCycle {
+ public:
+  SeatCycle(const Cycle& cycle, const std::optional<std::string>& table)
+      : on_(cycle.on().cycle(), cycle.spec(),
+            {.progress = [](double /*share*/) { Rows::heed_signals(); },
+             .table = table.value_or(""),
+             .keeps_contacts = true}) {}
+
+  const contact::SeatCycle& on() const { return on_; }
+
+ private:
+  contact::SeatCycle on_;
 };
 
 // As a RuntimeWarning at the line that is `level` functions of Python above.
@@ -86,19 +105,19 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   {
     const Unlocked unlocked;
     cycle = std::make_unique<Cycle>(
-        joint.joint(),
-        sequence ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
-                 : DutyCycle(rows, frame));
+        joint, sequence
+                   ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
+                   : DutyCycle(rows, frame));
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
   return cycle;
 }
 
-template <class Row, class Function>
+template <class Row, class Cycle, class Function>
 Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   Answers<Row> all{{py::ssize_t(cycle.on().rows().size())}, {}};
-  for (const Instant& i : cycle.on().rows()) all.rows.push_back(row(i));
+  for (const auto& i : cycle.on().rows()) all.rows.push_back(row(i));
   return all;
 }
 
@@ -135,6 +154,7 @@ py::array_t<double> array_of(const std::vector<Vector3d>& vectors) {
   return array;
 }
 
+template <class Cycle>
 py::dict wear(const Cycle& cycle, const std::string& body, int points) {
   if (points < 10) {
     throw contact::Error(contact::detail::must_be(
@@ -242,8 +262,10 @@ The text of such a file, with all digits.)")
           "In which it went.");
 }
 
-void bind_sums(py::class_<Cycle>& type) {
-  for (const auto& q : contact::cycle_quantities()) {
+template <class Cycle, class Quantities>
+void bind_sums(const Quantities& quantities, py::class_<Cycle>& type) {
+  type.attr("_quantities") = detail::quantities_of(quantities);
+  for (const auto& q : quantities) {
     type.def_property_readonly(
         q.key.data(),
         [&q](const Cycle& c) {
@@ -254,6 +276,61 @@ void bind_sums(py::class_<Cycle>& type) {
   }
 }
 
+std::unique_ptr<SeatCycle> confined(const Cycle& cycle,
+                                    const std::optional<std::string>& table) {
+  std::unique_ptr<SeatCycle> made;
+  {
+    const Unlocked unlocked;
+    made = std::make_unique<SeatCycle>(cycle, table);
+  }
+  for (const std::string& note : made->on().notes()) {
+    warn_of(note, frames_of_maker);
+  }
+  return made;
+}
+
+void bind_seat_cycle(py::module_& m) {
+  bind_answers(m, "SeatRating", contact::seat_pv_quantities(),
+               "What SeatCycle.rating and Seat.pv() return.");
+  py::class_<SeatCycle> type(m, "SeatCycle",
+                             "A joint in its [seat] on a duty cycle.");
+  type.def(py::init(&confined), py::arg("cycle"), py::arg("table"));
+  bind_sums(contact::seat_cycle_quantities(), type);
+  type.def_property_readonly(
+      "time",
+      [](const SeatCycle& c) {
+        std::vector<double> times;
+        for (const auto& row : c.on().rows()) times.push_back(row.time);
+        return py::array_t<double>(py::cast(times));
+      },
+      "Of the rows, s.");
+  type.def_property_readonly(
+      "solution",
+      [](const SeatCycle& c) {
+        return of_rows<contact::SeatJointSolution>(c, [](const auto& i) {
+          auto row = i.solution;
+          row.contact.solution = nullptr;
+          return row;
+        });
+      },
+      "Friction at the rows, in the axes of the body that has the seat: a "
+      "SeatSolution.");
+  type.def_property_readonly(
+      "rating",
+      [](const SeatCycle& c) {
+        return of_rows<contact::SeatPv>(c, [](const auto& i) { return i.pv; });
+      },
+      "p v at the rows: a SeatRating.");
+  type.def_property_readonly(
+      "table",
+      [](const SeatCycle& c) -> std::optional<py::bytes> {
+        if (c.on().table().empty()) return {};
+        return c.on().table();
+      },
+      "The table of contacts as bytes to keep; None if none was made.");
+  type.def("_wear", &wear<SeatCycle>, py::arg("body"), py::arg("points"));
+}
+
 }  // namespace
 
 void bind_duty(py::module_& m) {
@@ -261,8 +338,7 @@ void bind_duty(py::module_& m) {
   type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
            py::arg("force"), py::arg("motion"), py::arg("sequence"),
            py::arg("period"), py::arg("force_on"), py::arg("force_in"));
-  type.attr("_quantities") = detail::quantities_of(contact::cycle_quantities());
-  bind_sums(type);
+  bind_sums(contact::cycle_quantities(), type);
   type.def_property_readonly(
       "time",
       [](const Cycle& c) {
@@ -313,7 +389,8 @@ inner: k of the ball or pin; counts for a pin without clearance or with
     interference only (docs/preload_wear.md).
 seat: a WornSeat, which is worn further: with it the depth is at points whatever
     the load does.)");
-  type.def("_wear", &wear, py::arg("body"), py::arg("points"));
+  type.def("_wear", &wear<Cycle>, py::arg("body"), py::arg("points"));
+  bind_seat_cycle(m);
 }
 
 }  // namespace contact_python

@@ -7,6 +7,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/duty/seat_pv.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
@@ -148,6 +149,19 @@ py::object pressure(const Seat& self,
   return returned(result);
 }
 
+Answers<contact::SeatPv> pv(const Seat& self,
+                            const Answers<SeatJointSolution>& solution,
+                            const Numbers& angular_velocity) {
+  const SeatJointSolution& s = single(solution);
+  contact::SeatState near;
+  return answers<contact::SeatPv>(
+      {{"angular_velocity", angular_velocity, 3}},
+      [&](const double* const* at) {
+        return contact::seat_pv(self.joint(), s, vector_at(at[0]), near);
+      },
+      at_once);
+}
+
 void bind_functions(py::class_<Seat>& type) {
   type.def("solve", &solve, py::arg("reaction"), py::arg("angular_velocity"),
            R"(solve(self, reaction, angular_velocity)
@@ -176,6 +190,15 @@ reached; 3e-3 of the largest away from rims. A contact at a rim is found anew.
 
 solution: a single SeatSolution.
 places: unit vectors from the ball's centre, (..., 3).)")
+      .def("pv", &pv, py::arg("solution"), py::arg("angular_velocity"),
+           R"(pv(self, solution, angular_velocity)
+--
+
+p v of one row: a SeatRating, total to 1e-3, largest to 5e-3 at 0.02 radii or
+more from rims, where it is infinite. A contact at a rim is found anew.
+
+solution: a single SeatSolution.
+angular_velocity: Dw of that solution, rad/s, (..., 3).)")
       .def(
           "notes",
           [](const Seat& self, const Answers<SeatJointSolution>& solution) {

@@ -59,9 +59,10 @@ std::string methods(bool of_one) {
          methods(contact::approach_quantities(), of_one);
 }
 
-std::string numbers() {
+template <class Quantities>
+std::string numbers(const Quantities& quantities) {
   std::string text;
-  for (const auto& q : contact::cycle_quantities()) {
+  for (const auto& q : quantities) {
     text += property(q.key, "float");
   }
   return text;
@@ -222,11 +223,13 @@ int main() {
       {"@Impact@", arrays(contact::impact_quantities())},
       {"@PlayForce@", arrays(contact::play_force_quantities())},
       {"@SeatSolution@", arrays(contact::seat_joint_quantities())},
+      {"@SeatRating@", arrays(contact::seat_pv_quantities())},
       {"@SeatRestSolution@", arrays(contact::seat_rest_quantities())},
       {"@FinitePinSolution@", arrays(contact::finite_pin_quantities())},
       {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
                      laws("_Pressure", contact::detail::pressure_entries())},
-      {"@Cycle@", numbers()},
+      {"@Cycle@", numbers(contact::cycle_quantities())},
+      {"@SeatCycle@", numbers(contact::seat_cycle_quantities())},
       {"@Fit@", fit()}};
   std::string line;
   bool has_line = static_cast<bool>(std::getline(std::cin, line));

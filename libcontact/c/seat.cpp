@@ -8,6 +8,7 @@
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/numbers.hpp"
 #include "libcontact/c/quantity.hpp"
+#include "libcontact/duty/seat_pv.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/seat/joint.hpp"
 #include "libcontact/seat/table.hpp"
@@ -125,6 +126,15 @@ struct Refused<contact_seat_solution> {
     s->is_free = 0;
     const SeatJointSolution none;
     each_number(*s, none, ToNan());
+  }
+};
+template <>
+struct Refused<contact_seat_rating> {
+  static void write(contact_seat_rating* rating,
+                    contact_status /*status*/) noexcept {
+    ToNan()(rating->pv_total, 0);
+    ToNan()(rating->pv_max, 0);
+    ToNan()(rating->pv_max_place, 0);
   }
 };
 template <>
@@ -247,6 +257,28 @@ contact_status contact_seat_pressure(const contact_seat* seat,
     std::ranges::copy(joint.pressures(s, at), pressure);
     return contact::c::reported(joint, s, "contact_seat_pressure");
   });
+}
+
+contact_status contact_seat_rate(const contact_seat* seat,
+                                 const contact_seat_solution* solution,
+                                 const contact_slip* slip,
+                                 contact_seat_rating* rating) {
+  return call_for(
+      [=] {
+        const auto& joint = given(seat, "contact_seat_rate: seat").joint;
+        const auto s =
+            cpp_solution(given(solution, "contact_seat_rate: solution"));
+        const contact_slip& at = given(slip, "contact_seat_rate: slip");
+        contact_seat_rating& to = given(rating, "contact_seat_rate: rating");
+        contact::SeatState near;
+        const contact::SeatPv pv =
+            contact::seat_pv(joint, s, Vector3d(at.angular_velocity), near);
+        to.pv_total = pv.total;
+        to.pv_max = pv.largest;
+        contact::c::ToC()(to.pv_max_place, pv.place);
+        return contact::c::reported(joint, s, "contact_seat_rate");
+      },
+      rating);
 }
 
 contact_status contact_seat_notes(const contact_seat* seat,

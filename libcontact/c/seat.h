@@ -132,6 +132,20 @@ contact_status contact_seat_pressure(const contact_seat* seat,
                                      const double* places, size_t count,
                                      double* pressure);
 
+/* p v over the contact of a solution, and where it is largest. */
+typedef struct contact_seat_rating {
+  double pv_total; /* integral of p v over the contact, W */
+  double pv_max;   /* the largest at 0.02 radii or more from rims, W/m^2: at a
+                      rim itself p v is infinite, what wears there is unknown */
+  double pv_max_place[3]; /* unit vector from the ball's centre to it */
+} contact_seat_rating;
+/* p v of a solution for this slip, to 1e-3 and 5e-3; of a contact that reaches
+ * no rim by the exact law. A contact at a rim is found anew, in some 10 ms. */
+contact_status contact_seat_rate(const contact_seat* seat,
+                                 const contact_seat_solution* solution,
+                                 const contact_slip* slip,
+                                 contact_seat_rating* rating);
+
 /* Notes on a solution, one sentence per line, cut to `size` with its final 0:
  * why there is none, and beside a rim what the model leaves out, up to 18 %. */
 contact_status contact_seat_notes(const contact_seat* seat,

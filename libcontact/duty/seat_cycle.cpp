@@ -7,7 +7,7 @@
 #include <set>
 
 #include "libcontact/base/text.hpp"
-#include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/duty/seat_pv.hpp"
 
 namespace contact {
 
@@ -36,26 +36,13 @@ std::shared_ptr<const SeatTable> table_of(
                          .progress = progress});
 }
 
-// A contact that reaches no rim has it by the exact law.
-SeatPv pv_of(const SeatJoint& joint, const SeatCycle::Instant& row,
-             SeatState& near) {
-  const SeatJointSolution& s = row.solution;
-  if (!s.contact.is_free) return joint.pv(s, row.angular_velocity, near);
-  const Joint& unbounded = joint.unbounded();
-  const SlidingContact sliding(
-      unbounded.contact(),
-      unbounded.solve(
-          {.reaction = s.reaction, .angular_velocity = row.angular_velocity}),
-      row.angular_velocity);
-  const SlidingContact::Peak peak = sliding.largest_pv();
-  return {sliding.pv_total(), peak.value, peak.place};
-}
-
 }  // namespace
 
 SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
                      const Options& options) {
-  SeatJoint joint(spec);
+  const auto made = std::make_shared<SeatJoint>(spec);
+  SeatJoint& joint = *made;
+  joint_ = made;
   const std::vector<double>& times = cycle.times();
   const bool turns = spec.geometry.inner_body() == JointBody::carrier;
   const std::size_t count = times.size();
@@ -69,6 +56,7 @@ SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
         i + 1 == count ? times[0] + cycle.period() : times[i + 1];
     Instant row{
         times[i], (after - before) / 2, {}, to_seat * state.angular_velocity};
+    row.to_ball = turns ? state.turn : state.turn.conjugate();
     row.solution.reaction = to_seat * state.reaction;
     rows_.push_back(std::move(row));
   }
@@ -89,10 +77,10 @@ SeatCycle::SeatCycle(const DutyCycle& cycle, const JointSpec& spec,
                                 .angular_velocity = row.angular_velocity},
                                last);
     last = row.solution;
-    if (row.solution.contact.status == SeatStatus::ok) {
-      row.pv = pv_of(joint, row, near);
-    }
-    row.solution.contact.solution = nullptr;
+    row.pv = seat_pv(joint, row.solution, row.angular_velocity, near);
+    const bool is_kept =
+        options.keeps_contacts && !row.solution.contact.is_free;
+    row.solution.contact.solution = is_kept ? near.solution : nullptr;
     if (row.solution.contact.status == SeatStatus::no_load) continue;
     for (auto& note : joint.notes(row.solution)) {
       if (said.insert(note).second && said.size() <= 8) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,8 @@ class SeatCycle {
     /// Dw in these axes, rad/s.
     Eigen::Vector3d angular_velocity;
     SeatPv pv = {};  ///< in these axes too; NaN without a contact
+    /// From these axes to those of the body that has the ball.
+    Eigen::Quaterniond to_ball = Eigen::Quaterniond::Identity();
   };
 
   struct Options {
@@ -29,6 +32,9 @@ class SeatCycle {
     /// SeatTable::bytes() of the joint; "": a table is made where `many`
     /// contacts or more reach a rim.
     std::string table = {};
+    /// Whether solutions keep their grids, 20 to 100 kB each at a rim, for a
+    /// WearMap.
+    bool keeps_contacts = false;
   };
   /// @throws Error as SeatJoint and SeatTable.
   SeatCycle(const DutyCycle& cycle, const JointSpec& joint,
@@ -40,6 +46,9 @@ class SeatCycle {
   static constexpr int many = 60;
 
   const std::vector<Instant>& rows() const { return rows_; }
+  const SeatJoint& joint() const { return *joint_; }
+  /// For what outlives the cycle.
+  std::shared_ptr<const SeatJoint> shared_joint() const { return joint_; }
   /// The table's, if there is one; of no states without.
   const SeatTable::Check& check() const { return check_; }
   /// SeatTable::bytes() of the table that was made; "" of none.
@@ -64,6 +73,7 @@ class SeatCycle {
   template <class Of>
   const Instant* largest(const Of& of) const;
 
+  std::shared_ptr<const SeatJoint> joint_;
   std::vector<Instant> rows_;
   std::vector<std::string> notes_;
   SeatTable::Check check_;

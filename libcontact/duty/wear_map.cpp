@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -40,6 +41,16 @@ struct WearMap::Instant {
   Vector3d slip;            // times a point: slip, m
   double pressure_unit;     // Pa
   double uniform_pressure;  // Pa, all round: of an interference
+  /// Of a contact at a rim p at a place, Pa, instead of all but the slip.
+  std::function<double(const Vector3d&)> confined = {};
+
+  double pressure(const Vector3d& point) const {
+    if (confined) return confined(point);
+    const double from_centre = (point - centre).norm();
+    if (from_centre >= chord && uniform_pressure == 0) return 0;
+    const double theta = 2 * std::asin(std::min(from_centre / 2, 1.0));
+    return pressure_unit * profile.pressure(theta) + uniform_pressure;
+  }
 };
 
 void detail::check_wear(const JointCycle& cycle) {
@@ -54,12 +65,24 @@ void detail::check_wear(const JointCycle& cycle) {
               "at most 90 deg"));
 }
 
+// Of a contact about a centre that slides by `turn`, both in the body's axes.
+WearMap::Instant WearMap::instant(const JointContact& contact,
+                                  const JointSolution& s,
+                                  const Vector3d& centre,
+                                  const Vector3d& turn) {
+  return {{contact.pressure_law(), s.half_angle},
+          centre,
+          2 * std::sin(s.half_angle / 2),
+          contact.geometry().radius() * turn,
+          contact.pressure_unit(s.normal_force),
+          contact.uniform_pressure(s.normal_force, s.half_angle)};
+}
+
 WearMap::WearMap(const JointCycle& cycle, JointBody body)
     : geometry_(cycle.contact().geometry()),
       total_(cycle.integral([&](const JointCycle::Instant& i) {
         return cycle.sliding(i).pv_total();
       })) {
-  const JointContact& contact = cycle.contact();
   if (geometry_.radial_clearance() > 0) detail::check_wear(cycle);
   std::vector<Instant> instants;
   for (const JointCycle::Instant& point : cycle.gauss_points()) {
@@ -69,13 +92,36 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
                                            ? point.state.turn.conjugate()
                                            : Eigen::Quaterniond::Identity();
     instants.push_back(
-        {{contact.pressure_law(), s.half_angle},
-         to_body * cycle.sliding(point).centre(),
-         2 * std::sin(s.half_angle / 2),
-         point.weight * geometry_.radius() *
-             (to_body * point.state.angular_velocity),
-         contact.pressure_unit(s.normal_force),
-         contact.uniform_pressure(s.normal_force, s.half_angle)});
+        instant(cycle.contact(), s, to_body * cycle.sliding(point).centre(),
+                point.weight * (to_body * point.state.angular_velocity)));
+  }
+  instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
+}
+
+WearMap::WearMap(const SeatCycle& cycle, JointBody body)
+    : geometry_(cycle.joint().unbounded().contact().geometry()),
+      total_(cycle.pv_integral()) {
+  const auto joint = cycle.shared_joint();
+  const Joint& unbounded = joint->unbounded();
+  std::vector<Instant> instants;
+  for (const SeatCycle::Instant& row : cycle.rows()) {
+    const SeatJointSolution& s = row.solution;
+    if (s.contact.status != SeatStatus::ok) continue;
+    const Eigen::Quaterniond to_body = body == geometry_.inner_body()
+                                           ? row.to_ball
+                                           : Eigen::Quaterniond::Identity();
+    const JointSolution free = unbounded.solve(
+        {.reaction = s.reaction, .angular_velocity = row.angular_velocity});
+    const Vector3d centre =
+        SlidingContact(unbounded.contact(), free, row.angular_velocity)
+            .centre();
+    Instant& added = instants.emplace_back(
+        instant(unbounded.contact(), free, to_body * centre,
+                row.weight * (to_body * row.angular_velocity)));
+    if (s.contact.is_free) continue;
+    added.confined = [joint, s, to_body](const Vector3d& point) {
+      return joint->pressure_off_rims(s, to_body.conjugate() * point);
+    };
   }
   instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
 }
@@ -84,11 +130,8 @@ WearMap::Wear WearMap::at(const Vector3d& point) const {
   double pv = 0;
   Matrix3d work = Matrix3d::Zero();
   for (const Instant& i : *instants_) {
-    const double chord = (point - i.centre).norm();
-    if (chord >= i.chord && i.uniform_pressure == 0) continue;
-    const double theta = 2 * std::asin(std::min(chord / 2, 1.0));
-    const double p =
-        i.pressure_unit * i.profile.pressure(theta) + i.uniform_pressure;
+    const double p = i.pressure(point);
+    if (p == 0) continue;
     const Vector3d slip = i.slip.cross(point);
     const double length = slip.norm();
     if (length == 0) continue;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/seat_cycle.hpp"
 
 namespace contact {
 
@@ -21,6 +22,13 @@ class WearMap {
   ///         deg in the cycle: a ball that sinks into its worn seat leaves the
   ///         seat's rim there.
   WearMap(const JointCycle& cycle, JointBody body);
+  /// The same of a ball in a seat that ends: contacts are confined, and of the
+  /// rows of the cycle, by the trapezoidal rule. Nearer to a rim than 0.02
+  /// radii the pressure is that at this distance: what a rim wears beyond is
+  /// not known.
+  /// @param cycle  whose contacts are kept; of others rims that are reached are
+  ///               left out as NaN
+  WearMap(const SeatCycle& cycle, JointBody body);
 
   struct Wear {
     double pv;  ///< integral of p |v| over one period, Pa m
@@ -62,6 +70,10 @@ class WearMap {
 
  private:
   struct Instant;
+  static Instant instant(const JointContact& contact,
+                         const JointSolution& solution,
+                         const Eigen::Vector3d& centre,
+                         const Eigen::Vector3d& turn);
 
   JointGeometry geometry_;
   double total_;  // J

@@ -92,6 +92,17 @@ constexpr auto of_friction = std::to_array<Quantity<J>>({
 constexpr auto of_joint =
     detail::joined(of_friction, detail::lifted<J, &J::contact, of_seat>());
 
+constexpr Quantity<SeatPv> of_pv[] = {
+    {"pv_total", "", Dimension::power, "integral of p v over the contact",
+     [](const SeatPv& pv) { return pv.total; }},
+    {"pv_max", "", Dimension::power_density,
+     "largest p v at 0.02 radii or more from every rim",
+     [](const SeatPv& pv) { return pv.largest; }},
+    {"pv_max_place", "pv_max", Dimension::number,
+     "unit vector from the ball's centre to it",
+     [](const SeatPv& pv) -> const Eigen::Vector3d& { return pv.place; }},
+};
+
 using Rest = SeatRestSolution;
 
 constexpr auto of_limit = std::to_array<Quantity<Rest>>({
@@ -144,6 +155,8 @@ std::span<const Quantity<SeatJointSolution>> seat_joint_quantities() {
 std::span<const Quantity<SeatRestSolution>> seat_rest_quantities() {
   return of_rest;
 }
+
+std::span<const Quantity<SeatPv>> seat_pv_quantities() { return of_pv; }
 
 std::span<const Quantity<SeatCycle>> seat_cycle_quantities() {
   return of_cycle;

@@ -14,6 +14,7 @@ std::span<const Quantity<SeatState>> seat_quantities();
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();
 /// With those of the sliding at the limit.
 std::span<const Quantity<SeatRestSolution>> seat_rest_quantities();
+std::span<const Quantity<SeatPv>> seat_pv_quantities();
 /// The worst of a cycle.
 std::span<const Quantity<SeatCycle>> seat_cycle_quantities();
 

@@ -327,6 +327,23 @@ std::vector<double> SeatJoint::pressures(
   return all;
 }
 
+double SeatJoint::pressure_off_rims(const SeatJointSolution& solution,
+                                    const Vector3d& place) const {
+  const SeatState state = in_seat(solution);
+  const SeatZone& zone = contact_.zone();
+  const double off = contact_.report_distance_;
+  SeatPlace at = seat_place(state.force, from_seat_.transpose() * place);
+  if (at.polar_angle >= zone.from() && at.polar_angle <= zone.to()) {
+    if (zone.has_lower_rim()) {
+      at.polar_angle = std::max(at.polar_angle, zone.from() + off);
+    }
+    if (zone.has_upper_rim()) {
+      at.polar_angle = std::min(at.polar_angle, zone.to() - off);
+    }
+  }
+  return contact_.pressure(state, at);
+}
+
 SeatPv SeatJoint::pv(const SeatJointSolution& solution, const Vector3d& rate,
                      SeatState& near) const {
   SeatState state = in_seat(solution);

@@ -101,6 +101,12 @@ class SeatJoint {
   std::vector<double> pressures(const SeatJointSolution& solution,
                                 std::span<const Eigen::Vector3d> places) const;
 
+  /// The same at one place; nearer to a rim than the reported distance the
+  /// pressure at that distance, which is finite. NaN of a contact from the
+  /// table.
+  double pressure_off_rims(const SeatJointSolution& solution,
+                           const Eigen::Vector3d& place) const;
+
   /// SeatContact::pv() of a solution, in the axes of the reaction. A contact
   /// that is from the table is solved for it.
   /// @param near  where the search begins; then the contact that was found, in

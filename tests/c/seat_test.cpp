@@ -8,6 +8,7 @@
 
 #include "c/door.hpp"
 #include "c/expect_table.hpp"
+#include "libcontact/duty/seat_pv.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/seat/table.hpp"
@@ -62,6 +63,15 @@ TEST(CSeat, IsWhatCppSays) {
     ASSERT_EQ(contact_seat_solve(seat.get(), &slip, &c), CONTACT_OK);
     expect_same(c, s);
     EXPECT_EQ(c.is_free, load == 1e3);
+    contact::SeatState near;
+    const contact::SeatPv pv = contact::seat_pv(joint, s, {0.1, 0, 0.5}, near);
+    contact_seat_rating rating;
+    ASSERT_EQ(contact_seat_rate(seat.get(), &c, &slip, &rating), CONTACT_OK);
+    // Of a contact at a rim, found from another start.
+    const double found = c.is_free ? 1e-12 : 1e-4;
+    EXPECT_NEAR(rating.pv_total / pv.total, 1, found);
+    EXPECT_NEAR(rating.pv_max / pv.largest, 1, found);
+    EXPECT_NEAR(rating.pv_max_place[0], pv.place.x(), c.is_free ? 1e-6 : 1e-2);
   }
   const contact_hold hold = {{3e5, 0, 0}, {0, 10, 100}, {}};
   const contact::SeatRestSolution s =
@@ -157,6 +167,10 @@ TEST(CSeat, OutOfTheSeatThereIsNoContact) {
   EXPECT_EQ(contact_seat_pressure(seat.get(), &c, away.reaction, 1, &pressure),
             CONTACT_OUT_OF_RANGE);
   EXPECT_TRUE(std::isnan(pressure));
+  contact_seat_rating rating = {};
+  EXPECT_EQ(contact_seat_rate(seat.get(), &c, &away, &rating),
+            CONTACT_OUT_OF_RANGE);
+  EXPECT_TRUE(std::isnan(rating.pv_max));
   const contact_slip none = {};
   expect_failure(contact_seat_solve(seat.get(), &none, &c),
                  CONTACT_OUT_OF_RANGE,

@@ -4,8 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/wear_map.hpp"
 #include "support/numbers.hpp"
 
 // Balls in seats that end on a cycle: a load that swings in a cup towards its
@@ -88,6 +91,69 @@ TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
     EXPECT_NEAR(0.05 * in_seat.pv_integral() / heat, 1, 1e-3);
     ASSERT_NE(in_seat.largest_pv(), nullptr);
     EXPECT_EQ(in_seat.largest_pv()->pv.largest, largest);
+  }
+}
+
+std::vector<WearMap::Wear> worn(const WearMap& map,
+                                const std::vector<Vector3d>& points) {
+  std::vector<WearMap::Wear> all;
+  for (const Vector3d& point : points) all.push_back(map.at(point));
+  return all;
+}
+
+// The seat wears by what SeatJoint::pressures() says at each time.
+TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
+  const JointSpec spec = bearing(JointBody::body);
+  const SeatCycle in_seat(cycle(-1), spec, {.keeps_contacts = true});
+  const SeatJoint& joint = in_seat.joint();
+  const WearMap seat(in_seat, JointBody::carrier);
+  const double radius = spec.geometry.radius();
+  for (const double v : {0.1, 0.5, 0.9}) {
+    const Vector3d place(0, std::sin(v), std::cos(v));
+    double pv = 0;
+    for (const auto& row : in_seat.rows()) {
+      pv += row.weight * joint.pressures(row.solution, {&place, 1})[0] *
+            radius * row.angular_velocity.cross(place).norm();
+    }
+    EXPECT_NEAR(seat.at(place).pv / pv, 1, 1e-9) << v;
+    EXPECT_GT(pv, 0);
+  }
+  // Beside the rim it stays what it is 0.02 radii off, and beyond it is 0.
+  const auto at = [&](double v) {
+    return seat.at({0, std::sin(v), std::cos(v)}).pv;
+  };
+  const double rim = 60 * degree;
+  EXPECT_NEAR(at(rim - 1e-9) / at(rim - 0.01), 1, 0.05);  // the free
+  EXPECT_GT(at(rim - 1e-9), 0);
+  EXPECT_EQ(at(rim + 1e-6), 0);
+  // The ball turns by 0.1 deg: both maps are almost the same, upside down.
+  const WearMap ball(in_seat, JointBody::body);
+  const Vector3d middle(0, std::sin(0.3), std::cos(0.3));
+  EXPECT_NEAR(ball.at(middle).pv / seat.at(middle).pv, 1, 0.02);
+  // p within 0.02 radii of the rim is cut: a little of the volume is missing.
+  const auto points = seat.grid(4000);
+  const double defect = seat.volume_defect(worn(seat, points));
+  EXPECT_LT(defect, 0.002);
+  EXPECT_GT(defect, -0.03);
+}
+
+// A cycle whose contacts reach no rim: the map of the seat without end, whose
+// times are Gauss points: the trapezoidal rule of 24 even times is off by (2 pi
+// /24)^2/12 where |cos| turns at 0.
+TEST(SeatCycle, WearMapOfFreeContactsIsThatWithoutRims) {
+  JointSpec spec = bearing(JointBody::carrier);
+  spec.geometry = spec.geometry.with_seat(SeatZone::cup(120 * degree));
+  const SeatCycle in_seat(cycle(1), spec);
+  EXPECT_EQ(in_seat.rim_share(), 0);
+  const JointCycle free(cycle(1), Joint(spec.contact()));
+  for (const JointBody body : {JointBody::body, JointBody::carrier}) {
+    const WearMap confined(in_seat, body), endless(free, body);
+    for (const double v : {0.0, 0.2, 0.4}) {
+      const Vector3d place(0, std::sin(v), std::cos(v));
+      const WearMap::Wear a = confined.at(place), b = endless.at(place);
+      EXPECT_NEAR(a.pv / b.pv, 1, 8e-3) << v;
+      EXPECT_NEAR(a.cross_shear, b.cross_shear, 2e-3) << v;
+    }
   }
 }
 

@@ -29,6 +29,13 @@ def table(name, *arguments):
     return list(csv.DictReader(io.StringIO(program(name, *arguments)[0])))
 
 
+def columns(file):
+    with open(file) as lines:
+        rows = list(csv.reader(line for line in lines if line[0] != "#"))
+    return dict(zip(rows[0], np.array(
+        [[cell or "nan" for cell in row] for row in rows[1:]], dtype=float).T))
+
+
 def random_rows(n, seed=1):
     """Reactions and angular velocities."""
     random = np.random.default_rng(seed)

@@ -1,6 +1,5 @@
 """Duty cycles, wear and identification: the numbers of the programs."""
 
-import csv
 import pickle
 import tempfile
 import unittest
@@ -8,16 +7,9 @@ import warnings
 
 import libcontact
 import numpy as np
-from support import hip_file, program, random_rows, source, table
+from support import columns, hip_file, program, random_rows, source, table
 
 folder = source / "data/reference/duty"
-
-
-def columns(file):
-    with open(file) as lines:
-        rows = list(csv.reader(line for line in lines if line[0] != "#"))
-    return dict(zip(rows[0], np.array(
-        [[cell or "nan" for cell in row] for row in rows[1:]], dtype=float).T))
 
 
 def force(c):

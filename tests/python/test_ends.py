@@ -1,13 +1,16 @@
 """Joints whose contact ends, in seats and as pins: the numbers of hinge-joint."""
 
+import csv
 import math
 import pickle
+import tempfile
 import unittest
 import warnings
+from pathlib import Path
 
 import libcontact
 import numpy as np
-from support import source, table
+from support import columns, source, table
 
 ring_file = source / "data/joints/spherical_plain_bearing_ge50.toml"
 cup_file = source / "data/joints/hip_cup.toml"
@@ -56,6 +59,11 @@ class Seats(unittest.TestCase):
         self.assertAlmostEqual(p[0] / s.pressure_at_load[0], 1, 2)
         self.assertAlmostEqual(p[2] / p[3], 1, 3)
         self.assertEqual(seat.pressure(s[0], [-1, 0, 0]), 0)
+        rated = seat.pv(s[0], [[0, 0, 0.5], [0, 0, 1]])
+        np.testing.assert_allclose(rated.pv_max[1], 2 * rated.pv_max[0])
+        # Dry friction: its power is f0 times the integral of p v.
+        self.assertAlmostEqual(
+            -s.power[0] / (0.06 * rated.pv_total[0]), 1, delta=1e-3)
         self.assertEqual(len(seat.notes(s[0])), 2)
         self.assertEqual(seat.notes(s[1]), ["the seat has no load"])
         self.assertEqual(s.status[1], libcontact.SeatStatus.NO_LOAD)
@@ -82,6 +90,45 @@ class Seats(unittest.TestCase):
         s = seat.solve([0, 1000, -1000], [1, 0, 0])
         self.assertEqual(s.status, libcontact.SeatStatus.OUT_OF_SEAT)
         self.assertIn("points 180 deg from the seat's axis", seat.notes(s)[0])
+
+    def test_cycle_is_that_of_hinge_duty(self):
+        with tempfile.TemporaryDirectory() as folder:
+            states = Path(folder) / "states.csv"
+            said = {row["quantity"]: row for row in table(
+                "hinge-duty", "--joint", cup_file,
+                "--cycle", source / "data/duty/hip_cycle.csv",
+                "--euler", "zxy", "--in-seat", states,
+                "--map", Path(folder) / "map.csv", "--grid", "500",
+            )}  # fmt: skip
+            with open(states) as lines:
+                rows = list(csv.DictReader(lines))
+        hip = columns(source / "data/duty/hip_cycle.csv")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            cycle = libcontact.Joint.from_file(cup_file).cycle(
+                hip["time_s"],
+                np.stack([hip[f"R_{x}_N"] for x in "xyz"], -1),
+                angles=np.radians(np.stack(
+                    [hip[x] for x in hip if x.endswith("_deg")], -1)),
+                sequence="zxy",
+            ).in_seat()  # fmt: skip
+        for value, name in (
+            (cycle.rim_share, "seat_rim_share"),
+            (cycle.pv_integral, "seat_pv_integral_J"),
+            (cycle.largest_pv, "seat_largest_pv_W_per_m2"),
+            (cycle.wear("body", 500).deepest_pv_integral,
+             "largest_pv_integral_body_Pa_m"),
+        ):
+            self.assertAlmostEqual(
+                value / float(said[name]["value"]), 1, delta=1e-12)
+        np.testing.assert_allclose(
+            cycle.rating.pv_max,
+            [number(row, "pv_max_W_per_m2") for row in rows], rtol=1e-12)
+        np.testing.assert_allclose(
+            cycle.solution.peak_pressure,
+            [number(row, "p_peak_Pa") for row in rows], rtol=1e-12)
+        self.assertIn("SeatCycle of", repr(cycle))
+        self.assertIsNone(cycle.table)
 
     def test_tables_are_kept(self):
         made = libcontact.Seat(ring, (2.9e5, 3e5))

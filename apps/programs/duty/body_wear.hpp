@@ -11,10 +11,10 @@ namespace hinge_duty {
 
 /// The wear of one body over one period.
 struct BodyWear {
-  contact::JointBody part;
   std::string body;         ///< "carrier" or "body"
   std::string surface;      ///< "seat" or "inner"
   std::optional<double> k;  ///< mm^3/(N m), if it was given
+  contact::WearMap map;
   std::vector<Eigen::Vector3d> points;
   std::vector<contact::WearMap::Wear> wear;
   contact::WearMap::Deepest deepest;

@@ -18,7 +18,6 @@ namespace hinge_duty {
 namespace {
 
 using contact::degree;
-using contact::JointCycle;
 using contact::WearMap;
 using Eigen::Vector3d;
 
@@ -60,8 +59,7 @@ std::string data_block(const WearMap& map, const cli::SphereView& view,
   return script + "END\n";
 }
 
-std::string draw_balls(const JointCycle& cycle,
-                       const std::vector<BodyWear>& wear,
+std::string draw_balls(const std::vector<BodyWear>& wear,
                        const std::string& title, const std::string& file) {
   double largest = 0;
   for (const BodyWear& w : wear) {
@@ -99,7 +97,7 @@ std::string draw_balls(const JointCycle& cycle,
     const BodyWear& w = wear[n];
     cli::SphereView& view = views[n];
     view.radius = radius;  // to the same scale
-    script += data_block(WearMap(cycle, w.part), view, prefix.factor, n);
+    script += data_block(w.map, view, prefix.factor, n);
     script += view.axis_labels() + view.circles();
     script += canvas.margins(boxes[n]) + canvas.above(boxes[n], label(w)) +
               (n == 0 ? "unset colorbox\n" : canvas.colour_box(colours)) +
@@ -161,15 +159,12 @@ std::string draw_pins(const std::vector<BodyWear>& wear,
 
 }  // namespace
 
-std::string draw_map(const JointCycle& cycle, const std::vector<BodyWear>& wear,
+std::string draw_map(bool is_pin, const std::vector<BodyWear>& wear,
                      const std::string& title, const std::string& file) {
   if (wear[0].deepest.wear.pv == 0) {
     return fmt::format("no picture {}: nothing wears", file);
   }
-  if (cycle.contact().geometry().kind() == contact::JointKind::pin) {
-    return draw_pins(wear, title, file);
-  }
-  return draw_balls(cycle, wear, title, file);
+  return is_pin ? draw_pins(wear, title, file) : draw_balls(wear, title, file);
 }
 
 }  // namespace hinge_duty

@@ -3,7 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/duty/joint_cycle.hpp"
 #include "programs/duty/body_wear.hpp"
 
 namespace hinge_duty {
@@ -12,8 +11,7 @@ namespace hinge_duty {
 /// straight above the middle of the wear, with equal areas; of a pin over beta.
 /// @param wear  of both bodies
 /// @return "" or why there is no picture
-std::string draw_map(const contact::JointCycle& cycle,
-                     const std::vector<BodyWear>& wear,
+std::string draw_map(bool is_pin, const std::vector<BodyWear>& wear,
                      const std::string& title, const std::string& file);
 
 }  // namespace hinge_duty

@@ -138,20 +138,33 @@ void warn_of_walls(const JointDuty& duty) {
                       penetration * 1e3, thickness * 1e3));
 }
 
-BodyWear wear_of(const JointCycle& cycle, JointBody body,
+BodyWear wear_of(const JointDuty& duty, JointBody body,
                  const Options& options) {
-  const WearMap map(cycle, body);
-  BodyWear wear;
+  const JointCycle& cycle = duty.cycle;
+  const WearMap map =
+      duty.seat ? WearMap(*duty.seat, body) : WearMap(cycle, body);
   const bool inner = body == cycle.contact().geometry().inner_body();
-  wear.part = body;
-  wear.body = body == JointBody::carrier ? "carrier" : "body";
-  wear.surface = inner ? "inner" : "seat";
-  wear.k = inner ? options.wear_inner : options.wear_seat;
-  wear.points = map.grid(options.grid);
-  for (const auto& point : wear.points) wear.wear.push_back(map.at(point));
-  wear.deepest = map.deepest(wear.points, wear.wear);
-  wear.volume_defect = map.volume_defect(wear.wear);
-  return wear;
+  const auto points = map.grid(options.grid);
+  std::vector<WearMap::Wear> worn;
+  for (const auto& point : points) worn.push_back(map.at(point));
+  return {.body = body == JointBody::carrier ? "carrier" : "body",
+          .surface = inner ? "inner" : "seat",
+          .k = inner ? options.wear_inner : options.wear_seat,
+          .map = map,
+          .points = points,
+          .wear = worn,
+          .deepest = map.deepest(points, worn),
+          .volume_defect = map.volume_defect(worn)};
+}
+
+// The wear of both bodies of all joints.
+void wear(const Options& options, std::vector<JointDuty>& duties) {
+  if (!wants_wear(options)) return;
+  for (JointDuty& duty : duties) {
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      duty.wear.push_back(wear_of(duty, body, options));
+    }
+  }
 }
 
 // Warns of properties of the cycle that all joints share.
@@ -217,13 +230,9 @@ std::vector<JointDuty> run_joints(const Options& options,
   const contact::DutyCycle cycle = read_cycle(options, joints[0].is_pin());
   std::vector<JointDuty> duties;
   for (std::size_t i = 0; i < joints.size(); ++i) {
-    const JointDuty& duty = duties.emplace_back(JointDuty{
-        joints[i],
-        made_of(joints[i], [&] { return JointCycle(cycle, friction[i]); })});
-    if (!wants_wear(options)) continue;
-    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
-      duties.back().wear.push_back(wear_of(duty.cycle, body, options));
-    }
+    duties.push_back({joints[i], made_of(joints[i], [&] {
+                        return JointCycle(cycle, friction[i]);
+                      })});
   }
   return duties;
 }
@@ -243,13 +252,15 @@ contact::SeatCycle confined(const Options& options, const JointDuty& duty) {
   const contact::DutyCycle& cycle = duty.cycle.cycle();
   if (is_kept) {
     try {
-      return {cycle, spec, {say, contact::detail::file_text(file)}};
+      return {cycle,
+              spec,
+              {say, contact::detail::file_text(file), wants_wear(options)}};
     } catch (const contact::Error& error) {
       throw contact::Error(
           fmt::format("--seat-table {}: {}", file, error.what()));
     }
   }
-  contact::SeatCycle made(cycle, spec, {say, {}});
+  contact::SeatCycle made(cycle, spec, {say, {}, wants_wear(options)});
   if (!file.empty() && !made.table().empty()) {
     cli::Output output(file);
     output.write(made.table());
@@ -324,6 +335,7 @@ cli::ExitStatus run(const Options& options) {
   std::vector<JointDuty> duties = run_joints(options, joints);
   for (JointDuty& duty : duties) wear_in(options, duty);
   confine(options, duties);
+  wear(options, duties);
   warn(options, joints, duties);
   write_tables(options, joints, duties);
   const JointDuty& duty = duties[0];
@@ -333,9 +345,10 @@ cli::ExitStatus run(const Options& options) {
                         draw_cycle(duty.cycle, duty.joint.title, plot), status);
   }
   if (const std::string& plot = options.map_plot; !plot.empty()) {
-    status = cli::drawn("hinge-duty",
-                        draw_map(duty.cycle, duty.wear, duty.joint.title, plot),
-                        status);
+    status = cli::drawn(
+        "hinge-duty",
+        draw_map(duty.joint.is_pin(), duty.wear, duty.joint.title, plot),
+        status);
   }
   return status;
 }

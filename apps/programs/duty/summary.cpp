@@ -86,6 +86,7 @@ void add_peaks(const JointCycle& cycle, Report& to) {
          "projected: pi rho^2 or 2 rho L");
 }
 
+// @param pv_integral  that of the seat, where the contact is confined to it
 void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
   const std::string of = "_" + wear.body;
   const auto place = at_place({}, wear.deepest.point);
@@ -93,7 +94,7 @@ void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
     to.add("k_" + wear.surface + "_mm3_per_N_m", *wear.k,
            "wear coefficient, as given");
     to.add("volume_" + wear.surface + "_mm3", *wear.k * pv_integral,
-           "worn off in one cycle: k pv_integral_J");
+           "worn off in one cycle: k times the integral of p v");
     to.add("largest_depth" + of + "_mm", wear.depth(wear.deepest.wear),
            "worn in one cycle; x, y, z in the axes of the " + wear.body, place);
   }
@@ -102,7 +103,7 @@ void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
   to.add("cross_shear" + of, wear.deepest.wear.cross_shear,
          "there; share of friction work across the main direction");
   to.add("volume_defect" + of, wear.volume_defect,
-         "of the map's volume against k pv_integral_J");
+         "of the map's volume against that");
 }
 
 // V = N k pv_integral.
@@ -110,7 +111,7 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
                   Report& to) {
   const double per_volume = 1 / (measured.cycles * pv_integral);
   to.add("k_measured_mm3_per_N_m", measured.volume * per_volume,
-         "measured volume over cycles and pv_integral_J");
+         "measured volume over cycles and the integral of p v");
   if (!measured.error) return;
   to.add("k_measured_error_mm3_per_N_m", *measured.error * per_volume,
          "standard error, of the measured volume alone");
@@ -152,7 +153,8 @@ cli::Report summary_of(const JointDuty& duty,
                        const std::optional<MeasuredWear>& measured) {
   Report report({"at_time_s", "x", "y", "z"});
   for (const auto& q : contact::cycle_quantities()) report.add(q, duty.cycle);
-  const double pv_integral = report.number("pv_integral_J");
+  const double pv_integral =
+      duty.seat ? duty.seat->pv_integral() : report.number("pv_integral_J");
   add_peaks(duty.cycle, report);
   for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
   if (measured) add_measured(*measured, pv_integral, report);

@@ -142,6 +142,8 @@ void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
   const auto columns = columns_of(contact::seat_joint_quantities());
   std::vector<std::string> names = {"time_s", "status"};
   for (const auto& column : columns) names.push_back(column.name);
+  const auto of_pv = columns_of(contact::seat_pv_quantities());
+  for (const auto& column : of_pv) names.push_back(column.name);
   write_rows(duties, names, output, style,
              [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
                for (const auto& row : duty.seat->rows()) {
@@ -150,6 +152,7 @@ void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
                  to.number(row.time);
                  to.text(to_string(s.contact.status));
                  for (const auto& c : columns) to.number(c(s) + 0.0);
+                 for (const auto& c : of_pv) to.number(c(row.pv) + 0.0);
                  to.end();
                }
              });

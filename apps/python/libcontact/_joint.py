@@ -280,6 +280,31 @@ class Cycle(_Made, _core.Cycle):
         """
         return Wear(self._wear(body, points))
 
+    @with_known_keywords
+    def in_seat(self, table: bytes | None = None) -> "SeatCycle":
+        """The cycle with the contact of a ball confined to its [seat].
+
+        table: of another SeatCycle or Seat of the same joint; without it one is
+            made where 60 contacts or more reach a rim.
+        """
+        return SeatCycle(self, table)
+
+
+class SeatCycle(_Made, _core.SeatCycle):
+    """A joint in a seat that ends on a duty cycle, see Cycle.in_seat(). It may
+    be pickled."""
+
+    @with_known_keywords
+    def wear(self, body: str = "body", points: int = 2000) -> Wear:
+        """Wear map of one of the bodies, by the contacts of the rows. Nearer to
+        a rim than 0.02 radii the pressure is that at this distance: what a rim
+        wears beyond is not known.
+
+        body: "body" or "carrier".
+        points: how many, each of the same area.
+        """
+        return Wear(self._wear(body, points))
+
 
 class Fit(_Made, _core.Fit):
     """Friction parameters that fit measured moments, see identify(). It may be

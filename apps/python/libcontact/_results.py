@@ -165,7 +165,7 @@ def _cycle_lines(self: Any) -> list[list[str]]:
 
 
 def _cycle_title(self: Any) -> str:
-    return f"libcontact.Cycle of {len(self.time)} rows"
+    return f"libcontact.{type(self).__name__} of {len(self.time)} rows"
 
 
 def _cycle_repr(self: Any) -> str:
@@ -232,8 +232,9 @@ def _attach() -> None:
         if isinstance(of, type) and hasattr(of, "_rows"):
             for name, function in manners.items():
                 setattr(of, name, function)
-    _core.Cycle.__repr__ = _cycle_repr  # type: ignore
-    _core.Cycle._repr_html_ = _cycle_html  # type: ignore
+    for cycle in _core.Cycle, _core.SeatCycle:
+        cycle.__repr__ = _cycle_repr  # type: ignore
+        cycle._repr_html_ = _cycle_html  # type: ignore
     _core.Fit.__repr__ = _fit_repr  # type: ignore
     _core.Fit._repr_html_ = _fit_html  # type: ignore
 
