@@ -41,7 +41,7 @@ struct WearMap::Instant {
   Vector3d slip;            // times a point: slip, m
   double pressure_unit;     // Pa
   double uniform_pressure;  // Pa, all round: of an interference
-  /// Of a contact at a rim p at a place, Pa, instead of all but the slip.
+  /// p at a place, Pa, of a contact at a rim, instead of all but the slip.
   std::function<double(const Vector3d&)> confined = {};
 
   double pressure(const Vector3d& point) const {
@@ -65,7 +65,8 @@ void detail::check_wear(const JointCycle& cycle) {
               "at most 90 deg"));
 }
 
-// Of a contact about a centre that slides by `turn`, both in the body's axes.
+// The instant of a contact about a centre that slides by `turn`, both in the
+// body's axes.
 WearMap::Instant WearMap::instant(const JointContact& contact,
                                   const JointSolution& s,
                                   const Vector3d& centre,

@@ -67,7 +67,7 @@ TEST(CSeat, IsWhatCppSays) {
     const contact::SeatPv pv = contact::seat_pv(joint, s, {0.1, 0, 0.5}, near);
     contact_seat_rating rating;
     ASSERT_EQ(contact_seat_rate(seat.get(), &c, &slip, &rating), CONTACT_OK);
-    // Of a contact at a rim, found from another start.
+    // A contact at a rim is found from another start.
     const double found = c.is_free ? 1e-12 : 1e-4;
     EXPECT_NEAR(rating.pv_total / pv.total, 1, found);
     EXPECT_NEAR(rating.pv_max / pv.largest, 1, found);
