@@ -19,6 +19,15 @@ inline void must(contact_status status) {
   throw std::runtime_error(contact_last_message());
 }
 
+/// The sentences of a call of C that fills a text.
+/// @param fill  contact_status(char* text, std::size_t size)
+template <class Fill>
+std::string text_of(const Fill& fill) {
+  std::string text(8192, 0);
+  must(fill(text.data(), text.size()));
+  return text.c_str();
+}
+
 /// Keys of a file and texts of their values.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 /// The same for C, which points into them.

@@ -132,6 +132,22 @@ const char* contact_joint_note(const contact_joint* joint, std::size_t i) {
   return joint && i < joint->notes.size() ? joint->notes[i].c_str() : nullptr;
 }
 
+contact_status contact_joint_contact_notes(const contact_joint* joint,
+                                           double half_angle,
+                                           double peak_pressure, char* text,
+                                           std::size_t size) {
+  return call([=] {
+    if (size > 0) given(text, "contact_joint_contact_notes: text");
+    contact::LargestContact largest;
+    largest.add(half_angle, peak_pressure);
+    return contact::c::hand_over_notes(
+        contact_of(joint, "contact_joint_contact_notes: joint")
+            .limits()
+            .notes(largest),
+        text, size);
+  });
+}
+
 contact_status contact_joint_patch(const contact_joint* joint,
                                    double normal_force, contact_patch* patch) {
   return call_for(

@@ -74,6 +74,14 @@ contact_status contact_joint_get_size(const contact_joint* joint,
  * behind the last one. Valid as long as the joint. */
 const char* contact_joint_note(const contact_joint* joint, size_t i);
 
+/* Limits of the theory and of the materials that contacts go beyond whose
+ * largest half-angle (rad) and peak pressure (Pa) these were, one sentence per
+ * line, cut to `size` with its final 0. NaN goes beyond nothing. */
+contact_status contact_joint_contact_notes(const contact_joint* joint,
+                                           double half_angle,
+                                           double peak_pressure, char* text,
+                                           size_t size);
+
 /* The contact under a normal force R_n, N, above 0; with interference 0 too. */
 typedef struct contact_patch {
   double load_parameter; /* mu (ball) or lambda (pin) */

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "c/door.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint/step.hpp"
@@ -533,6 +534,30 @@ TEST(CJoint, StepsAreThoseOfCpp) {
                                      steps.data(), nullptr),
                  CONTACT_BAD_INPUT,
                  "step: inertia of joint 1 must be positive definite");
+}
+
+// The notes of contacts are those of C++, by every number.
+TEST(CJoint, HasNotesOnContacts) {
+  const std::string file = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
+  const CJoint joint = c_joint(file);
+  const JointSpec spec = read_joint(file);
+  const JointContact contact = spec.contact();
+  char text[4000];
+  for (const double half_angle : {0.1, 1.5}) {
+    for (const double pressure : {1e5, 1e9}) {
+      ASSERT_EQ(contact_joint_contact_notes(joint.get(), half_angle, pressure,
+                                            text, sizeof text),
+                CONTACT_OK);
+      LargestContact largest;
+      largest.add(half_angle, pressure);
+      const auto notes = contact.limits().notes(largest);
+      EXPECT_EQ(text, detail::joined(notes, "\n"));
+      EXPECT_EQ(notes.empty(), pressure == 1e5);
+    }
+  }
+  ASSERT_EQ(contact_joint_contact_notes(joint.get(), NAN, NAN, text, 4000),
+            CONTACT_OK);
+  EXPECT_EQ(text[0], 0);
 }
 
 }  // namespace

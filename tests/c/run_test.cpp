@@ -122,6 +122,33 @@ TEST(RunFromC, HasTheFrictionOfItsCase) {
   EXPECT_EQ(contact_run_row(run.get(), rows - 1)[work], 0);
 }
 
+// The load of the case crane is near both rims of its ring, ten times of it at
+// them.
+TEST(RunFromC, HasNotesOfItsJoints) {
+  const contact_setting heavy[] = {{"body[1].mass_t", "10"},
+                                   {"run.end_time_s", "0.001"},
+                                   {"run.output_step_s", "0.001"}};
+  for (const bool is_heavy : {false, true}) {
+    const CRun run = c_run(cases + "crane.toml", heavy, is_heavy ? 3 : 0);
+    ASSERT_EQ(contact_run_advance(run.get(), 0.001), CONTACT_OK)
+        << contact_last_message();
+    char text[4000];
+    ASSERT_EQ(contact_run_notes(run.get(), text, sizeof text), CONTACT_OK);
+    const std::string notes = text;
+    const std::string where = is_heavy ? "is at its" : "ends beside its";
+    for (const char* rim : {" lower rim", " upper rim"}) {
+      EXPECT_NE(notes.find("the contact " + where + rim), notes.npos) << notes;
+    }
+    char little[5];
+    ASSERT_EQ(contact_run_notes(run.get(), little, sizeof little), CONTACT_OK);
+    EXPECT_EQ(notes.substr(0, 4), little);
+  }
+  char text[4];
+  expect_failure(contact_run_notes(nullptr, text, sizeof text),
+                 CONTACT_BAD_INPUT,
+                 "contact_run_notes: run must be other than NULL");
+}
+
 // "failed" of the motion: velocities that overflow.
 TEST(RunFromC, ThatCannotGoOnSaysWhy) {
   const contact_setting fast = {"body[1].start.rate_rpm", "1e300"};

@@ -123,14 +123,21 @@ inline std::string& last_message() {
   static std::string text;
   return text;
 }
+/// All of them.
+inline std::vector<std::string>& messages() {
+  static std::vector<std::string> all;
+  return all;
+}
 inline void log_2(void*, const char*, int, const char*, const char* form, ...) {
   std::va_list arguments;
   va_start(arguments, form);
   last_message() = form == std::string("%s") ? va_arg(arguments, char*) : form;
   va_end(arguments);
+  messages().push_back(last_message());
 }
 inline void log_3(void*, int, const char*, const char* text) {
   last_message() = text;
+  messages().push_back(text);
 }
 
 /// An instance, by FMI 2.0 or 3.0 as the FMU is. Calls return FMI's status.

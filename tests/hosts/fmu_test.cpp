@@ -85,6 +85,31 @@ TEST_P(Versions, AreNamedAfterTheirFile) {
   EXPECT_TRUE(bytes() == first);
 }
 
+// A contact that no ball has is said when the simulation ends.
+TEST_P(Versions, SayWhereTheyLeaveTheModel) {
+  const auto fmu = fmu_of(folder + "ball.toml", GetParam());
+  const FmuInstance it(*fmu);
+  it.enter();
+  const auto said = [&](double load) {
+    messages().clear();
+    it.set("rate", Vector3d(0, 0, 1));
+    it.set("reaction", Vector3d(load, 0, 0));
+    EXPECT_GT(it.get("peak_pressure"), 0);
+    EXPECT_EQ(it.call("Terminate"), 0);
+    return messages();
+  };
+  // The joint's own note is there always.
+  const auto before = said(100);
+  ASSERT_EQ(before.size(), 1u);
+  EXPECT_NE(before[0].find("limit half-angle is that of a pin"),
+            std::string::npos);
+  const auto notes = said(1e8);
+  ASSERT_GT(notes.size(), 1u);
+  EXPECT_EQ(notes[0], before[0]);
+  EXPECT_NE(notes[1].find("linear elasticity does not hold"), std::string::npos)
+      << notes[1];
+}
+
 // All outputs of steps and of friction alone are those of C.
 TEST_P(Versions, AnswerAsC) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());

@@ -63,6 +63,11 @@ class CaseModel : public Model {
       throw NoValue("the case ends at " + std::to_string(end) + " s");
     }
   }
+  std::string notes() override {
+    return text_of([this](char* text, std::size_t size) {
+      return contact_run_notes(run_.get(), text, size);
+    });
+  }
   void evaluate() override {
     must(contact_run_values(run_.get(), values_.data(), count_));
   }

@@ -65,7 +65,7 @@ void* fmi2Instantiate(const char* name, int type, const char* guid,
   const auto log = [c = *callbacks, name = std::string(name)](
                        Status status, const std::string& text) {
     if (!c.logger) return;
-    c.logger(c.environment, name.c_str(), status, "logStatusError", "%s",
+    c.logger(c.environment, name.c_str(), status, category_of(status), "%s",
              text.c_str());
   };
   return make_instance({folder_of(resources), nullptr, log, type == 0, 0},
@@ -141,8 +141,9 @@ int fmi2DoStep(void* c, double time, double length, int /*no_way_back*/) {
   return guarded(c, [=](Instance& i) { i.model->advance(time, length); });
 }
 
+int fmi2Terminate(void* c) { return terminate(c); }
+
 CONTACT_NOTHING(fmi2SetDebugLogging, ok)
-CONTACT_NOTHING(fmi2Terminate, ok)
 CONTACT_NOTHING(fmi2EnterEventMode, ok)
 CONTACT_NOTHING(fmi2EnterContinuousTimeMode, ok)
 CONTACT_NOTHING(fmi2SetTime, ok)

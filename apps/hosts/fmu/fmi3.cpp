@@ -29,7 +29,7 @@ void* fmi3InstantiateCoSimulation(const char* /*name*/, const char* token,
                                   void* /*intermediate_update*/) {
   if (!resources) return nullptr;
   const auto tell = [=](Status status, const std::string& text) {
-    if (log) log(environment, status, "logStatusError", text.c_str());
+    if (log) log(environment, status, category_of(status), text.c_str());
   };
   std::string folder = resources;
   while (folder.size() > 1 && folder.back() == '/') folder.pop_back();
@@ -91,8 +91,8 @@ int fmi3DoStep(void* c, double time, double length, bool /*no_way_back*/,
   });
 }
 
+int fmi3Terminate(void* c) { return terminate(c); }
 CONTACT_NOTHING(fmi3SetDebugLogging, ok)
-CONTACT_NOTHING(fmi3Terminate, ok)
 CONTACT_NOTHING(fmi3EnterEventMode, error)
 CONTACT_NOTHING(fmi3EnterStepMode, error)
 CONTACT_NOTHING(fmi3EnterConfigurationMode, error)

@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -13,7 +14,7 @@
 namespace contact_hosts::fmu {
 
 /// FMI's numbers for the outcome of a call.
-enum Status { ok = 0, discard = 2, error = 3 };
+enum Status { ok = 0, warning = 1, discard = 2, error = 3 };
 
 /// An FMU that a host has made.
 struct Instance {
@@ -96,6 +97,19 @@ Status set(void* instance, const unsigned* references, std::size_t count,
                        : static_cast<double>(values[k] != 0));
     }
   });
+}
+
+/// Tells the host where the simulation has left the model.
+inline Status terminate(void* instance) noexcept {
+  return guarded(instance, [](Instance& i) {
+    std::istringstream lines(i.log ? i.model->notes() : "");
+    for (std::string line; std::getline(lines, line);) i.log(warning, line);
+  });
+}
+
+/// FMI's category of what is logged.
+inline const char* category_of(Status status) {
+  return status == warning ? "logStatusWarning" : "logStatusError";
 }
 
 /// Begins again as a new instance does.

@@ -131,6 +131,19 @@ class JointModel : public Model {
     return false;
   }
 
+  std::string notes() override {
+    if (!joint_) return {};
+    std::string all;
+    for (std::size_t i = 0;
+         const char* note = contact_joint_note(joint_.get(), i); ++i) {
+      (all += note) += '\n';
+    }
+    return all + text_of([this](char* text, std::size_t size) {
+             return contact_joint_contact_notes(joint_.get(), widest_, most_,
+                                                text, size);
+           });
+  }
+
   bool accept() override {
     take();
     if (!state_.released) return false;
@@ -240,6 +253,8 @@ class JointModel : public Model {
     values_[utilisation] = now.rest.utilisation;
     values_[half_angle] = now.solution.half_angle;
     values_[peak_pressure] = now.solution.peak_pressure;
+    widest_ = std::fmax(widest_, now.solution.half_angle);
+    most_ = std::fmax(most_, now.solution.peak_pressure);
     values_[heat] = -dot(now.moment, now.angular_velocity);
     values_[wear] = wear_rate();
   }
@@ -293,6 +308,7 @@ class JointModel : public Model {
   bool is_ball_ = true;
   bool can_rest_ = true;
   State state_{};
+  double widest_ = NAN, most_ = NAN;  // half-angle and pressure so far
 };
 
 }  // namespace

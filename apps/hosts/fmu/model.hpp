@@ -65,6 +65,8 @@ class Model {
   /// A step of the host's integrator is done.
   /// @return whether it is an event
   virtual bool accept() { return false; }
+  /// Sentences on what has left the model so far, one per line.
+  virtual std::string notes() { return {}; }
 
  protected:
   /// The variables, and behind them the time and the numbers of the file that

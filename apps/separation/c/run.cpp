@@ -10,6 +10,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/c/call.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/results/notes.hpp"
 #include "separation/results/run.hpp"
 #include "separation/results/saved_state.hpp"
 
@@ -135,6 +136,19 @@ contact_status contact_run_event(const contact_run* run, std::size_t i,
     contact::c::check_index(i, notes.size(), "contact_run_event: i");
     to = {notes[i].time, notes[i].body.c_str(), notes[i].what.c_str()};
     return CONTACT_OK;
+  });
+}
+
+contact_status contact_run_notes(const contact_run* run, char* text,
+                                 std::size_t size) {
+  return call([=] {
+    const Run& r = given(run, "contact_run_notes: run").run;
+    if (size > 0) given(text, "contact_run_notes: text");
+    auto notes = separation::joint_notes(r.of());
+    for (auto& note : separation::contact_notes(r.of(), r.memory())) {
+      notes.push_back(std::move(note));
+    }
+    return contact::c::hand_over_notes(notes, text, size);
   });
 }
 

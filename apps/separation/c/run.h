@@ -61,6 +61,12 @@ size_t contact_run_event_count(const contact_run* run);
 contact_status contact_run_event(const contact_run* run, size_t i,
                                  contact_event* event);
 
+/* Notes on the joints so far: which leave the theory, or what their materials
+ * bear, and what the model of a seat leaves out at rims that were come near to.
+ * One sentence per line, cut to `size` with its final 0. */
+contact_status contact_run_notes(const contact_run* run, char* text,
+                                 size_t size);
+
 /* A run that goes on from here as this one does, to the last bit. To take a
  * copy begins the steps of both anew, as contact_run_save() does. */
 contact_status contact_run_copy(contact_run* run, contact_run** copy);

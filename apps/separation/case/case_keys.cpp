@@ -75,7 +75,8 @@ Keys hinge_keys() {
                      {{.key = "file", .of_file = contact::joint_keys()},
                       {"position", Dimension::length},
                       {"in_seat"},
-                      {"seat_loads", Dimension::force}}))};
+                      {"seat_loads", Dimension::force},
+                      {"seat_table"}}))};
   for (const HingeType& type : hinge_types()) {
     keys = with(keys, of(type.name, type.keys));
   }

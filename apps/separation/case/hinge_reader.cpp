@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/seat/table.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
@@ -69,10 +70,13 @@ std::shared_ptr<const contact::SeatJoint> read_seat(
     const TomlTable& table, const contact::JointSpec& joint) {
   const auto loads =
       table.optional_numbers("seat_loads", {2}, Interval::positive());
+  const auto kept = table.optional_text("seat_table");
   if (!table.flag("in_seat")) {
     if (loads) table.needs("seat_loads", "in_seat = true");
+    if (kept) table.needs("seat_table", "in_seat = true");
     return {};
   }
+  if (loads && kept) table.must_be("seat_loads", "left out beside seat_table");
   if (!joint.geometry.seat()) table.needs("in_seat", "a ball with a [seat]");
   if (loads && !((*loads)[1] > (*loads)[0])) {
     table.must_be("seat_loads", "a load and a larger one");
@@ -85,9 +89,14 @@ std::shared_ptr<const contact::SeatJoint> read_seat(
           contact::SeatTable::Options{.least_load = (*loads)[0],
                                       .most_load = (*loads)[1]}));
     }
+    if (kept) {
+      seat->use(std::make_shared<const contact::SeatTable>(
+          seat->contact(), joint,
+          contact::detail::file_text(table.folder() / *kept)));
+    }
     return seat;
   } catch (const Error& error) {
-    table.fail("in_seat", error.what());
+    table.fail(kept ? "seat_table" : "in_seat", error.what());
   }
 }
 

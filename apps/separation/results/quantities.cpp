@@ -22,6 +22,10 @@ constexpr Quantity<JointPeaks> of_joint[] = {
      "least distance of the contact to a rim of its seat",
      [](const JointPeaks& p) { return p.least_gap(); }, "",
      [](const JointPeaks& p) { return std::isfinite(p.least_gap()); }},
+    {"time_at_rim", "", Dimension::time,
+     "for which the contact was at a rim of its seat",
+     [](const JointPeaks& p) { return p.rim_time; }, "",
+     [](const JointPeaks& p) { return std::isfinite(p.least_gap()); }},
 };
 
 constexpr Quantity<BodyRecord> of_hinge[] = {

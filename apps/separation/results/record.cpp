@@ -17,6 +17,10 @@
 namespace separation {
 namespace {
 
+bool has_seat(const Body& body) {
+  return !body.hinge.joints.empty() && body.hinge.joints[0].seat != nullptr;
+}
+
 using contact::degree;
 using Eigen::Vector3d;
 using multibody::BodyMotion;
@@ -336,7 +340,7 @@ void Recorder::note_change(const multibody::HingeChange& change) {
       {change.time, body, rests ? comes_to_rest : begins_to_slide});
 }
 
-// Sticking and sliding, with the time at rest.
+// Sticking and sliding, with the time at rest and at rims.
 void Recorder::look_at_changes(const Simulation& simulation) {
   const double time = simulation.time();
   const auto& changes = simulation.motion().changes();
@@ -369,6 +373,12 @@ void Recorder::look_at_changes(const Simulation& simulation) {
   for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
     if (memory_.modes[i] == resting) {
       memory_.bodies[i].rest_time += time - since[i];
+    }
+    if (has_seat(case_.bodies[i])) {
+      const auto& gaps =
+          simulation.sample().hinge(static_cast<int>(i)).rim_gaps;
+      if (std::min(gaps[0], gaps[1]) > 0) continue;
+      memory_.bodies[i].joints[0].rim_time += time - memory_.last_time;
     }
   }
   memory_.last_time = time;

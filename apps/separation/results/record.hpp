@@ -40,6 +40,7 @@ struct JointPeaks {
   /// Least distances to the rims of a seat that the contact is confined to, m.
   double lower_gap = History::not_yet;
   double upper_gap = History::not_yet;
+  double rim_time = 0;  ///< at a rim, s; to a step at its beginning and end
 
   double least_gap() const { return std::min(lower_gap, upper_gap); }
 };

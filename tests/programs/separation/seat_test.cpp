@@ -3,6 +3,9 @@
 
 #include <string>
 
+#include "libcontact/files/joint_file.hpp"
+#include "libcontact/seat/joint.hpp"
+#include "libcontact/seat/table.hpp"
 #include "programs/separation/program_runs.hpp"
 
 namespace contact::test {
@@ -58,6 +61,29 @@ TEST(SeparationSeat, SaysHowNearTheRimsContactsCome) {
   EXPECT_GT(joint["peak_pressure_Pa"], unbounded["peak_pressure_Pa"]);
 }
 
+// A table that was kept answers as the contacts themselves, to its accuracy.
+TEST(SeparationSeat, TakesATableThatWasKept) {
+  const ProgramFolder folder;
+  const JointSpec spec =
+      read_joint(CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml");
+  const SeatJoint seat(spec);
+  const SeatTable table(seat.contact(),
+                        {.least_load = 1e5, .most_load = 1.2e5});
+  folder.write("ge50.table", table.bytes(spec));
+  const auto moment = [&](const std::string& keys) {
+    folder.write("in.toml", swinging("in_seat = true\n" + keys));
+    const auto run = folder.run_well("hinge-separation in.toml --output -");
+    const json joint = json::parse(run.out)["bodies"][0]["joints"][0];
+    EXPECT_DOUBLE_EQ(joint["time_at_rim_s"], 0.04);
+    return double(joint["largest_friction_moment_N_m"]);
+  };
+  const double kept = moment("seat_table = \"ge50.table\"\n");
+  const double found = moment("");
+  EXPECT_NEAR(kept / found, 1, 2e-3);  // two errors of 1e-3
+  EXPECT_NE(kept, found);
+  EXPECT_EQ(moment("seat_loads_kN = [100, 120]\n"), kept);
+}
+
 TEST(SeparationSeat, RefusesWhatIsNoSeat) {
   const ProgramFolder folder;
   const auto refused = [&](const std::string& text) {
@@ -72,6 +98,23 @@ TEST(SeparationSeat, RefusesWhatIsNoSeat) {
                 .find("must be a load and a larger one"),
             std::string::npos)
       << refused(swinging("in_seat = true\nseat_loads_kN = [100, 10]\n"));
+  const auto said = [&](const std::string& keys) {
+    return refused(swinging(keys));
+  };
+  EXPECT_NE(said("seat_table = \"t\"\n").find("requires in_seat = true"),
+            std::string::npos)
+      << said("seat_table = \"t\"\n");
+  const std::string both =
+      "in_seat = true\nseat_table = \"t\"\nseat_loads_kN = [10, 100]\n";
+  EXPECT_NE(said(both).find("must be left out beside seat_table"),
+            std::string::npos)
+      << said(both);
+  const std::string none = "in_seat = true\nseat_table = \"t\"\n";
+  EXPECT_NE(said(none).find("t: cannot be read"), std::string::npos)
+      << said(none);
+  folder.write("t", "no table");
+  EXPECT_NE(said(none).find("seat_table = \"t\": "), std::string::npos)
+      << said(none);
   std::string pin = swinging("in_seat = true\n");
   const std::string ring = "spherical_plain_bearing_ge50";
   pin.replace(pin.find(ring), ring.size(), "gimbal_ball");
