@@ -118,8 +118,12 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
   if (g.kind() == JointKind::pin) toml.number("length_m", g.length());
   if (const auto& seat = g.seat()) {
     toml.table("[seat]");
-    toml.number("lower_rim_rad", seat->from());
-    toml.number("upper_rim_rad", seat->to());
+    const SeatZone drawn = seat->drawn();
+    toml.number("lower_rim_rad", drawn.from());
+    toml.number("upper_rim_rad", drawn.to());
+    if (seat->setback() > 0) {
+      toml.number("rim_setback_rad", seat->setback());
+    }
     if (seat->axis() != std::array<double, 3>{0, 0, 1}) {
       toml.numbers("axis", seat->axis());
     }

@@ -46,6 +46,23 @@ SeatZone SeatZone::about(const std::array<double, 3>& axis) const {
   return other;
 }
 
+SeatZone SeatZone::moved_in(double setback) const {
+  detail::require(setback >= 0 && std::isfinite(setback), "seat", "setback",
+                  setback, "at least 0 rad and finite");
+  SeatZone other = *this;
+  other.setback_ += setback;
+  detail::require(other.width() >= smallest_width, "seat",
+                  "width after the setback", other.width(),
+                  "at least 1 deg (0.01745 rad)");
+  return other;
+}
+
+SeatZone SeatZone::drawn() const {
+  SeatZone other = *this;
+  other.setback_ = 0;
+  return other;
+}
+
 bool SeatZone::has_upper_rim() const { return to_ < pi; }
 
 double SeatZone::reach() const {
@@ -56,19 +73,19 @@ double SeatZone::reach() const {
 }
 
 bool SeatZone::carries(double direction) const {
-  if (to_ <= pi / 2) return direction < to_;
-  if (from_ >= pi / 2) return direction > from_;
+  if (to() <= pi / 2) return direction < to();
+  if (from() >= pi / 2) return direction > from();
   return direction >= 0 && direction <= pi;
 }
 
 double SeatZone::margin(double direction, double half_angle) const {
   constexpr double none = std::numeric_limits<double>::infinity();
-  return std::min(has_lower_rim() ? direction - half_angle - from_ : none,
-                  has_upper_rim() ? to_ - direction - half_angle : none);
+  return std::min(has_lower_rim() ? direction - half_angle - from() : none,
+                  has_upper_rim() ? to() - direction - half_angle : none);
 }
 
 double SeatZone::nearest(double direction) const {
-  return std::clamp(direction, from_, to_);
+  return std::clamp(direction, from(), to());
 }
 
 double SeatZone::side_angle(int rim) const {

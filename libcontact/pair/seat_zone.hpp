@@ -34,11 +34,21 @@ class SeatZone {
   ///              seat; from the pole that polar angles are counted from
   SeatZone about(const std::array<double, 3>& axis) const;
 
+  /// The zone with its rims moved in, by which contacts ask what a side face
+  /// that yields does (docs/seats.md). Only angles of side faces and areas of
+  /// catalogues remain those of drawn().
+  /// @param setback  rad, at least 0
+  /// @throws Error if less than smallest_width is left.
+  SeatZone moved_in(double setback) const;
+  /// The zone before moved_in().
+  SeatZone drawn() const;
+  double setback() const { return setback_; }  ///< rad
+
   /// Unit vector.
   const std::array<double, 3>& axis() const { return axis_; }
-  double from() const { return from_; }
-  double to() const { return to_; }
-  double width() const { return to_ - from_; }
+  double from() const { return from_ + (has_lower_rim() ? setback_ : 0); }
+  double to() const { return to_ - (has_upper_rim() ? setback_ : 0); }
+  double width() const { return to() - from(); }
   bool has_lower_rim() const { return from_ > 0; }
   bool has_upper_rim() const;
 
@@ -71,9 +81,10 @@ class SeatZone {
   friend bool operator==(const SeatZone&, const SeatZone&) = default;
 
  private:
-  double from_;
+  double from_;  // as drawn
   double to_;
   std::array<double, 3> axis_ = {0, 0, 1};
+  double setback_ = 0;
 };
 
 }  // namespace contact

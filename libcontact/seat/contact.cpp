@@ -281,7 +281,8 @@ RoundedRim SeatContact::rounded_rim(double intensity, double radius) const {
 
 double SeatContact::nominal_area() const {
   const double square = radius_ * radius_;
-  const double from = zone_.from(), to = zone_.to();
+  const SeatZone drawn = zone_.drawn();
+  const double from = drawn.from(), to = drawn.to();
   if (from < pi / 2 && to > pi / 2) {
     return 2 * square * (std::cos(from) - std::cos(to));
   }

@@ -244,15 +244,22 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(seat("ring_width_mm = 28"), SeatZone::ring(0.028, 0.05));
   EXPECT_EQ(seat("cup_rad = 1"), SeatZone::cup(1));
   EXPECT_EQ(seat("lower_rim_rad = 0.5\nupper_rim_rad = 2"), SeatZone(0.5, 2));
+  EXPECT_EQ(seat("cup_rad = 1\nrim_setback_rad = 0.1"),
+            SeatZone::cup(1).moved_in(0.1));
   EXPECT_EQ(seat("cup_rad = 1\naxis = [0, 3, -4]"),
             SeatZone::cup(1).about({0, 0.6, -0.8}));
   const JointSpec turned =
-      parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\naxis = [1, 2, -3]"));
+      parsed(ball_file().edit("+",
+                              "[seat]\ncup_rad = 1\nrim_setback_rad = 0.07\n"
+                              "axis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
   EXPECT_ERROR(
       seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
       "23)");
+  EXPECT_ERROR(seat("cup_deg = 8\nrim_setback_deg = 7.5"),
+               "j.toml:23: seat.rim_setback_deg = 7.5: seat: width after the "
+               "setback = 0.00872665 must be at least 1 deg (0.01745 rad)");
   EXPECT_ERROR(
       seat("cup_deg = 80\naxis = [0, 0, 0]"),
       "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");

@@ -26,9 +26,9 @@ const FrictionStress rising(
 // By differences of fourth order of solve() over R or Dw. Steps of 1e-3 leave
 // 1e-12 times the fifth derivative, and the rounding 1e-13/1e-3 of solve().
 Matrix3d differences(const Joint& joint, Joint::Slip slip,
-                     Vector3d Joint::Slip::*over) {
+                     Vector3d Joint::Slip::*over, double step = 1e-3) {
   const Vector3d at = slip.*over;
-  const double h = 1e-3 * at.norm();
+  const double h = step * at.norm();
   Matrix3d result;
   for (int k = 0; k < 3; ++k) {
     const auto moment = [&](double steps) {
@@ -46,27 +46,35 @@ double error_of(const Matrix3d& derivative, const Matrix3d& difference) {
          difference.cwiseAbs().maxCoeff();
 }
 
+// A slip axis near the contact's edge has large fifth derivatives, which
+// shorter steps do not see; their rounding is 1e-9.
+double error_of(const Matrix3d& derivative, const Joint& joint,
+                const Joint::Slip& slip, Vector3d Joint::Slip::*over) {
+  return std::min(error_of(derivative, differences(joint, slip, over)),
+                  error_of(derivative, differences(joint, slip, over, 1e-4)));
+}
+
 void compare(const char* name, const Joint& joint, double budget,
-             int rows = 200) {
+             int rows = 2000) {
   RandomSlips random(11);
   AccuracyReport rate(std::string("dM/dDw of a ball, ") + name, budget);
   AccuracyReport reaction(std::string("dM/dR of a ball, ") + name, budget);
   for (int i = 0; i < rows; ++i) {
-    const Joint::Slip slip = {random.log_uniform(1e2, 1e5) * random.direction(),
-                              random.log_uniform(0.1, 10) * random.direction()};
+    // One after the other: factors are drawn in any order.
+    const double load = random.log_uniform(1e2, 1e5);
+    const Vector3d reaction = load * random.direction();
+    const double speed = random.log_uniform(0.1, 10);
+    const Joint::Slip slip = {reaction, speed * random.direction()};
     const JointSolution s = joint.solve(slip);
     ASSERT_EQ(s.status, Status::ok);
     const SlipDerivatives d = derivatives(joint, slip, s);
     ASSERT_EQ(d.status, Status::ok);
     rate.add_error(
-        error_of(d.over_rate,
-                 differences(joint, slip, &Joint::Slip::angular_velocity)),
+        error_of(d.over_rate, joint, slip, &Joint::Slip::angular_velocity),
         std::to_string(s.slip_axis_complement()) + " " +
             std::to_string(s.half_angle));
     reaction.add_error(
-        error_of(d.over_reaction,
-                 differences(joint, slip, &Joint::Slip::reaction)),
-        "");
+        error_of(d.over_reaction, joint, slip, &Joint::Slip::reaction), "");
   }
 }
 

@@ -47,6 +47,23 @@ TEST(SeatZone, HasAnAxisAndSideFaces) {
               1e-15);
 }
 
+TEST(SeatZone, RimsMoveInAndTheSideFaceStays) {
+  const SeatZone drawn(65 * degree, 115 * degree);
+  const SeatZone moved = drawn.moved_in(5 * degree);
+  EXPECT_NEAR(moved.from(), 70 * degree, 1e-15);
+  EXPECT_NEAR(moved.to(), 110 * degree, 1e-15);
+  EXPECT_DOUBLE_EQ(moved.side_angle(0), drawn.side_angle(0));
+  EXPECT_NEAR(moved.drawn().from(), drawn.from(), 1e-15);
+  EXPECT_NEAR(moved.moved_in(1 * degree).drawn().to(), drawn.to(), 1e-15);
+  EXPECT_EQ(drawn.moved_in(0), drawn);
+  // A pole is no rim.
+  EXPECT_EQ(cup(60).moved_in(0.1).from(), 0);
+  EXPECT_NEAR(cup(60).moved_in(0.1).to(), 60 * degree - 0.1, 1e-15);
+  for (const double wrong : {-0.1, 25 * degree, std::nan("")}) {
+    EXPECT_NE(error_message([&] { drawn.moved_in(wrong); }), "(no error)");
+  }
+}
+
 TEST(SeatZone, Refuses) {
   const auto message = [](double from, double to) {
     return error_message([&] { SeatZone(from * degree, to * degree); });

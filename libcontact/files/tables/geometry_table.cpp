@@ -115,7 +115,14 @@ SeatZone angles_from_table(const TomlTable& seat, double radius) {
 
 // [seat]
 SeatZone zone_from_table(const TomlTable& seat, double radius) {
-  const SeatZone zone = angles_from_table(seat, radius);
+  SeatZone zone = angles_from_table(seat, radius);
+  if (seat.has("rim_setback")) {
+    try {
+      zone = zone.moved_in(seat.number("rim_setback", {0, std::numbers::pi}));
+    } catch (const Error& error) {
+      seat.fail("rim_setback", error.what());
+    }
+  }
   if (!seat.has("axis")) return zone;
   const auto axis = seat.numbers("axis", {3}, Interval::any());
   if (std::hypot(axis[0], axis[1], axis[2]) == 0) {
@@ -269,6 +276,7 @@ KnownKeys geometry_keys() {
                              {"cup", Dimension::angle},
                              {"lower_rim", Dimension::angle},
                              {"upper_rim", Dimension::angle},
+                             {"rim_setback", Dimension::angle},
                              {"axis"}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
