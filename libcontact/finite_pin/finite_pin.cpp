@@ -8,13 +8,14 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/base/root_finding.hpp"
 #include "libcontact/finite_pin/sums.hpp"
+#include "libcontact/finite_pin/zeros.hpp"
 
 namespace contact {
 namespace {
 
 using detail::turned;
+using detail::zeros;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
@@ -23,36 +24,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // For 1e-9 of the sums, ends of contact included.
 constexpr int nodes = 40;
-
-// Real zeros in (low, high) of the polynomial with these coefficients, the
-// constant first: between those of its derivative it is monotone.
-std::vector<double> zeros(const std::vector<double>& of, double low,
-                          double high) {
-  if (of.size() < 2) return {};
-  std::vector<double> slope;
-  for (std::size_t k = 1; k < of.size(); ++k) {
-    slope.push_back(static_cast<double>(k) * of[k]);
-  }
-  const auto value = [&](double x) {
-    double sum = 0;
-    for (auto c = of.rbegin(); c != of.rend(); ++c) sum = sum * x + *c;
-    return sum;
-  };
-  std::vector<double> ends = zeros(slope, low, high);
-  ends.push_back(high);
-  std::vector<double> found;
-  double from = low;
-  constexpr int bits = 53;
-  for (const double to : ends) {
-    const double a = value(from);
-    const double b = value(to);
-    if ((a < 0) != (b < 0)) {
-      found.push_back(shrink_bracket(value, from, to, a, b, bits).middle());
-    }
-    from = to;
-  }
-  return found;
-}
 
 JointSpec with_exact_laws(JointSpec joint) {
   const auto refuse = [](const std::string& needed) {
@@ -67,17 +38,6 @@ JointSpec with_exact_laws(JointSpec joint) {
 }
 
 }  // namespace
-
-/// Slice at z, per 1 m of length.
-struct FinitePin::Slice {
-  Vector2d direction;  ///< direction of the force
-  double distance;     ///< |a + psi z|, m
-  double force;        ///< N/m
-  double slope;        ///< N/m^2
-  double energy;       ///< J/m
-  double half_angle, force_ratio;
-  double peak;  ///< p, Pa
-};
 
 /// A piece of contact along z, within one of the relief's.
 struct FinitePin::Interval {
@@ -116,18 +76,29 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
           peak};
 }
 
+// Polynomials in x = (z - centre)/(l/2): the square of the distance, and e.
+struct FinitePin::Polynomials {
+  std::array<double, 3> distance2;
+  double relief;  ///< e = eps + relief x^2
+};
+
+FinitePin::Polynomials FinitePin::polynomials(
+    const Vector4d& place, const Relief::Piece& piece) const noexcept {
+  const Vector2d a = place.head<2>() + piece.centre * place.tail<2>();
+  const Vector2d psi = half_length_ * place.tail<2>();
+  return {{a.squaredNorm(), 2 * a.dot(psi), psi.squaredNorm()},
+          piece.curvature * half_length_ * half_length_};
+}
+
 // Intervals with |a + psi z| > e(z), from zeros of a polynomial in z over l/2.
 std::vector<FinitePin::Interval> FinitePin::intervals(
     const Vector4d& place) const noexcept {
   std::vector<Interval> found;
   for (const Relief::Piece& piece : pieces_) {
     if (!(piece.to > piece.from)) continue;
-    const Vector2d a = place.head<2>() + piece.centre * place.tail<2>();
-    const Vector2d psi = half_length_ * place.tail<2>();
-    const double relief = piece.curvature * half_length_ * half_length_;
-    std::vector<double> polynomial = {
-        a.squaredNorm() - clearance_ * clearance_, 2 * a.dot(psi),
-        psi.squaredNorm() - 2 * clearance_ * relief};
+    const auto [d2, relief] = polynomials(place, piece);
+    std::vector<double> polynomial = {d2[0] - clearance_ * clearance_, d2[1],
+                                      d2[2] - 2 * clearance_ * relief};
     if (relief > 0) {
       polynomial.push_back(0);
       polynomial.push_back(-relief * relief);
@@ -147,6 +118,23 @@ std::vector<FinitePin::Interval> FinitePin::intervals(
         found.push_back({ends[i], ends[i + 1], &piece});
       }
     }
+  }
+  return found;
+}
+
+// Places where |a + psi z|/e, with which theta0 grows, may be largest: ends,
+// and zeros of (d^2)' e - 2 d^2 e'.
+std::vector<double> FinitePin::summits(
+    const Vector4d& place, const Interval& interval) const noexcept {
+  const Relief::Piece& piece = *interval.piece;
+  const auto [d2, relief] = polynomials(place, piece);
+  const std::vector<double> slope = {
+      d2[1] * clearance_, 2 * d2[2] * clearance_ - 4 * relief * d2[0],
+      -3 * relief * d2[1], -2 * relief * d2[2]};
+  const auto over = [&](double z) { return (z - piece.centre) / half_length_; };
+  std::vector<double> found = {interval.from, interval.to};
+  for (const double x : zeros(slope, over(interval.from), over(interval.to))) {
+    found.push_back(piece.centre + half_length_ * x);
   }
   return found;
 }
@@ -208,6 +196,8 @@ FinitePinState FinitePin::state(const Vector4d& place,
                    .high = nan,
                    .peak_pressure = all.peak,
                    .peak_place = all.peak_place,
+                   .largest_half_angle = 0,
+                   .half_angle_place = nan,
                    .end_pressure = {},
                    .end_half_angle = {},
                    .pressure_moment = all.pressure_moment,
@@ -215,11 +205,19 @@ FinitePinState FinitePin::state(const Vector4d& place,
                    .area_tangent_moment = all.area.tail<2>(),
                    .area_moment = all.area_moment};
   if (!all.load.allFinite()) s.status = Status::out_of_range;
-  for (const auto& [from, to, piece] : intervals(place)) {
+  for (const Interval& interval : intervals(place)) {
+    const auto& [from, to, piece] = interval;
     // Intervals of adjacent relief pieces that meet are one.
     if (s.pieces == 0) s.low = from;
     if (s.pieces == 0 || from > s.high) ++s.pieces;
     s.high = to;
+    for (const double z : summits(place, interval)) {
+      const double half_angle = slice(place, z, *piece).half_angle;
+      if (half_angle > s.largest_half_angle) {
+        s.largest_half_angle = half_angle;
+        s.half_angle_place = z;
+      }
+    }
     // Clang 14 captures no structured binding by itself.
     const auto depth = [this, &place, &relief = *piece](double z) {
       return -slice(place, z, relief).peak;
@@ -256,11 +254,6 @@ FinitePinState FinitePin::at(const Vector2d& shift,
                              const Vector2d& tilt) const noexcept {
   const Vector4d place = (Vector4d() << shift, tilt).finished();
   return state(place, sums(place));
-}
-
-double FinitePin::largest_pv(const FinitePinState& state,
-                             double rate) const noexcept {
-  return state.peak_pressure * joint_.geometry.radius() * std::abs(rate);
 }
 
 }  // namespace contact

@@ -25,6 +25,12 @@ constexpr Quantity<S> of_finite_pin[] = {
      [](const S& s) { return s.contact.peak_pressure; }},
     {"peak_place", "z_peak", Dimension::length, "where along the pin",
      [](const S& s) { return s.contact.peak_place; }, "", touches},
+    {"largest_half_angle", "theta0_max", Dimension::angle,
+     "the largest half-angle",
+     [](const S& s) { return s.contact.largest_half_angle; }},
+    {"half_angle_place", "z_theta0_max", Dimension::length,
+     "where along the pin",
+     [](const S& s) { return s.contact.half_angle_place; }, "", touches},
     {"low_pressure", "p_low", Dimension::stress,
      "largest pressure at the end of the pin at -length/2",
      [](const S& s) { return s.contact.end_pressure[0]; }},
@@ -46,6 +52,9 @@ constexpr Quantity<S> of_finite_pin[] = {
     {"moment", "M", Dimension::moment,
      "about the middle: x and y of all that acts, z of friction",
      [](const S& s) -> const Eigen::Vector3d& { return s.moment; }},
+    {"axial_friction_force", "R_t_z", Dimension::force,
+     "friction force on the body along the axis",
+     [](const S& s) { return s.axial_friction_force; }},
 };
 
 }  // namespace
