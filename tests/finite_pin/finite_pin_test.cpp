@@ -245,7 +245,7 @@ TEST(FinitePin, TurnsWithItsLoad) {
 // place, of what has square roots at the edges.
 struct Surface {
   Vector2d force = Vector2d::Zero(), force_moment = Vector2d::Zero();
-  double pressure = 0;  ///< of all pressures, N
+  double pressure = 0;  ///< sum of all pressures, N
   /// Friction per f0 of slip along the axis: force and moment on the body.
   double axial_force = 0;
   Eigen::Vector3d axial_moment = Eigen::Vector3d::Zero();
@@ -320,7 +320,7 @@ TEST(FinitePin, PressuresAddUpToTheLoad) {
               -0.02 * 0.5 / 0.01, 1e-12);
 }
 
-// Where it is largest among many places.
+// They are the largest among many places.
 TEST(FinitePin, LargestHalfAngleAndPressureAlongThePin) {
   for (const Relief& relief :
        {Relief::none(), Relief::barrel(1e-5), Relief::ends(1.5e-5, 0.008)}) {
