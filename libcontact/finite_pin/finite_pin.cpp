@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
@@ -39,21 +38,17 @@ JointSpec with_exact_laws(JointSpec joint) {
 
 }  // namespace
 
-/// A piece of contact along z, within one of the relief's.
-struct FinitePin::Interval {
-  double from, to;
-  const Relief::Piece* piece;
-};
-
 FinitePin::FinitePin(const JointSpec& joint)
     : joint_(with_exact_laws(joint)),
       law_(joint_),
       pressure_(joint_.make_pressure_law()),
       pieces_(joint.relief.pieces(joint.geometry.length())),
       clearance_(joint.geometry.radial_clearance()),
-      half_length_(joint.geometry.length() / 2) {}
+      half_length_(joint.geometry.length() / 2),
+      peaks_(std::make_shared<const Peaks>(*pressure_, law_)) {}
 
-// The exact law belongs to any clearance e: F = E e l f(delta/e).
+// The exact law belongs to any clearance e: F = E e l f(delta/e). The peak
+// takes longer than all the rest, and is left to who needs it.
 FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
                                   const Relief::Piece& piece) const noexcept {
   const Vector2d d = place.head<2>() + z * place.tail<2>();
@@ -63,9 +58,6 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
   const double distance = d.norm();
   const ForceState law = law_.at((distance - e) / scale);
   const double force = law.force * scale / length;
-  const double peak = force > 0 ? pressure_->peak(law.half_angle) *
-                                      joint_.geometry.pressure_unit(force)
-                                : force;
   return {d / distance,
           distance,
           force,
@@ -73,7 +65,7 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
           law.energy * scale * scale / length,
           law.half_angle,
           law.force_ratio,
-          peak};
+          nan};
 }
 
 // Polynomials in x = (z - centre)/(l/2): the square of the distance, and e.
@@ -146,7 +138,6 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
   Sums sums;
   if (!place.allFinite()) {
     sums.load.setConstant(nan);
-    sums.peak = nan;
     return sums;
   }
   for (const auto& [from, to, piece] : intervals(place)) {
@@ -173,81 +164,11 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
       sums.area.head<2>() += tangent;
       sums.area.tail<2>() += z * tangent;
       sums.area_moment += weight * 2 * rho * rho * s.half_angle;
-      if (!(s.peak <= sums.peak)) {
-        sums.peak = s.peak;
-        sums.peak_place = z;
-      }
     }
   }
   sums.stiffness.bottomLeftCorner<2, 2>() =
       sums.stiffness.topRightCorner<2, 2>();
   return sums;
-}
-
-FinitePinState FinitePin::state(const Vector4d& place,
-                                const Sums& all) const noexcept {
-  FinitePinState s{.shift = place.head<2>(),
-                   .tilt = place.tail<2>(),
-                   .force = all.load.head<2>(),
-                   .force_moment = all.load.tail<2>(),
-                   .energy = all.energy,
-                   .stiffness = all.stiffness,
-                   .low = nan,
-                   .high = nan,
-                   .peak_pressure = all.peak,
-                   .peak_place = all.peak_place,
-                   .largest_half_angle = 0,
-                   .half_angle_place = nan,
-                   .end_pressure = {},
-                   .end_half_angle = {},
-                   .pressure_moment = all.pressure_moment,
-                   .area_tangent = all.area.head<2>(),
-                   .area_tangent_moment = all.area.tail<2>(),
-                   .area_moment = all.area_moment};
-  if (!all.load.allFinite()) s.status = Status::out_of_range;
-  for (const Interval& interval : intervals(place)) {
-    const auto& [from, to, piece] = interval;
-    // Intervals of adjacent relief pieces that meet are one.
-    if (s.pieces == 0) s.low = from;
-    if (s.pieces == 0 || from > s.high) ++s.pieces;
-    s.high = to;
-    for (const double z : summits(place, interval)) {
-      const double half_angle = slice(place, z, *piece).half_angle;
-      if (half_angle > s.largest_half_angle) {
-        s.largest_half_angle = half_angle;
-        s.half_angle_place = z;
-      }
-    }
-    // Clang 14 captures no structured binding by itself.
-    const auto depth = [this, &place, &relief = *piece](double z) {
-      return -slice(place, z, relief).peak;
-    };
-    for (const double end : {from, to}) {
-      if (-depth(end) > s.peak_pressure) {
-        s.peak_pressure = -depth(end);
-        s.peak_place = end;
-      }
-    }
-    if (!(all.peak_place > from && all.peak_place < to)) continue;
-    constexpr int bits = 26;
-    std::uintmax_t steps = 60;
-    const double width = 0.1 * (to - from);
-    const auto [z, least] = boost::math::tools::brent_find_minima(
-        depth, std::max(from, all.peak_place - width),
-        std::min(to, all.peak_place + width), bits, steps);
-    if (-least > s.peak_pressure) {
-      s.peak_pressure = -least;
-      s.peak_place = z;
-    }
-  }
-  for (const int end : {0, 1}) {
-    const double z = end == 0 ? -half_length_ : half_length_;
-    const Slice at =
-        slice(place, z, end == 0 ? pieces_.front() : pieces_.back());
-    s.end_pressure[end] = at.peak;
-    s.end_half_angle[end] = at.half_angle;
-  }
-  return s;
 }
 
 FinitePinState FinitePin::at(const Vector2d& shift,
