@@ -43,8 +43,8 @@ void name_lies(const cli::PointColumns& columns, const std::string& place,
     to.names.emplace_back(name);
   }
   if (to.load_at != 0 && to.tilt_x_at + to.tilt_y_at != 0) {
-    cli::refuse_beside(place + ": load_at_m",
-                       "a tilt, which is found where it is loaded");
+    cli::refuse_beside(place + ": the column load_at_m",
+                       "columns of the tilt, which it finds");
   }
 }
 
