@@ -163,6 +163,7 @@ class FinitePin {
   Slice slice_without_peak(const FinitePinState& state,
                            double z) const noexcept;
   double peak(const Slice& slice) const noexcept;
+  const Relief::Piece& piece_at(double z) const noexcept;
   void find_peak(const Eigen::Vector4d& place,
                  const std::vector<Interval>& contacts,
                  FinitePinState& state) const noexcept;

@@ -18,14 +18,18 @@ FinitePin::Slice FinitePin::slice(const FinitePinState& state,
   return at;
 }
 
-FinitePin::Slice FinitePin::slice_without_peak(const FinitePinState& state,
-                                               double z) const noexcept {
-  const Vector4d place = (Vector4d() << state.shift, state.tilt).finished();
+const Relief::Piece& FinitePin::piece_at(double z) const noexcept {
   const Relief::Piece* piece = &pieces_.front();
   for (const Relief::Piece& next : pieces_) {
     if (z >= next.from) piece = &next;
   }
-  Slice at = slice(place, z, *piece);
+  return *piece;
+}
+
+FinitePin::Slice FinitePin::slice_without_peak(const FinitePinState& state,
+                                               double z) const noexcept {
+  const Vector4d place = (Vector4d() << state.shift, state.tilt).finished();
+  Slice at = slice(place, z, piece_at(z));
   if (std::abs(z) > half_length_) {
     at.force = at.slope = at.energy = at.half_angle = 0;
   }

@@ -63,39 +63,44 @@ double FinitePin::peak(const Slice& slice) const noexcept {
          joint_.geometry.pressure_unit(slice.force);
 }
 
-// The table says between which places it is: exact ones are then 20.
+// The table says between which places it is: exact ones are then 20. It may lie
+// in the next piece of the relief, whose slope goes on.
 void FinitePin::find_peak(const Vector4d& place,
                           const std::vector<Interval>& contacts,
                           FinitePinState& state) const noexcept {
   constexpr int steps = 32;
-  const auto node = [](const Interval& in, int i) {
-    return i == steps ? in.to : in.from + i * (in.to - in.from) / steps;
-  };
-  const Interval* in = nullptr;
-  int best = 0;
+  std::vector<double> nodes;
+  std::size_t best = 0;
   double most = 0;
-  for (const Interval& next : contacts) {
+  for (const auto& [from, to, piece] : contacts) {
     for (int i = 0; i <= steps; ++i) {
-      const Slice at = slice(place, node(next, i), *next.piece);
+      const double z = i == steps ? to : from + i * (to - from) / steps;
+      nodes.push_back(z);
+      const Slice at = slice(place, z, *piece);
       if (!(at.force > 0)) continue;
       const double about = (*peaks_)(at.half_angle) * at.force;
       if (!(about > most)) continue;
-      in = &next;
-      best = i;
+      best = nodes.size() - 1;
       most = about;
     }
   }
-  if (in == nullptr) return;
+  if (most == 0) return;
   const auto exact = [&](double z) {
-    return peak(slice(place, z, *in->piece));
+    return peak(slice(place, z, piece_at(z)));
   };
   constexpr int bits = 26;
   std::uintmax_t evaluations = 60;
-  state.peak_place = node(*in, best);
+  state.peak_place = nodes[best];
   state.peak_pressure = exact(state.peak_place);
+  // Two nodes lie where pieces meet.
+  const auto beside = [&](std::size_t away, int step) {
+    std::size_t i = best;
+    while (i != away && nodes[i] == nodes[best]) i += step;
+    return nodes[i];
+  };
   const auto [z, least] = boost::math::tools::brent_find_minima(
-      [&](double at) { return -exact(at); }, node(*in, std::max(best - 1, 0)),
-      node(*in, std::min(best + 1, steps)), bits, evaluations);
+      [&](double at) { return -exact(at); }, beside(0, -1),
+      beside(nodes.size() - 1, 1), bits, evaluations);
   if (-least > state.peak_pressure) {
     state.peak_place = z;
     state.peak_pressure = -least;
