@@ -25,11 +25,11 @@ void contact_finite_pin_free(contact_finite_pin* pin);
  * middle of the contact, x and y are across; set all that is not used to 0. */
 typedef struct contact_finite_pin_load {
   double reaction[2]; /* R on the body, N */
-  double rate;        /* of the body about z, rad/s: its sign counts */
+  double rate;        /* turn of the body about z, rad/s: its sign counts */
   double tilt[2];     /* known slope of the pin's axis */
   int is_placed; /* the reaction acts at z = place, and the tilt is found */
   double place;  /* m */
-  double axial_velocity; /* of the body along z, m/s */
+  double axial_velocity; /* speed of the body along z, m/s */
 } contact_finite_pin_load;
 
 typedef struct contact_finite_pin_solution {

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <functional>
 #include <iterator>
-#include <ranges>
 
 namespace contact::detail {
 

@@ -48,7 +48,7 @@ void FinitePin::pressures(const FinitePinState& state, double z,
                           std::span<double> out) const noexcept {
   const Slice at = slice_without_peak(state, z);
   if (!(at.force > 0)) {  // 0 or NaN
-    std::ranges::fill(out, at.force);
+    std::fill(out.begin(), out.end(), at.force);
     return;
   }
   const double middle = std::atan2(at.direction.y(), at.direction.x());
