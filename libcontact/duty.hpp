@@ -9,4 +9,5 @@
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/seat_pv.hpp"
+#include "libcontact/duty/pin_cycle.hpp"
 // clang-format on

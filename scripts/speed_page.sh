@@ -40,7 +40,7 @@ measure() { # PROGRAM
       is_counter {put($2, substr($3, 3) + 0)}' >>"$results"
 }
 
-for program in friction pressure half_angle conforming joint duty multibody separation; do
+for program in friction pressure half_angle conforming joint duty finite_pin multibody separation; do
   measure $program
 done
 

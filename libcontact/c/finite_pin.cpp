@@ -34,9 +34,12 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.high, s.contact.high);
   copy(c.peak_pressure, s.contact.peak_pressure);
   copy(c.peak_place, s.contact.peak_place);
+  copy(c.largest_half_angle, s.contact.largest_half_angle);
+  copy(c.half_angle_place, s.contact.half_angle_place);
   copy(c.end_pressure, s.contact.end_pressure);
   copy(c.end_half_angle, s.contact.end_half_angle);
   copy(c.friction_force, s.friction_force);
+  copy(c.axial_friction_force, s.axial_friction_force);
   copy(c.moment, s.moment);
 }
 
@@ -50,9 +53,10 @@ FinitePinSolution cpp_solution(const contact_finite_pin_solution& from) {
 FinitePinSolution solved(const FinitePin& pin,
                          const contact_finite_pin_load& load) {
   const Eigen::Vector2d reaction(load.reaction);
+  const FinitePin::Motion motion{load.rate, load.axial_velocity};
   return load.is_placed
-             ? pin.solve_at(reaction, load.place, load.rate)
-             : pin.solve(reaction, Eigen::Vector2d(load.tilt), load.rate);
+             ? pin.solve_at(reaction, load.place, motion)
+             : pin.solve(reaction, Eigen::Vector2d(load.tilt), motion);
 }
 
 }  // namespace

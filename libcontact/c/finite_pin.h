@@ -21,14 +21,15 @@ contact_status contact_finite_pin_make(const contact_joint* joint,
                                        contact_finite_pin** pin);
 void contact_finite_pin_free(contact_finite_pin* pin);
 
-/* A pin that turns under a reaction. z is the hole's axis from the middle of
- * the contact, x and y are across; set all that is not used to 0. */
+/* A pin that turns and slides under a reaction. z is the hole's axis from the
+ * middle of the contact, x and y are across; set all that is not used to 0. */
 typedef struct contact_finite_pin_load {
   double reaction[2]; /* R on the body, N */
-  double rate;        /* rate of the body about z, rad/s: its sign counts */
+  double rate;        /* turn of the body about z, rad/s: its sign counts */
   double tilt[2];     /* known slope of the pin's axis */
   int is_placed; /* the reaction acts at z = place, and the tilt is found */
   double place;  /* m */
+  double axial_velocity; /* speed of the body along z, m/s */
 } contact_finite_pin_load;
 
 typedef struct contact_finite_pin_solution {
@@ -47,12 +48,15 @@ typedef struct contact_finite_pin_solution {
 
   double low; /* outermost ends of the contacts, m; NaN without contact */
   double high;
-  double peak_pressure;     /* Pa */
-  double peak_place;        /* z of it, m */
-  double end_pressure[2];   /* at -length/2 and length/2, Pa */
-  double end_half_angle[2]; /* rad */
+  double peak_pressure;      /* Pa */
+  double peak_place;         /* z of it, m */
+  double largest_half_angle; /* rad */
+  double half_angle_place;   /* z of it, m */
+  double end_pressure[2];    /* at -length/2 and length/2, Pa */
+  double end_half_angle[2];  /* rad */
 
-  double friction_force[2]; /* R_t on the body, N */
+  double friction_force[2];    /* R_t on the body, N */
+  double axial_friction_force; /* along z, N */
   double moment[3]; /* about the middle, N m: x and y of the contact with
                        friction, z of friction */
 } contact_finite_pin_solution;

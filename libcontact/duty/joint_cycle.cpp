@@ -1,13 +1,13 @@
 #include "libcontact/duty/joint_cycle.hpp"
 
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/duty/largest.hpp"
 
 namespace contact {
 namespace {
@@ -49,20 +49,9 @@ double JointCycle::integral(const Quantity& quantity) const {
 }
 
 JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {
-  const auto best = std::ranges::max_element(rows_, {}, quantity);
-  const double first = cycle_.times().front();
-  const double period = cycle_.period();
-  const double before = best == rows_.begin() ? rows_.back().time - period
-                                              : std::prev(best)->time;
-  const double after =
-      std::next(best) == rows_.end() ? first + period : std::next(best)->time;
-  // Half the digits of a double: a maximum has no more.
-  const double time =
-      boost::math::tools::brent_find_minima(
-          [&](double t) { return -quantity(at(t)); }, before, after, 26)
-          .first;
-  JointCycle::Instant found = at(time < first ? time + period : time);
-  return quantity(found) > quantity(*best) ? found : *best;
+  return detail::largest_of(
+      rows_, cycle_.period(), [this](double time) { return at(time); },
+      quantity);
 }
 
 LargestContact JointCycle::largest_contact() const {

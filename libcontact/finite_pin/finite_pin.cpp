@@ -2,19 +2,19 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <limits>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
-#include "libcontact/base/root_finding.hpp"
 #include "libcontact/finite_pin/sums.hpp"
+#include "libcontact/finite_pin/zeros.hpp"
 
 namespace contact {
 namespace {
 
 using detail::turned;
+using detail::zeros;
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
@@ -23,36 +23,6 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // For 1e-9 of the sums, ends of contact included.
 constexpr int nodes = 40;
-
-// Real zeros in (low, high) of the polynomial with these coefficients, the
-// constant first: between those of its derivative it is monotone.
-std::vector<double> zeros(const std::vector<double>& of, double low,
-                          double high) {
-  if (of.size() < 2) return {};
-  std::vector<double> slope;
-  for (std::size_t k = 1; k < of.size(); ++k) {
-    slope.push_back(static_cast<double>(k) * of[k]);
-  }
-  const auto value = [&](double x) {
-    double sum = 0;
-    for (auto c = of.rbegin(); c != of.rend(); ++c) sum = sum * x + *c;
-    return sum;
-  };
-  std::vector<double> ends = zeros(slope, low, high);
-  ends.push_back(high);
-  std::vector<double> found;
-  double from = low;
-  constexpr int bits = 53;
-  for (const double to : ends) {
-    const double a = value(from);
-    const double b = value(to);
-    if ((a < 0) != (b < 0)) {
-      found.push_back(shrink_bracket(value, from, to, a, b, bits).middle());
-    }
-    from = to;
-  }
-  return found;
-}
 
 JointSpec with_exact_laws(JointSpec joint) {
   const auto refuse = [](const std::string& needed) {
@@ -68,32 +38,17 @@ JointSpec with_exact_laws(JointSpec joint) {
 
 }  // namespace
 
-/// Slice at z, per 1 m of length.
-struct FinitePin::Slice {
-  Vector2d direction;  ///< direction of the force
-  double distance;     ///< |a + psi z|, m
-  double force;        ///< N/m
-  double slope;        ///< N/m^2
-  double energy;       ///< J/m
-  double half_angle, force_ratio;
-  double peak;  ///< p, Pa
-};
-
-/// A piece of contact along z, within one of the relief's.
-struct FinitePin::Interval {
-  double from, to;
-  const Relief::Piece* piece;
-};
-
 FinitePin::FinitePin(const JointSpec& joint)
     : joint_(with_exact_laws(joint)),
       law_(joint_),
       pressure_(joint_.make_pressure_law()),
       pieces_(joint.relief.pieces(joint.geometry.length())),
       clearance_(joint.geometry.radial_clearance()),
-      half_length_(joint.geometry.length() / 2) {}
+      half_length_(joint.geometry.length() / 2),
+      peaks_(std::make_shared<const Peaks>(*pressure_, law_)) {}
 
-// The exact law belongs to any clearance e: F = E e l f(delta/e).
+// The exact law belongs to any clearance e: F = E e l f(delta/e). The peak
+// takes longer than all the rest, and is left to who needs it.
 FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
                                   const Relief::Piece& piece) const noexcept {
   const Vector2d d = place.head<2>() + z * place.tail<2>();
@@ -103,9 +58,6 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
   const double distance = d.norm();
   const ForceState law = law_.at((distance - e) / scale);
   const double force = law.force * scale / length;
-  const double peak = force > 0 ? pressure_->peak(law.half_angle) *
-                                      joint_.geometry.pressure_unit(force)
-                                : force;
   return {d / distance,
           distance,
           force,
@@ -113,7 +65,21 @@ FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
           law.energy * scale * scale / length,
           law.half_angle,
           law.force_ratio,
-          peak};
+          nan};
+}
+
+// Polynomials in x = (z - centre)/(l/2): the square of the distance, and e.
+struct FinitePin::Polynomials {
+  std::array<double, 3> distance2;
+  double relief;  ///< e = eps + relief x^2
+};
+
+FinitePin::Polynomials FinitePin::polynomials(
+    const Vector4d& place, const Relief::Piece& piece) const noexcept {
+  const Vector2d a = place.head<2>() + piece.centre * place.tail<2>();
+  const Vector2d psi = half_length_ * place.tail<2>();
+  return {{a.squaredNorm(), 2 * a.dot(psi), psi.squaredNorm()},
+          piece.curvature * half_length_ * half_length_};
 }
 
 // Intervals with |a + psi z| > e(z), from zeros of a polynomial in z over l/2.
@@ -122,12 +88,9 @@ std::vector<FinitePin::Interval> FinitePin::intervals(
   std::vector<Interval> found;
   for (const Relief::Piece& piece : pieces_) {
     if (!(piece.to > piece.from)) continue;
-    const Vector2d a = place.head<2>() + piece.centre * place.tail<2>();
-    const Vector2d psi = half_length_ * place.tail<2>();
-    const double relief = piece.curvature * half_length_ * half_length_;
-    std::vector<double> polynomial = {
-        a.squaredNorm() - clearance_ * clearance_, 2 * a.dot(psi),
-        psi.squaredNorm() - 2 * clearance_ * relief};
+    const auto [d2, relief] = polynomials(place, piece);
+    std::vector<double> polynomial = {d2[0] - clearance_ * clearance_, d2[1],
+                                      d2[2] - 2 * clearance_ * relief};
     if (relief > 0) {
       polynomial.push_back(0);
       polynomial.push_back(-relief * relief);
@@ -151,6 +114,23 @@ std::vector<FinitePin::Interval> FinitePin::intervals(
   return found;
 }
 
+// Places where |a + psi z|/e, with which theta0 grows, may be largest: ends,
+// and zeros of (d^2)' e - 2 d^2 e'.
+std::vector<double> FinitePin::summits(
+    const Vector4d& place, const Interval& interval) const noexcept {
+  const Relief::Piece& piece = *interval.piece;
+  const auto [d2, relief] = polynomials(place, piece);
+  const std::vector<double> slope = {
+      d2[1] * clearance_, 2 * d2[2] * clearance_ - 4 * relief * d2[0],
+      -3 * relief * d2[1], -2 * relief * d2[2]};
+  const auto over = [&](double z) { return (z - piece.centre) / half_length_; };
+  std::vector<double> found = {interval.from, interval.to};
+  for (const double x : zeros(slope, over(interval.from), over(interval.to))) {
+    found.push_back(piece.centre + half_length_ * x);
+  }
+  return found;
+}
+
 // Substituted so that contact may end at both ends of an interval.
 FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
   static const detail::GaussLegendre rule(nodes);
@@ -158,7 +138,6 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
   Sums sums;
   if (!place.allFinite()) {
     sums.load.setConstant(nan);
-    sums.peak = nan;
     return sums;
   }
   for (const auto& [from, to, piece] : intervals(place)) {
@@ -185,10 +164,6 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
       sums.area.head<2>() += tangent;
       sums.area.tail<2>() += z * tangent;
       sums.area_moment += weight * 2 * rho * rho * s.half_angle;
-      if (!(s.peak <= sums.peak)) {
-        sums.peak = s.peak;
-        sums.peak_place = z;
-      }
     }
   }
   sums.stiffness.bottomLeftCorner<2, 2>() =
@@ -196,71 +171,10 @@ FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
   return sums;
 }
 
-FinitePinState FinitePin::state(const Vector4d& place,
-                                const Sums& all) const noexcept {
-  FinitePinState s{.shift = place.head<2>(),
-                   .tilt = place.tail<2>(),
-                   .force = all.load.head<2>(),
-                   .force_moment = all.load.tail<2>(),
-                   .energy = all.energy,
-                   .stiffness = all.stiffness,
-                   .low = nan,
-                   .high = nan,
-                   .peak_pressure = all.peak,
-                   .peak_place = all.peak_place,
-                   .end_pressure = {},
-                   .end_half_angle = {},
-                   .pressure_moment = all.pressure_moment,
-                   .area_tangent = all.area.head<2>(),
-                   .area_tangent_moment = all.area.tail<2>(),
-                   .area_moment = all.area_moment};
-  if (!all.load.allFinite()) s.status = Status::out_of_range;
-  for (const auto& [from, to, piece] : intervals(place)) {
-    // Intervals of adjacent relief pieces that meet are one.
-    if (s.pieces == 0) s.low = from;
-    if (s.pieces == 0 || from > s.high) ++s.pieces;
-    s.high = to;
-    // Clang 14 captures no structured binding by itself.
-    const auto depth = [this, &place, &relief = *piece](double z) {
-      return -slice(place, z, relief).peak;
-    };
-    for (const double end : {from, to}) {
-      if (-depth(end) > s.peak_pressure) {
-        s.peak_pressure = -depth(end);
-        s.peak_place = end;
-      }
-    }
-    if (!(all.peak_place > from && all.peak_place < to)) continue;
-    constexpr int bits = 26;
-    std::uintmax_t steps = 60;
-    const double width = 0.1 * (to - from);
-    const auto [z, least] = boost::math::tools::brent_find_minima(
-        depth, std::max(from, all.peak_place - width),
-        std::min(to, all.peak_place + width), bits, steps);
-    if (-least > s.peak_pressure) {
-      s.peak_pressure = -least;
-      s.peak_place = z;
-    }
-  }
-  for (const int end : {0, 1}) {
-    const double z = end == 0 ? -half_length_ : half_length_;
-    const Slice at =
-        slice(place, z, end == 0 ? pieces_.front() : pieces_.back());
-    s.end_pressure[end] = at.peak;
-    s.end_half_angle[end] = at.half_angle;
-  }
-  return s;
-}
-
 FinitePinState FinitePin::at(const Vector2d& shift,
                              const Vector2d& tilt) const noexcept {
   const Vector4d place = (Vector4d() << shift, tilt).finished();
   return state(place, sums(place));
-}
-
-double FinitePin::largest_pv(const FinitePinState& state,
-                             double rate) const noexcept {
-  return state.peak_pressure * joint_.geometry.radius() * std::abs(rate);
 }
 
 }  // namespace contact

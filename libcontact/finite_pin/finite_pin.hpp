@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <memory>
+#include <span>
 #include <vector>
 
 #include "libcontact/base/error.hpp"
@@ -30,18 +31,18 @@ struct FinitePinState {
   /// Derivatives of F_x, F_y, G_x, G_y by a_x, a_y, psi_x, psi_y; symmetric.
   Eigen::Matrix4d stiffness;
 
-  int pieces = 0;        ///< contacts along z: 0, 1 or more
-  double low, high;      ///< their outermost ends, m; NaN without contact
-  double peak_pressure;  ///< the largest p, Pa
-  double peak_place;     ///< z of it, m
+  int pieces = 0;             ///< contacts along z: 0, 1 or more
+  double low, high;           ///< their outermost ends, m; NaN without contact
+  double peak_pressure;       ///< the largest p, Pa
+  double peak_place;          ///< z of it, m
+  double largest_half_angle;  ///< the largest theta0, rad
+  double half_angle_place;    ///< z of it, m
   /// At z = -l/2 and l/2.
   std::array<double, 2> end_pressure, end_half_angle;
-  /// The larger of these half-angles, and the largest p.
+  /// The largest theta0 and the largest p.
   LargestContact largest() const {
     LargestContact all;
-    for (const double half_angle : end_half_angle) {
-      all.add(half_angle, peak_pressure);
-    }
+    all.add(largest_half_angle, peak_pressure);
     return all;
   }
 
@@ -53,10 +54,11 @@ struct FinitePinState {
   double area_moment;
 };
 
-/// A pin of finite length under a reaction, turning.
+/// A pin of finite length under a reaction, turning and sliding.
 struct FinitePinSolution {
   FinitePinState contact;
-  Eigen::Vector2d friction_force;  ///< R_t, N
+  Eigen::Vector2d friction_force;  ///< R_t across the axis, N
+  double axial_friction_force;     ///< on the body along the axis, N
   /// About the middle, N m: x and y of the contact with friction, z of friction
   Eigen::Vector3d moment;
 };
@@ -68,8 +70,8 @@ struct FinitePinSolution {
 /// thickness if that is less, from where contact or pin end. The pin does not
 /// bend.
 ///
-/// A solution takes 0.3 ms after the law, and no function but the constructor
-/// throws. Several threads may share one.
+/// A solution takes some 0.1 ms after the law, and no function but the
+/// constructor throws. Several threads may share one.
 ///
 /// Accuracy (finite_pin/finite_pin_test.cpp): all numbers within 1e-8 of
 /// independent solutions, with liners thinner than 0.05 radii 5e-8.
@@ -90,28 +92,81 @@ class FinitePin {
   FinitePinState under_moment(const Eigen::Vector2d& force,
                               const Eigen::Vector2d& moment) const noexcept;
 
-  /// Under a reaction R on the body, with a known tilt, while the body turns
-  /// about the axis: R = s F + R_t, s = 1 if the carrier has the pin, else -1.
-  /// @param rate  of the body relative to the carrier about +z: its sign counts
+  /// Motion of the body relative to the carrier: about +z, rad/s, and along
+  /// it, m/s. Of dry friction its direction counts alone.
+  struct Motion {
+    double rate = 0;
+    double axial_velocity = 0;
+  };
+  /// Under a reaction R across the axis on the body, with a known tilt:
+  /// R = s F + R_t, s = 1 if the carrier has the pin, else -1. A force on the
+  /// axis balances friction along it.
   FinitePinSolution solve(const Eigen::Vector2d& reaction,
                           const Eigen::Vector2d& tilt,
-                          double rate) const noexcept;
-
+                          const Motion& motion) const noexcept;
+  FinitePinSolution solve(const Eigen::Vector2d& reaction,
+                          const Eigen::Vector2d& tilt,
+                          double rate) const noexcept {
+    return solve(reaction, tilt, Motion{rate});
+  }
   /// The same of a reaction that acts at z = place, m: the tilt is found.
   FinitePinSolution solve_at(const Eigen::Vector2d& reaction, double place,
-                             double rate) const noexcept;
+                             const Motion& motion) const noexcept;
+  FinitePinSolution solve_at(const Eigen::Vector2d& reaction, double place,
+                             double rate) const noexcept {
+    return solve_at(reaction, place, Motion{rate});
+  }
 
-  /// p v: the largest pressure times the sliding speed rho |rate|, W/m^2.
-  double largest_pv(const FinitePinState& state, double rate) const noexcept;
+  /// Speed of the surfaces on each other, the same everywhere, m/s.
+  double slip_speed(const Motion& motion) const noexcept;
+  /// p v: the largest pressure times the slip speed, W/m^2.
+  double largest_pv(const FinitePinState& state,
+                    const Motion& motion) const noexcept;
+  double largest_pv(const FinitePinState& state, double rate) const noexcept {
+    return largest_pv(state, Motion{rate});
+  }
+
+  /// The contact at one place along the pin, forces per length.
+  struct Slice {
+    Eigen::Vector2d direction;  ///< c of the force, a unit vector
+    double distance;            ///< |a + psi z|, m
+    double force;               ///< N/m; 0 without contact
+    double slope;               ///< d force/d distance, N/m^2
+    double energy;              ///< J/m
+    double half_angle;          ///< theta0, rad
+    double force_ratio;         ///< S
+    double peak;                ///< the largest p, Pa
+  };
+  /// @param z  m, [-l/2, l/2]; there is no contact outside
+  Slice slice(const FinitePinState& state, double z) const noexcept;
+  /// p, Pa; 0 outside of the contact.
+  /// @param theta  about +z from x, rad: a place of the hole, wherever the
+  ///               contact's middle, the direction of the slice, is
+  double pressure(const FinitePinState& state, double z,
+                  double theta) const noexcept;
+  /// The same at many angles, ten times as fast.
+  void pressures(const FinitePinState& state, double z,
+                 std::span<const double> theta,
+                 std::span<double> out) const noexcept;
 
   const ForceLaw& force_law() const noexcept { return law_; }
 
  private:
-  struct Slice;
   struct Interval;
+  class Peaks;
   struct Sums;
+  struct Polynomials;
+  Polynomials polynomials(const Eigen::Vector4d& place,
+                          const Relief::Piece& piece) const noexcept;
   Slice slice(const Eigen::Vector4d& place, double z,
               const Relief::Piece& piece) const noexcept;
+  Slice slice_without_peak(const FinitePinState& state,
+                           double z) const noexcept;
+  double peak(const Slice& slice) const noexcept;
+  const Relief::Piece& piece_at(double z) const noexcept;
+  void find_peak(const Eigen::Vector4d& place,
+                 const std::vector<Interval>& contacts,
+                 FinitePinState& state) const noexcept;
   std::vector<Interval> intervals(const Eigen::Vector4d& place) const noexcept;
   Sums sums(const Eigen::Vector4d& place) const noexcept;
   FinitePinState state(const Eigen::Vector4d& place,
@@ -122,13 +177,16 @@ class FinitePin {
                         const Eigen::Vector2d& tilt) const noexcept;
   FinitePinSolution sliding(const Eigen::Vector4d& load, bool tilts,
                             const Eigen::Vector2d& tilt,
-                            double rate) const noexcept;
+                            const Motion& motion) const noexcept;
+  std::vector<double> summits(const Eigen::Vector4d& place,
+                              const Interval& interval) const noexcept;
 
   JointSpec joint_;
   ForceLaw law_;
   std::shared_ptr<const PressureLaw> pressure_;
   std::vector<Relief::Piece> pieces_;
   double clearance_, half_length_;
+  std::shared_ptr<const Peaks> peaks_;
 };
 
 }  // namespace contact

@@ -115,21 +115,33 @@ FinitePinState FinitePin::under_moment(const Vector2d& force,
   return solved(load, true, Vector2d::Zero());
 }
 
-// R = (s - sign f0 J) F - sign A T_A, J the turn by 90 deg, and the same of
-// the z-moments: without adhesion F and G are known at once.
+// Slip is along cos t + sin Z everywhere, with cos and sin by the motion:
+//   R = (s - cos f0 J) F - cos A T_A,  J the turn by 90 deg,
+// and the same of the z-moments, but for what friction along the axis adds,
+// sin rho (f0 F - A J T_A). Without adhesion F and G are known at once.
 FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
                                      const Vector2d& tilt,
-                                     double rate) const noexcept {
+                                     const Motion& motion) const noexcept {
   const FrictionLaw friction = joint_.friction
                                    ? std::get<FrictionLaw>(*joint_.friction)
                                    : FrictionLaw(0);
+  const double rho = joint_.geometry.radius();
   const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
-  const double sign = rate > 0 ? 1 : rate < 0 ? -1 : 0;
-  const double slip = sign * friction.coefficient();
-  const double stick = sign * friction.adhesion();
+  const double speed = slip_speed(motion);
+  const bool slips = speed > 0;
+  const double around = slips ? rho * motion.rate / speed : 0;
+  const double along = slips ? motion.axial_velocity / speed : 0;
+  const double f0 = slips ? friction.coefficient() : 0;
+  const double adhesion = slips ? friction.adhesion() : 0;
+  const double slip = around * f0;
+  const double stick = around * adhesion;
   Matrix2d of_force;
   of_force << s, slip, -slip, s;
   const Matrix2d to_force = of_force.inverse();
+  // The share of G by friction along the axis.
+  const auto axial = [&](const Vector2d& force, const Vector2d& tangent) {
+    return Vector2d(along * rho * (f0 * force - adhesion * turned(tangent)));
+  };
   FinitePinSolution found;
   FinitePinState& at = found.contact;
   Vector4d area = Vector4d::Zero();
@@ -138,11 +150,13 @@ FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
     Vector4d normal = load + stick * area;
     normal.head<2>() = to_force * normal.head<2>();
     normal.tail<2>() =
-        tilts ? Vector2d(to_force * normal.tail<2>()) : Vector2d::Zero();
+        tilts ? Vector2d(to_force * (normal.tail<2>() -
+                                     axial(normal.head<2>(), area.head<2>())))
+              : Vector2d::Zero();
     at = solved(normal, tilts, tilt);
     Vector4d next;
     next << at.area_tangent, at.area_tangent_moment;
-    Vector4d change = stick * (next - area);
+    Vector4d change = adhesion * (next - area);
     area = next;
     if (tilts) {
       change.tail<2>() /= half_length_;
@@ -153,26 +167,28 @@ FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
     if (i + 1 == most) at.status = Status::not_converged;
   }
   found.friction_force = -slip * turned(at.force) - stick * at.area_tangent;
+  const double twist = f0 * at.pressure_moment + adhesion * at.area_moment;
+  found.axial_friction_force = -along * twist / rho;
   const Vector2d g = s * at.force_moment - slip * turned(at.force_moment) -
-                     stick * at.area_tangent_moment;
-  found.moment = {-g.y(), g.x(),
-                  -slip * at.pressure_moment - stick * at.area_moment};
+                     stick * at.area_tangent_moment +
+                     axial(at.force, at.area_tangent);
+  found.moment = {-g.y(), g.x(), -around * twist};
   return found;
 }
 
 FinitePinSolution FinitePin::solve(const Vector2d& reaction,
                                    const Vector2d& tilt,
-                                   double rate) const noexcept {
+                                   const Motion& motion) const noexcept {
   Vector4d load;
   load << reaction, Vector2d::Zero();
-  return sliding(load, false, tilt, rate);
+  return sliding(load, false, tilt, motion);
 }
 
 FinitePinSolution FinitePin::solve_at(const Vector2d& reaction, double place,
-                                      double rate) const noexcept {
+                                      const Motion& motion) const noexcept {
   Vector4d load;
   load << reaction, place * reaction;
-  return sliding(load, true, Vector2d::Zero(), rate);
+  return sliding(load, true, Vector2d::Zero(), motion);
 }
 
 }  // namespace contact

@@ -25,6 +25,12 @@ constexpr Quantity<S> of_finite_pin[] = {
      [](const S& s) { return s.contact.peak_pressure; }},
     {"peak_place", "z_peak", Dimension::length, "where along the pin",
      [](const S& s) { return s.contact.peak_place; }, "", touches},
+    {"largest_half_angle", "theta0_max", Dimension::angle,
+     "the largest half-angle",
+     [](const S& s) { return s.contact.largest_half_angle; }},
+    {"half_angle_place", "z_theta0_max", Dimension::length,
+     "where along the pin",
+     [](const S& s) { return s.contact.half_angle_place; }, "", touches},
     {"low_pressure", "p_low", Dimension::stress,
      "largest pressure at the end of the pin at -length/2",
      [](const S& s) { return s.contact.end_pressure[0]; }},
@@ -46,9 +52,46 @@ constexpr Quantity<S> of_finite_pin[] = {
     {"moment", "M", Dimension::moment,
      "about the middle: x and y of all that acts, z of friction",
      [](const S& s) -> const Eigen::Vector3d& { return s.moment; }},
+    {"axial_friction_force", "R_t_z", Dimension::force,
+     "friction force on the body along the axis",
+     [](const S& s) { return s.axial_friction_force; }},
+};
+
+using Cycle = PinCycle;
+using Instant = PinCycle::Instant;
+
+constexpr Quantity<Cycle> of_cycle[] = {
+    {"largest_pv", "pin_largest_pv", Dimension::power_density,
+     "largest p v of the pin that ends",
+     [](const Cycle& c) {
+       return c.largest([](const Instant& i) { return i.largest_pv(); })
+           .largest_pv();
+     }},
+    {"largest_peak_pressure", "pin_largest_p_peak", Dimension::stress,
+     "its largest pressure",
+     [](const Cycle& c) { return c.largest_contact().peak_pressure; }},
+    {"largest_half_angle", "pin_largest_theta0", Dimension::angle,
+     "its largest half-angle",
+     [](const Cycle& c) { return c.largest_contact().half_angle; }},
+    {"energy", "pin_energy", Dimension::energy, "dissipated by its friction",
+     [](const Cycle& c) {
+       return c.integral([](const Instant& i) {
+         return -i.solution.moment.z() * i.state.angular_velocity.z();
+       });
+     }},
+    {"pv_integral", "pin_pv_integral", Dimension::energy,
+     "of p v over its contact and time; times k: volume",
+     [](const Cycle& c) {
+       const double radius = c.pin().force_law().geometry().radius();
+       return c.integral([&](const Instant& i) {
+         return i.slip_speed * i.solution.contact.pressure_moment / radius;
+       });
+     }},
 };
 
 }  // namespace
+
+std::span<const Quantity<PinCycle>> pin_cycle_quantities() { return of_cycle; }
 
 std::span<const Quantity<FinitePinSolution>> finite_pin_quantities() {
   return of_finite_pin;

@@ -49,10 +49,10 @@ void expect_same(const CPin& pin, const contact_finite_pin_load& load,
 TEST(CFinitePin, IsWhatCppSays) {
   const CPin pin = c_pin();
   const FinitePin cpp(contact::read_joint(bush));
-  expect_same(pin, {{1e4, 200}, 1, {2e-4, 1e-4}, 0, 0},
+  expect_same(pin, {{1e4, 200}, 1, {2e-4, 1e-4}, 0, 0, 0},
               cpp.solve({1e4, 200}, {2e-4, 1e-4}, 1));
-  expect_same(pin, {{1e4, 0}, -2, {}, 1, 1e-3},
-              cpp.solve_at({1e4, 0}, 1e-3, -2));
+  expect_same(pin, {{1e4, 0}, -2, {}, 1, 1e-3, 0.01},
+              cpp.solve_at({1e4, 0}, 1e-3, {-2, 0.01}));
 }
 
 TEST(CFinitePin, RefusesWhatCannotBe) {
@@ -70,7 +70,7 @@ TEST(CFinitePin, RefusesWhatCannotBe) {
                  "contact_finite_pin_solve: load must be other than NULL");
   EXPECT_EQ(c.status, CONTACT_BAD_INPUT);
   EXPECT_TRUE(std::isnan(c.moment[2]) && std::isnan(c.stiffness[15]));
-  const contact_finite_pin_load huge = {{1e14, 0}, 1, {}, 0, 0};
+  const contact_finite_pin_load huge = {{1e14, 0}, 1, {}, 0, 0, 0};
   EXPECT_EQ(contact_finite_pin_solve(pin.get(), &huge, &c),
             CONTACT_OUT_OF_RANGE);
   contact_finite_pin_free(nullptr);

@@ -241,6 +241,122 @@ TEST(FinitePin, TurnsWithItsLoad) {
   EXPECT_LT((c.force_moment + a.force_moment).norm(), 1e-9 * 1e5 * 0.025);
 }
 
+// Sums over the surface of the hole, by midpoints in the sines of angle and
+// place, of what has square roots at the edges.
+struct Surface {
+  Vector2d force = Vector2d::Zero(), force_moment = Vector2d::Zero();
+  double pressure = 0;  ///< sum of all pressures, N
+  /// Friction per f0 of slip along the axis: force and moment on the body.
+  double axial_force = 0;
+  Eigen::Vector3d axial_moment = Eigen::Vector3d::Zero();
+};
+
+Surface surface(const FinitePin& pin, const FinitePinState& at, double low,
+                double high, double adhesion_per_f0) {
+  constexpr int count = 400;
+  const double rho = 0.02;
+  Surface sum;
+  const auto sine = [&](int i) { return std::sin(pi * (i + 0.5) / count); };
+  const auto place = [&](int i) { return -std::cos(pi * (i + 0.5) / count); };
+  for (int i = 0; i < count; ++i) {
+    const double z = (low + high) / 2 + (high - low) / 2 * place(i);
+    const double dz = (high - low) / 2 * sine(i) * pi / count;
+    const FinitePin::Slice slice = pin.slice(at, z);
+    const double middle = std::atan2(slice.direction.y(), slice.direction.x());
+    for (int j = 0; j < count; ++j) {
+      // Turned by a whole turn: the same place.
+      const double theta = middle + 2 * pi + slice.half_angle * place(j);
+      const double area = rho * slice.half_angle * sine(j) * pi / count * dz;
+      const double p = pin.pressure(at, z, theta);
+      const Eigen::Vector3d normal(std::cos(theta), std::sin(theta), 0);
+      sum.force += p * area * normal.head<2>();
+      sum.force_moment += z * p * area * normal.head<2>();
+      sum.pressure += p * area;
+      const double stress = (p + adhesion_per_f0) * area;
+      sum.axial_force -= stress;
+      sum.axial_moment -= stress * (rho * normal + z * Eigen::Vector3d::UnitZ())
+                                       .cross(Eigen::Vector3d::UnitZ());
+    }
+  }
+  return sum;
+}
+
+// The pressure over angle and length carries the load, twisted and relieved.
+TEST(FinitePin, PressuresAddUpToTheLoad) {
+  JointSpec spec = bush(Relief::barrel(1e-5));
+  const double f0 = 0.1;
+  const double adhesion = 2e6;
+  spec.friction = FrictionLaw(f0, adhesion);
+  const FinitePin pin(spec);
+  const Vector2d tilt(1.2e-3, 6e-4);
+  const Vector2d reaction(8e4, 0);
+  const FinitePinSolution s = pin.solve(reaction, tilt, {0, -0.3});
+  const FinitePinState& at = s.contact;
+  ASSERT_EQ(at.pieces, 1);
+  const Surface sum = surface(pin, at, at.low, at.high, adhesion / f0);
+  // Midpoints leave 1/count^2, a little more at ends with logarithms.
+  constexpr double budget = 2e-5;
+  EXPECT_LT((sum.force - at.force).norm(), budget * 8e4);
+  EXPECT_LT((sum.force_moment - at.force_moment).norm(), budget * 8e4 * 0.025);
+  EXPECT_NEAR(sum.pressure * 0.02 / at.pressure_moment, 1, budget);
+  // The body slides towards -z: friction on it points to +z. Across the axis
+  // there is none.
+  EXPECT_NEAR(s.axial_friction_force / (-f0 * sum.axial_force), 1, budget);
+  EXPECT_EQ(s.friction_force.norm(), 0);
+  EXPECT_EQ(s.moment.z(), 0);
+  ASSERT_LT((at.force - reaction).norm(), 1e-9 * 8e4);
+  const Vector2d normal_moment(-at.force_moment.y(), at.force_moment.x());
+  EXPECT_LT(
+      (s.moment.head<2>() - normal_moment + f0 * sum.axial_moment.head<2>())
+          .norm(),
+      budget * s.moment.norm());
+  // A reaction at a place has its moment, friction along the axis included.
+  const FinitePinSolution placed = pin.solve_at(reaction, 1e-3, {0.5, -0.01});
+  EXPECT_EQ(placed.contact.status, Status::ok);
+  EXPECT_NEAR(placed.moment.y(), 1e-3 * 8e4, 1e-8 * 8e4 * 0.025);
+  EXPECT_NEAR(placed.moment.x(), 0, 1e-8 * 8e4 * 0.025);
+  // Both parts of friction are that of one slip: rho rate against velocity.
+  EXPECT_NEAR(placed.moment.z() / placed.axial_friction_force / 0.02,
+              -0.02 * 0.5 / 0.01, 1e-12);
+}
+
+// They are the largest among many places.
+TEST(FinitePin, LargestHalfAngleAndPressureAlongThePin) {
+  for (const Relief& relief :
+       {Relief::none(), Relief::barrel(1e-5), Relief::ends(1.5e-5, 0.008)}) {
+    const FinitePin pin(bush(relief));
+    for (const Vector2d& tilt :
+         {Vector2d(0, 0), Vector2d(8e-4, 0), Vector2d(-2e-4, 1e-3),
+          // The largest lies just beyond where the relief begins.
+          Vector2d(4e-5, 0), Vector2d(-1e-4, 0)}) {
+      const FinitePinState at = pin.under({1e5, 2e4}, tilt);
+      ASSERT_EQ(at.status, Status::ok);
+      double half_angle = 0;
+      double peak = 0;
+      constexpr int count = 2000;
+      for (int i = 0; i <= count; ++i) {
+        const FinitePin::Slice s =
+            pin.slice(at, 0.05 * (double(i) / count - 0.5));
+        half_angle = std::max(half_angle, s.half_angle);
+        peak = std::max(peak, s.peak);
+      }
+      // Squares of the steps over the length of the relief.
+      EXPECT_NEAR(at.largest_half_angle / half_angle, 1, 1e-5);
+      EXPECT_NEAR(at.peak_pressure / peak, 1, 1e-5);
+      EXPECT_GE(at.largest_half_angle, half_angle * (1 - 1e-14));
+      EXPECT_GE(at.peak_pressure, peak * (1 - 1e-14));
+      EXPECT_EQ(pin.slice(at, at.half_angle_place).half_angle,
+                at.largest_half_angle);
+    }
+  }
+  const FinitePin pin(bush());
+  const FinitePinState at = pin.under({1e5, 0}, {8e-4, 0});
+  EXPECT_EQ(pin.pressure(at, at.high + 1e-9, 0), 0);
+  EXPECT_EQ(pin.pressure(at, at.peak_place, pi), 0);
+  EXPECT_TRUE(std::isnan(pin.pressure(at, 0, nan)));
+  EXPECT_TRUE(std::isnan(pin.pressure(pin.at({1, 0}, {0, 0}), 0, 0)));
+}
+
 // A load at z has the moment z F: under that moment the tilt is such that it
 // comes back, and a load in the middle leaves the pin level.
 TEST(FinitePin, MomentAndTiltAreInverse) {

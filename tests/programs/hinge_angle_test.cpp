@@ -12,6 +12,7 @@
 #include "cli/number.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/exact.hpp"
@@ -635,6 +636,41 @@ TEST(HingeAngle, OfClearanceZeroIsTheLimit) {
   EXPECT_EQ(folder.run(pin + "--x 1").err,
             "hinge-angle: --x requires a clearance above 0; for a joint "
             "without one use --load\n");
+}
+
+// The numbers are those of FinitePin under a normal force; a level load is the
+// endless pin's.
+TEST(HingeAngle, OfAPinThatEnds) {
+  const ProgramFolder folder;
+  const std::string file = "data/joints/relieved_bush.toml";
+  const std::string run = "hinge-angle --joint " + file + " --load 1e4,1e5 ";
+  const FinitePin pin(read_joint(folder.path() / file));
+  const CsvTable tilted = folder.table(run + "--tilt 0.05 --twist 0.01");
+  ASSERT_EQ(tilted.size(), 2u);
+  const FinitePinState at =
+      pin.under({1e4, 0}, degree * Eigen::Vector2d(0.05, 0.01));
+  EXPECT_EQ(tilted.at(1, "z_low_m"), at.low);
+  EXPECT_EQ(tilted.at(1, "z_high_m"), at.high);
+  EXPECT_EQ(tilted.at(1, "z_theta0_max_m"), at.half_angle_place);
+  // A degree and back.
+  EXPECT_NEAR(tilted.at(1, "theta0_max_deg") * degree, at.largest_half_angle,
+              1e-15);
+  EXPECT_NEAR(tilted.at(1, "theta0_high_deg") * degree, at.end_half_angle[1],
+              1e-15);
+  const CsvTable placed = folder.table(run + "--load-at -1mm,0");
+  ASSERT_EQ(placed.size(), 4u);
+  EXPECT_LT(placed.at(1, "tilt_x_deg"), 0);
+  const std::string straight = file + " --set relief.depth_um=1e-9 ";
+  const CsvTable level =
+      folder.table("hinge-angle --joint " + straight + "--load 1e5 --tilt 0");
+  const std::string endless = folder
+                                  .run_well("hinge-angle --joint " + straight +
+                                            "--load 1e5 --law exact")
+                                  .out;
+  // The force law and the table of the law exact; a relief of 1e-15 m.
+  EXPECT_NEAR(
+      level.at("theta0_low_deg") / CsvTable(endless).at("theta0_exact_deg"), 1,
+      1e-8);
 }
 
 }  // namespace

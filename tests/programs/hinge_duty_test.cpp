@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -32,6 +33,80 @@ class HingeDuty : public testing::Test {
   }
   const ProgramFolder folder_;
 };
+
+// Options and columns of the file say how a pin that ends lies; files along it
+// are PinCycle's.
+TEST_F(HingeDuty, PinThatEnds) {
+  const std::string joint = "data/joints/relieved_bush.toml";
+  const std::string run = "hinge-duty --joint " + joint + " --cycle ";
+  const std::string cycle = "data/duty/pin_cycle.csv ";
+  const std::string text =
+      out(run + cycle +
+          "--load-at 2mm --pin-states states.csv --along along.csv "
+          "--along-map map.csv --wear-seat 1e-6");
+  const CsvTable states(folder_.read("states.csv"));
+  const CsvTable along(folder_.read("along.csv"));
+  const CsvTable map(folder_.read("map.csv"));
+  ASSERT_EQ(states.size(), 80u);
+  ASSERT_EQ(along.size(), 101u);
+  const double largest = value(text, "pin_largest_pv_W_per_m2");
+  // Between the rows and places it is a little larger.
+  for (const CsvTable* table : {&states, &along}) {
+    const double of_rows =
+        *std::ranges::max_element((*table)["pv_max_W_per_m2"]);
+    EXPECT_NEAR(of_rows / largest, 1, 2e-3);
+    EXPECT_LE(of_rows, largest);
+  }
+  // Trapezoids along the pin, whose contact ends between its ends.
+  double sum = 0;
+  for (const double pv : along["pv_integral_J_per_m"]) sum += pv * 0.05 / 100;
+  EXPECT_NEAR(sum / value(text, "pin_pv_integral_J"), 1, 1e-3);
+  const auto bodies = map.texts("body");
+  const auto depths = map.texts("depth_mm");
+  const auto pv = map["pv_integral_Pa_m"];
+  for (const std::string body : {"carrier", "body"}) {
+    double volume = 0;
+    for (std::size_t i = 0; i < pv.size(); ++i) {
+      if (bodies[i] != body) continue;
+      volume += pv[i] * 2 * std::numbers::pi * 0.02 / 180 * 0.05 / 40;
+      if (depths[i].empty()) continue;
+      // k = 1e-6 mm^3/(N m), mm.
+      EXPECT_NEAR(std::stod(depths[i]) / pv[i], 1e-12, 1e-24);
+    }
+    EXPECT_NEAR(volume / value(text, "pin_pv_integral_J"), 1, 1e-2);
+  }
+  EXPECT_GT(value(text, "pin_largest_theta0_deg"),
+            value(text, "largest_theta0_deg"));
+}
+
+// Columns of the cycle say how the pin lies, as the options do where they may.
+TEST_F(HingeDuty, LieOfAPinInColumns) {
+  const std::string run =
+      "hinge-duty --joint data/joints/relieved_bush.toml --cycle ";
+  const auto with_column = [&](const std::string& name,
+                               const std::string& value) {
+    std::istringstream lines(folder_.read("data/duty/pin_cycle.csv"));
+    std::string text;
+    bool is_head = true;
+    for (std::string line; std::getline(lines, line);) {
+      if (line.starts_with('#')) continue;
+      text += line + ',' + (is_head ? name : value) + '\n';
+      is_head = false;
+    }
+    folder_.write("cycle.csv", text);
+    return out(run + "cycle.csv");
+  };
+  const std::string largest = "pin_largest_pv_W_per_m2";
+  const std::string placed = with_column("load_at_m", "0.002");
+  const std::string option = out(run + "data/duty/pin_cycle.csv --load-at 2mm");
+  EXPECT_NEAR(value(placed, largest) / value(option, largest), 1, 1e-9);
+  // A tilt that stays with the carrier, unlike that of the option.
+  const std::string tilted = with_column("tilt_y_deg", "0.03");
+  const std::string level = out(run + "data/duty/pin_cycle.csv --tilt 0");
+  EXPECT_GT(value(tilted, largest), 1.1 * value(level, largest));
+  EXPECT_NE(value(tilted, largest),
+            value(out(run + "data/duty/pin_cycle.csv --tilt 0.03"), largest));
+}
 
 // The rows in the seat are summed up.
 TEST_F(HingeDuty, InSeat) {

@@ -746,6 +746,14 @@ TEST(HingeJoint, TiltsAPinThatEnds) {
   }
   const CsvTable placed = folder.table(run + "--load-at 10mm");
   EXPECT_NEAR(placed.at("M_y_N_m"), 1000, 1e-9);
+  // Sliding along the axis alone there is no friction about it.
+  const CsvTable slides =
+      folder.table(run + "--tilt 0 --rate 0 --slide 0.1 --pv");
+  const FinitePinSolution along = pin.solve({1e5, 0}, {0, 0}, {0, 0.1});
+  EXPECT_EQ(slides.at("R_t_z_N"), along.axial_friction_force);
+  EXPECT_LT(along.axial_friction_force, 0);
+  EXPECT_EQ(slides.at("M_z_N_m"), 0);
+  EXPECT_EQ(slides.at("pv_max_W_per_m2"), 0.1 * along.contact.peak_pressure);
   const std::string note = "warning: the relief of the ends is left out";
   EXPECT_EQ(folder.run(run + "--tilt 0").err, "");
   for (const std::string& other :

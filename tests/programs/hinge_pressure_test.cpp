@@ -12,6 +12,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
@@ -306,6 +307,46 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
                "--direction 3")
           .err,
       "--direction requires a joint with a [seat]"));
+}
+
+// The numbers are those of FinitePin under a normal force.
+TEST(HingePressure, MapsAPinThatEnds) {
+  const ProgramFolder folder;
+  const std::string file = "data/joints/relieved_bush.toml";
+  const std::string run = "hinge-pressure --joint " + file + " --load ";
+  const FinitePin bush(read_joint(folder.path() / file));
+  const CsvTable rows = folder.table(run + "1e4,1e5 --tilt 0.05 --twist -0.02");
+  ASSERT_EQ(rows.size(), 2u);
+  const Eigen::Vector2d tilt = degree * Eigen::Vector2d(0.05, -0.02);
+  const FinitePinState at = bush.under({1e5, 0}, tilt);
+  EXPECT_EQ(rows.at(2, "p_peak_Pa"), at.peak_pressure);
+  EXPECT_EQ(rows.at(2, "G_x_N_m"), at.force_moment.x());
+  EXPECT_EQ(rows.at(2, "z_theta0_max_m"), at.half_angle_place);
+  const CsvTable map =
+      folder.table(run + "1e5 --tilt 0.05 --twist -0.02 --points 41");
+  ASSERT_EQ(map.size(), 41u * 41);
+  // Midpoints of the map add up to the load: that of 40 steps, of what falls
+  // like a root at its edge.
+  const double dtheta =
+      (map.at(2, "theta_deg") - map.at(1, "theta_deg")) * degree;
+  const double dz = map.at(42, "z_m") - map.at(1, "z_m");
+  double load = 0;
+  for (std::size_t row = 1; row <= map.size(); ++row) {
+    const double theta = map.at(row, "theta_deg") * degree;
+    const double z = map.at(row, "z_m");
+    const double p = map.at(row, "p_Pa");
+    EXPECT_NEAR(p, bush.pressure(at, z, theta), 1e-9 * at.peak_pressure);
+    const double share = std::abs(z) > 0.0249 ? 0.5 : 1;
+    load += share * p * std::cos(theta) * 0.02 * dtheta * dz;
+  }
+  EXPECT_NEAR(load / 1e5, 1, 2e-3);
+  // A load at a place has its moment.
+  const CsvTable placed = folder.table(run + "1e5 --load-at 2mm");
+  EXPECT_NEAR(placed.at("G_x_N_m"), 200, 1e-8 * 1e5 * 0.025);
+  EXPECT_EQ(placed.at("load_at_m"), 0.002);
+  folder.run_ill(run + "1e5 --tilt 9", 1,
+                 "hinge-pressure: warning: rows without a value: 1, rows that "
+                 "have not converged: 0\n");
 }
 
 // A joint that is pressed together has a pressure without load.

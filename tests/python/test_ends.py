@@ -178,6 +178,28 @@ class Pins(unittest.TestCase):
                     np.testing.assert_allclose(
                         mine[i], number(row, name), rtol=1e-12)
 
+    def test_pressures_are_those_of_the_program(self):
+        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
+        # Without a rate there is no friction: the reaction is the load.
+        s = bush.solve([1e5, 0], 0, tilt=np.radians([0.05, 0.02]))
+        rows = table("hinge-pressure", "--joint", bush_file, "--load", "1e5",
+                     "--tilt", "0.05", "--twist", "0.02", "--points", "5")
+        p = bush.pressure(
+            s,
+            [number(row, "z_m") for row in rows],
+            np.radians([number(row, "theta_deg") for row in rows]))
+        np.testing.assert_allclose(
+            p, [number(row, "p_Pa") for row in rows], rtol=1e-9, atol=1)
+        self.assertEqual(bush.pressure(s, [[0], [0.01]], [0, 0.1]).shape, (2, 2))
+
+    def test_slides_along_its_axis(self):
+        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
+        s = bush.solve([1e5, 0], 0, axial_velocity=[0.1, 0, -0.1])
+        self.assertLess(s.axial_friction_force[0], -1e4)
+        self.assertEqual(s.axial_friction_force[1], 0)
+        self.assertEqual(
+            s.axial_friction_force[2], -s.axial_friction_force[0])
+
     def test_refuse_what_does_not_fit(self):
         bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
         with self.assertRaisesRegex(libcontact.Error, "left out beside place"):

@@ -41,6 +41,17 @@ table columns hinge-joint-in-seat hinge-joint --joint data/joints/ball_stud.toml
   --reaction-xyz 10,0,0 --moment-xyz 0,0.01,0 --in-seat
 table columns hinge-joint-tilt hinge-joint --joint data/joints/relieved_bush.toml \
   --reaction 1e4 --tilt 0.01 --pv
+bush='--joint data/joints/relieved_bush.toml'
+table columns hinge-pressure-tilt hinge-pressure $bush --load 1e4 --tilt 0.01
+table columns hinge-pressure-tilt-map hinge-pressure $bush --load 1e4 \
+  --tilt 0.01 --points 2
+table columns hinge-angle-tilt hinge-angle $bush --load 1e4 --load-at 1mm
+table lines hinge-duty-tilt hinge-duty $bush --cycle data/duty/pin_cycle.csv \
+  --tilt 0.01 --pin-states "$out/pin-states" --along "$out/along" \
+  --along-map "$out/along-map"
+for file in pin-states along along-map; do
+  columns "hinge-duty-$file" "$out/$file"
+done
 table columns hinge-joint-rest hinge-joint $ball $rest
 table columns hinge-joint-f0 hinge-joint $pin --reaction 2e4 --measured-moment 40
 table lines hinge-joint-summary hinge-joint $ball $one --pv --summary

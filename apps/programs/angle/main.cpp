@@ -17,6 +17,9 @@ void add_options(cli::Program& program, Options& o) {
                        {"--theta0", &o.load.theta0, "ANGLES",
                         "half-angles, deg, 0 to 180", "--inverse"}});
   add_law_options(program, o.joint, cli::Laws::several, cli::Laws::one);
+  add_tilt_options(program, o.tilt, "--load",
+                   "--inverse --load-parameter --x --compare --force-law "
+                   "--impact --plot --jobs --law --limit-angle --pressure");
   add_play_options(program, o.play);
   program.add(
       "Law",

@@ -17,6 +17,7 @@
 #include "programs/angle/angle_table.hpp"
 #include "programs/angle/compare.hpp"
 #include "programs/angle/input.hpp"
+#include "programs/angle/pin_table.hpp"
 
 namespace hinge_angle {
 namespace {
@@ -164,6 +165,7 @@ cli::ExitStatus run(const Options& options) {
   if (options.play.impact) {
     return run_impact(options.play, options.joint, options.output);
   }
+  if (options.tilt.given()) return run_tilted(options);
   if (options.compare) return run_comparison(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;

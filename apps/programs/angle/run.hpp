@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 #include "programs/angle/input.hpp"
 #include "programs/angle/play.hpp"
@@ -13,6 +14,7 @@ struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   LoadOptions load;
   PlayOptions play;
+  cli::TiltOptions tilt;
   bool compare = false;
   bool inverse = false;
   double tolerance = 0.1;  ///< percent

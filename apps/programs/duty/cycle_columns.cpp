@@ -18,10 +18,35 @@ constexpr double largest = 1e100;
 constexpr cli::Allowed any_time{-largest, largest, "s"};
 constexpr cli::Allowed any_force{-largest, largest, "N"};
 constexpr cli::Allowed any_rate{-largest, largest, "rad/s"};
+constexpr cli::Allowed any_place{-largest, largest, "m"};
 constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
 
 const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
                                                "w_z_rad_per_s"};
+
+// The columns that say how a pin lies, and where their places are kept.
+constexpr std::pair<std::string_view, std::size_t CycleColumns::*> lies[] = {
+    {"tilt_x_deg", &CycleColumns::tilt_x_at},
+    {"tilt_y_deg", &CycleColumns::tilt_y_at},
+    {"load_at_m", &CycleColumns::load_at}};
+
+bool is_lie(std::string_view name) {
+  return std::ranges::any_of(
+      lies, [&](const auto& lie) { return lie.first == name; });
+}
+
+void name_lies(const cli::PointColumns& columns, const std::string& place,
+               CycleColumns& to) {
+  for (const auto& [name, at] : lies) {
+    if (std::ranges::count(columns.riding, name) == 0) continue;
+    to.*at = to.names.size();
+    to.names.emplace_back(name);
+  }
+  if (to.load_at != 0 && to.tilt_x_at + to.tilt_y_at != 0) {
+    cli::refuse_beside(place + ": the column load_at_m",
+                       "columns of the tilt, which it finds");
+  }
+}
 
 // The columns of the motion; what they are is in `is_angles`.
 std::vector<std::string> motion_names(const cli::PointColumns& columns,
@@ -31,6 +56,7 @@ std::vector<std::string> motion_names(const cli::PointColumns& columns,
   std::vector<std::string> angles;
   std::size_t rates = 0;
   for (const std::string& name : columns.riding) {
+    if (is_pin && is_lie(name)) continue;
     if (name.ends_with("_deg")) angles.push_back(name);
     rates += std::ranges::count(rate_names, name);
   }
@@ -104,9 +130,12 @@ void name_csv_columns(const Options& options, bool is_pin,
   for (const std::string& name : columns.names) {
     states.push_back({name, any_force});
   }
-  const auto motion = motion_names({line, states, place}, place, options,
-                                   is_pin, columns.is_angles);
+  const cli::PointColumns all(line, states, place);
+  const auto motion =
+      motion_names(all, place, options, is_pin, columns.is_angles);
   columns.names.insert(columns.names.end(), motion.begin(), motion.end());
+  columns.motion_end = columns.names.size();
+  if (is_pin) name_lies(all, place, columns);
 }
 
 }  // namespace
@@ -123,7 +152,11 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
     columns.header = cli::read_header(reader);
     name_csv_columns(options, is_pin, columns);
   }
-  const auto angles = std::span(columns.names).subspan(CycleColumns::motion_at);
+  if (columns.sto) columns.motion_end = columns.names.size();
+  const auto angles =
+      std::span(columns.names)
+          .subspan(CycleColumns::motion_at,
+                   columns.motion_end - CycleColumns::motion_at);
   if (columns.is_angles && !is_pin && options.euler.empty()) {
     cli::refuse_without(
         fmt::format("{}: motion by the angles {}", columns.header.place,
@@ -134,6 +167,8 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
     columns.needed.push_back(
         {columns.names[i], i == 0                        ? any_time
                            : i < CycleColumns::motion_at ? any_force
+                           : i == columns.load_at        ? any_place
+                           : i >= columns.motion_end     ? cli::allowed_tilt
                            : columns.is_angles           ? any_angle
                                                          : any_rate});
   }

@@ -12,10 +12,15 @@
 namespace hinge_duty {
 
 /// Names and places of the columns of a cycle's file: the time, three of the
-/// force, those of the motion.
+/// force, those of the motion, and of a pin those of its tilt or load's place.
 struct CycleColumns {
   std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
   static constexpr std::size_t motion_at = 4;
+  std::size_t motion_end = motion_at;
+  /// Places of the columns that say how a pin that ends lies; 0 for none.
+  std::size_t tilt_x_at = 0;
+  std::size_t tilt_y_at = 0;
+  std::size_t load_at = 0;
   std::vector<cli::PointColumn> needed;
   cli::PointHeader header;
   bool is_angles = false;

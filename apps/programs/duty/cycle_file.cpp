@@ -68,12 +68,13 @@ void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
                           span, name));
 }
 
+// Vectors of three columns, or fewer.
 std::vector<Vector3d> vectors(const std::vector<std::vector<double>>& values,
-                              std::size_t first, double unit) {
+                              std::size_t first, std::size_t end, double unit) {
   std::vector<Vector3d> all;
   for (std::size_t i = 0; i < values[0].size(); ++i) {
     Vector3d vector = Vector3d::Zero();
-    for (std::size_t k = 0; k < 3 && first + k < values.size(); ++k) {
+    for (std::size_t k = 0; first + k < end; ++k) {
       vector[static_cast<int>(k)] = unit * values[first + k][i];
     }
     all.push_back(vector);
@@ -93,7 +94,25 @@ void check_pin_rates(const std::vector<Vector3d>& rates,
 
 }  // namespace
 
-contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
+// The columns of a pin's lie, as many rows as the period has.
+void add_lies(const CycleColumns& columns,
+              const std::vector<std::vector<double>>& values, CycleFile& to) {
+  if (columns.motion_end == columns.names.size()) return;
+  to.lie_column = columns.names[columns.motion_end];
+  const auto column = [&](std::size_t at, std::size_t row) {
+    return at == 0 ? 0 : values[at][row];
+  };
+  for (std::size_t i = 0; i < to.cycle.times().size(); ++i) {
+    if (columns.load_at != 0) {
+      to.places.push_back(values[columns.load_at][i]);
+    } else {
+      to.tilts.emplace_back(contact::degree * column(columns.tilt_x_at, i),
+                            contact::degree * column(columns.tilt_y_at, i));
+    }
+  }
+}
+
+CycleFile read_cycle(const Options& options, bool is_pin) {
   if (is_pin && !options.euler.empty()) {
     cli::refuse_beside(cli::given("--euler", options.euler),
                        "a pin, which turns about Z");
@@ -108,19 +127,22 @@ contact::DutyCycle read_cycle(const Options& options, bool is_pin) {
   const auto& [line, place] = columns.header;
   const auto values = read_lines(reader, {line, columns.needed, place},
                                  columns.sto.has_value());
-  contact::DutyCycle::Rows rows{values[0],
-                                vectors(values, 1, 1),
-                                vectors(values, CycleColumns::motion_at,
-                                        is_angles ? columns.angle_unit : 1),
-                                {}};
+  contact::DutyCycle::Rows rows{
+      values[0],
+      vectors(values, 1, CycleColumns::motion_at, 1),
+      vectors(values, CycleColumns::motion_at, columns.motion_end,
+              is_angles ? columns.angle_unit : 1),
+      {}};
   if (columns.sto) {
     check_sto_rows(*columns.sto, rows.times.size(), reader.name());
   }
   check_times(rows.times, reader.name(), columns.names[0]);
   set_period(rows, reader.name(), options);
   if (is_pin && !is_angles) check_pin_rates(rows.motion, reader.name());
-  if (!is_angles) return {rows, frame};
-  return {rows, frame, sequence};
+  CycleFile file{is_angles ? contact::DutyCycle(rows, frame, sequence)
+                           : contact::DutyCycle(rows, frame)};
+  add_lies(columns, values, file);
+  return file;
 }
 
 }  // namespace hinge_duty

@@ -5,6 +5,7 @@
 
 #include "cli/joint/joint_options.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/pin_cycle.hpp"
 #include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "programs/duty/body_wear.hpp"
@@ -19,6 +20,10 @@ struct JointDuty {
   std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
   contact::WornSeat worn_seat = {};               ///< after them
   std::optional<contact::SeatCycle> seat = {};    ///< with --in-seat
+  std::optional<contact::PinCycle> pin = {};      ///< tilted, or loaded off
+  /// k as given, mm^3/(N m).
+  std::optional<double> wear_seat = {};
+  std::optional<double> wear_inner = {};
 };
 
 }  // namespace hinge_duty

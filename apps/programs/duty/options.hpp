@@ -5,6 +5,7 @@
 
 #include "cli/joint/friction_options.hpp"
 #include "cli/joint/joint_options.hpp"
+#include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 
 /// The parts of the program hinge-duty.
@@ -36,6 +37,11 @@ struct Options {
   std::string states;
   std::string in_seat;     ///< file of the contact that is confined to its seat
   std::string seat_table;  ///< file of the kept table of its contacts
+  cli::TiltOptions tilt;   ///< lie of a pin that ends, one value
+  /// Files of it: its states, p v along it, its wear over length and angle.
+  std::string pin_states;
+  std::string along;
+  std::string along_map;
   cli::OutputOptions output;
 };
 

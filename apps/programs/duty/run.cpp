@@ -26,6 +26,7 @@
 #include "programs/duty/map_picture.hpp"
 #include "programs/duty/summary.hpp"
 #include "programs/duty/tables.hpp"
+#include "programs/duty/tilted_pin.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -57,7 +58,10 @@ void check_files(const Options& options) {
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks},
                                      {"--worn-out", &options.worn_out},
-                                     {"--in-seat", &options.in_seat}}) {
+                                     {"--in-seat", &options.in_seat},
+                                     {"--pin-states", &options.pin_states},
+                                     {"--along", &options.along},
+                                     {"--along-map", &options.along_map}}) {
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     names.add(option, *file);
   }
@@ -195,6 +199,11 @@ void warn_of_contact(const JointDuty& duty) {
   for (const std::string& note : limits.notes(duty.cycle.largest_contact())) {
     warn_of(duty.joint, note);
   }
+  if (duty.pin) {
+    for (const std::string& note : limits.notes(duty.pin->largest_contact())) {
+      warn_of(duty.joint, "pin that ends: " + note);
+    }
+  }
   const bool closed =
       std::ranges::any_of(duty.cycle.rows(), [](const Instant& row) {
         return row.solution.contact_state == contact::ContactState::closed;
@@ -227,13 +236,16 @@ std::vector<JointDuty> run_joints(const Options& options,
           make_friction(options.friction, joint.spec.friction, options.joint)));
     }));
   }
-  const contact::DutyCycle cycle = read_cycle(options, joints[0].is_pin());
+  const CycleFile file = read_cycle(options, joints[0].is_pin());
   std::vector<JointDuty> duties;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     duties.push_back({joints[i], made_of(joints[i], [&] {
-                        return JointCycle(cycle, friction[i]);
+                        return JointCycle(file.cycle, friction[i]);
                       })});
+    duties.back().wear_seat = options.wear_seat;
+    duties.back().wear_inner = options.wear_inner;
   }
+  add_pins(options, file, duties);
   return duties;
 }
 
@@ -312,6 +324,9 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
                                     {&options.in_seat, &write_in_seat},
+                                    {&options.pin_states, &write_pin_states},
+                                    {&options.along, &write_along},
+                                    {&options.along_map, &write_along_map},
                                     {&options.map, &write_map}}) {
     if (file->empty()) continue;
     write(duties, beside.emplace_back(*file), options.output);

@@ -10,6 +10,7 @@
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/duty/tables.hpp"
+#include "programs/duty/tilted_pin.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -159,6 +160,7 @@ cli::Report summary_of(const JointDuty& duty,
   for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
   if (measured) add_measured(*measured, pv_integral, report);
   if (duty.seat) add_seat(*duty.seat, report);
+  if (duty.pin) add_pin(*duty.pin, report);
   if (!duty.worn.empty()) {
     for (const auto& column : worn_columns()) {
       report.add(

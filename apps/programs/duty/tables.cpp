@@ -75,22 +75,6 @@ std::vector<std::string> names_of(const Columns& columns) {
   return names;
 }
 
-// Rows of all joints, each begun by the cells that tell its joint.
-// @param write  void(const JointDuty&, RowWriter&, begin): calls begin() first
-template <class Write>
-void write_rows(const std::vector<JointDuty>& duties,
-                const std::vector<std::string>& columns, cli::Output& output,
-                const cli::TableStyle& style, const Write& write) {
-  cli::write_table(
-      style.beside(), cli::joint_columns({duties[0].joint}, {columns}), output,
-      [&](cli::RowWriter& to) {
-        for (const JointDuty& duty : duties) {
-          write(duty, to,
-                [&] { write_differences(duty.joint.differences, to); });
-        }
-      });
-}
-
 }  // namespace
 
 std::vector<Column<contact::WearIn::State>> worn_columns() {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/stream/report.hpp"
 #include "cli/table.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/quantities/quantity.hpp"
@@ -10,6 +12,22 @@
 
 /// The CSV files beside the summary, with all columns and rows of all joints.
 namespace hinge_duty {
+
+/// Rows of all joints, each begun by the cells that tell its joint.
+/// @param write  void(const JointDuty&, RowWriter&, begin): calls begin() first
+template <class Write>
+void write_rows(const std::vector<JointDuty>& duties,
+                const std::vector<std::string>& columns, cli::Output& output,
+                const cli::TableStyle& style, const Write& write) {
+  cli::write_table(
+      style.beside(), cli::joint_columns({duties[0].joint}, {columns}), output,
+      [&](cli::RowWriter& to) {
+        for (const JointDuty& duty : duties) {
+          write(duty, to,
+                [&] { write_differences(duty.joint.differences, to); });
+        }
+      });
+}
 
 /// Columns of wear, lengths and volumes in mm and mm^3.
 std::vector<contact::Column<contact::WearIn::State>> worn_columns();

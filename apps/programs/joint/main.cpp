@@ -91,24 +91,17 @@ void add_state(cli::Program& program, Options& o) {
 }
 
 void add_tilt(cli::Program& program, Options& o) {
-  // Each of them excludes the other one too.
-  constexpr std::string_view tilt_excludes =
-      "--load-at --reaction-xyz --beta --normal-force --alpha --points --trace "
-      "--outer --measured-moment --map --beside --summary --plot --jobs --law "
-      "--pressure";
-  constexpr std::string_view others =
-      tilt_excludes.substr(tilt_excludes.find(' '));
-  program.add(
-      "Tilt",
-      {{"--tilt", &o.tilt, "ANGLES",
-        "tilt of a pin that ends in the plane of the reaction, deg, -10 to 10",
-        "--reaction", tilt_excludes},
-       {"--twist",
-        cli::number("--twist", o.twist, Dimension::angle, {-10, 10, "deg"}),
-        "ANGLE", "tilt across that plane, deg; default 0", "--tilt"},
-       {"--load-at", &o.load_at, "VALUES",
-        "place of the reaction along a pin, m from its middle", "--reaction",
-        others}});
+  add_tilt_options(
+      program, o.tilt, "--reaction",
+      "--reaction-xyz --beta --normal-force --alpha --points --trace --outer "
+      "--measured-moment --map --beside --summary --plot --jobs --law "
+      "--pressure");
+  program.add("Tilt",
+              {{"--slide",
+                cli::number("--slide", o.slide, Dimension::velocity,
+                            {-1e100, 1e100, "m/s"}),
+                "SPEED", "speed of the body along the pin, m/s; default 0",
+                "--tilt or --load-at"}});
 }
 
 void add_seat(cli::Program& program, Options& o) {

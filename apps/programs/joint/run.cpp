@@ -174,9 +174,7 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  if (!options.tilt.empty() || !options.load_at.empty()) {
-    return run_tilted(options);
-  }
+  if (options.tilt.given()) return run_tilted(options);
   if (options.in_seat) return run_in_seat(options);
   Setup setup = make_setup(options);
   if (!options.points.empty()) return run_points(options, setup);

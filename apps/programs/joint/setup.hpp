@@ -9,6 +9,7 @@
 #include "cli/joint/friction_options.hpp"
 #include "cli/joint/joint_approach.hpp"
 #include "cli/joint/joint_options.hpp"
+#include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 #include "libcontact/joint/joint.hpp"
 
@@ -36,11 +37,8 @@ struct Options {
   std::string alpha;
   std::optional<double> rate;  ///< rad/s
   std::string points;
-  /// Sweeps of a pin that ends: of its tilt in the plane of the reaction, or of
-  /// the place of the load.
-  std::string tilt;
-  std::string load_at;
-  std::optional<double> twist;  ///< deg
+  cli::TiltOptions tilt;
+  std::optional<double> slide;  ///< m/s
   /// Whether the contact of a ball ends at the rims of its seat.
   bool in_seat = false;
   bool equivalent = false;

@@ -20,13 +20,16 @@ void add_options(cli::Program& program, Options& o) {
         "--load",
         "--load-parameter --x --summary --plot --law "
         "--pressure"}});
+  add_tilt_options(program, o.tilt, "--load",
+                   "--load-parameter --x --summary --plot --direction --law "
+                   "--limit-angle --pressure");
   program.add("Profile",
               {{"--summary", &o.summary, "",
                 "peak, mean, area and S in place of profiles", "", "--points"},
                {"--points", cli::count("--points", o.points, 2, 1'000'000), "N",
                 "rows from the centre to the edge, default 101; with "
-                "--direction angles "
-                "and longitudes of a map of the seat"}});
+                "--direction, --tilt and --load-at those of each side of a "
+                "map"}});
   program.add_output(o.output);
   add_fileless_joint_options(program, o.joint);
 }

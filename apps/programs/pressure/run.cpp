@@ -15,6 +15,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "programs/angle/input.hpp"
+#include "programs/pressure/pin_table.hpp"
 #include "programs/pressure/pressure_plot.hpp"
 #include "programs/pressure/pressure_table.hpp"
 #include "programs/pressure/seat_table.hpp"
@@ -152,6 +153,7 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
 
 cli::ExitStatus run(const Options& options) {
   if (!options.direction.empty()) return run_in_seat(options);
+  if (options.tilt.given()) return run_tilted(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;
   for (const cli::Joint& joint : joints) {

@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 #include "programs/angle/input.hpp"
 
@@ -13,6 +14,7 @@ struct Options {
   hinge_angle::LoadOptions load;
   /// Sweep of the load's angle from the axis of a seat that ends.
   std::string direction;
+  cli::TiltOptions tilt;
   int points = 0;  ///< 0: not given
   bool summary = false;
   cli::OutputOptions output;

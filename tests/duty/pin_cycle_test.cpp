@@ -1,0 +1,221 @@
+// Pins that end on a cycle: a level one is the endless pin's, sums are those of
+// their parts, and what stands still is what one state says.
+#include "libcontact/duty/pin_cycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/duty/wear_map.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
+#include "support/error_message.hpp"
+#include "support/numbers.hpp"
+
+namespace contact::test {
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Instant = PinCycle::Instant;
+
+constexpr double rho = 0.02;
+constexpr double length = 0.05;
+
+JointSpec bush(Relief relief = Relief::none(),
+               JointBody inner = JointBody::carrier) {
+  const Material steel = {210e9, 0.3};
+  return {.geometry = JointGeometry::pin(rho, 2e-5, length, inner),
+          .inner = steel,
+          .outer = {{{0.004, {110e9, 0.34}}, {0.02, steel}}, Backing::held()},
+          .friction = FrictionLaw(0.1),
+          .relief = relief,
+          .half_angle_law = "exact"};
+}
+
+// A load that swings, on a pin that swings.
+DutyCycle swinging() {
+  DutyCycle::Rows rows;
+  constexpr int count = 40;
+  for (int i = 0; i < count; ++i) {
+    const double phase = 2 * pi * i / count;
+    const double way = 0.4 * std::cos(phase + 0.3);
+    const double load = 4e4 * (1.5 + std::sin(phase));
+    rows.times.push_back(2.0 * i / count);
+    rows.forces.push_back(load * Vector3d(std::cos(way), std::sin(way), 0));
+    rows.motion.push_back({0.2 * std::sin(phase), 0, 0});
+  }
+  rows.period = 2;
+  return {rows, {}, DutyCycle::TurnSequence("z")};
+}
+
+double pv_integral(const PinCycle& pin) {
+  return pin.integral([](const Instant& i) {
+    return i.slip_speed * i.solution.contact.pressure_moment / rho;
+  });
+}
+
+TEST(PinCycle, LevelIsTheEndlessPin) {
+  for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
+    const JointSpec spec = bush(Relief::none(), inner);
+    const JointCycle endless(swinging(), Joint(spec.contact()));
+    const PinCycle pin(swinging(), spec, PinCycle::tilted_with_load({0, 0}));
+    // The force law is within 5e-11 of solutions, the joint's tables 1e-9.
+    constexpr double budget = 1e-8;
+    EXPECT_NEAR(pv_integral(pin) / endless.integral([&](const auto& i) {
+      return endless.sliding(i).pv_total();
+    }),
+                1, budget);
+    EXPECT_NEAR(pin.integral([](const Instant& i) {
+      return -i.solution.moment.z() * i.state.angular_velocity.z();
+    }) / endless.integral([](const auto& i) { return -i.solution.power; }),
+                1, budget);
+    const auto pv = [&](const auto& i) {
+      return endless.sliding(i).largest_pv().value;
+    };
+    const Instant most =
+        pin.largest([](const Instant& i) { return i.largest_pv(); });
+    const auto most_of_endless = endless.largest(pv);
+    EXPECT_NEAR(most.largest_pv() / pv(most_of_endless), 1, budget);
+    // A maximum in time is flat: the root of that.
+    EXPECT_NEAR(most.time, most_of_endless.time, 1e-4);
+    EXPECT_NEAR(
+        pin.largest_contact().half_angle / endless.largest_contact().half_angle,
+        1, budget);
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      const WearMap map(endless, body);
+      constexpr int count = 90;
+      const std::vector<Vector3d> points = map.grid(count);
+      const double deepest = map.deepest(points,
+                                         [&] {
+                                           std::vector<WearMap::Wear> wear;
+                                           for (const Vector3d& p : points) {
+                                             wear.push_back(map.at(p));
+                                           }
+                                           return wear;
+                                         }())
+                                 .wear.pv;
+      for (const double z : {-0.4 * length, 0.1 * length}) {
+        const auto wear = pin.pv_integrals(body, z, count);
+        for (int k = 0; k < count; ++k) {
+          EXPECT_NEAR(wear[k], map.at(points[k]).pv, 1e-7 * deepest) << k;
+        }
+      }
+    }
+  }
+}
+
+// Tilted and relieved: the pressures over angle, length and time.
+TEST(PinCycle, SumsOverThePinAreThoseOfItsPlaces) {
+  const PinCycle pin(swinging(), bush(Relief::barrel(1e-5)),
+                     PinCycle::tilted_with_load({6e-4, 2e-4}));
+  constexpr int places = 200;
+  constexpr int angles = 720;
+  double along = 0;
+  double largest = 0;
+  for (int i = 0; i < places; ++i) {
+    const double z = length * ((i + 0.5) / places - 0.5);
+    const PinCycle::Along at = pin.along(z);
+    along += at.pv_per_length * length / places;
+    largest = std::max(largest, at.largest_pv);
+    EXPECT_GE(at.largest_pv, at.mean_pv);
+    if (i != 150) continue;
+    for (const JointBody body : {JointBody::carrier, JointBody::body}) {
+      double round = 0;
+      for (const double pv : pin.pv_integrals(body, z, angles)) round += pv;
+      // Kinks at the edges: squares of the steps.
+      EXPECT_NEAR(round * 2 * pi * rho / angles / at.pv_per_length, 1, 1e-4);
+    }
+  }
+  // Midpoints, with the ends of contact between them.
+  EXPECT_NEAR(along / pv_integral(pin), 1, 1e-4);
+  const Instant most =
+      pin.largest([](const Instant& i) { return i.largest_pv(); });
+  EXPECT_NEAR(largest / most.largest_pv(), 1, 1e-3);
+  EXPECT_LE(largest, most.largest_pv());
+  // The table of quantities has the same.
+  const auto value = [&](std::string_view key) {
+    return number_of(*find_quantity(pin_cycle_quantities(), key), pin);
+  };
+  EXPECT_EQ(value("largest_pv"), most.largest_pv());
+  EXPECT_EQ(value("pv_integral"), pv_integral(pin));
+  // Dry friction: the work is f0 times that of p v.
+  EXPECT_NEAR(value("energy") / value("pv_integral"), 0.1, 1e-12);
+}
+
+// One load, one rate: the cycle is a state.
+TEST(PinCycle, SteadyIsOneState) {
+  DutyCycle::Rows rows;
+  for (int i = 0; i < 4; ++i) {
+    rows.times.push_back(i);
+    rows.forces.push_back({3e4, 4e4, 500});
+    rows.motion.push_back({0, 0, 0.5 * pi});
+  }
+  rows.period = 4;
+  const JointSpec spec = bush(Relief::ends(1.5e-5, 0.008));
+  const PinCycle pin({rows, {}}, spec, PinCycle::loaded_at(2e-3));
+  const FinitePin state(spec);
+  const FinitePinSolution s = state.solve_at({3e4, 4e4}, 2e-3, 1);
+  const double pv = s.contact.peak_pressure * 0.5 * pi * rho;
+  const PinCycle::Along at = pin.along(s.contact.peak_place);
+  EXPECT_NEAR(at.largest_pv / pv, 1, 1e-12);
+  EXPECT_NEAR(at.mean_pv / pv, 1, 1e-12);
+  // The body turns once under the load: it wears evenly.
+  const auto wear = pin.pv_integrals(JointBody::body, 0.01, 8);
+  const double mean = pin.along(0.01).pv_per_length / (2 * pi * rho);
+  for (const double depth : wear) EXPECT_NEAR(depth / mean, 1, 1e-2);
+  // The carrier wears where the pressures are, which friction turns.
+  const auto stands = pin.pv_integrals(JointBody::carrier, 0.01, 360);
+  const auto deepest = std::ranges::max_element(stands) - stands.begin();
+  const Vector2d& force = s.contact.force;
+  EXPECT_NEAR(static_cast<double>(deepest) - 180,
+              std::atan2(force.y(), force.x()) / degree, 1);
+}
+
+// A tilt in the plane of the load is one in carrier axes that turns with it.
+TEST(PinCycle, LiesThroughTheCycle) {
+  const DutyCycle cycle = swinging();
+  const JointSpec spec = bush();
+  const PinCycle with_load(cycle, spec,
+                           PinCycle::tilted_with_load({5e-4, 1e-4}));
+  std::vector<Vector2d> tilts;
+  std::vector<double> places;
+  for (const double time : cycle.times()) {
+    const Vector2d x = cycle.at(time).reaction.head<2>().normalized();
+    tilts.push_back(5e-4 * x + 1e-4 * Vector2d(-x.y(), x.x()));
+    places.push_back(1e-3);
+  }
+  const PinCycle in_carrier(
+      cycle, spec, PinCycle::tilted(cycle.times(), cycle.period(), tilts));
+  const PinCycle loaded(cycle, spec, PinCycle::loaded_at(1e-3));
+  const PinCycle through(
+      cycle, spec, PinCycle::loaded(cycle.times(), cycle.period(), places));
+  for (std::size_t i = 0; i < tilts.size(); ++i) {
+    // Splines give their values back to rounding.
+    const auto peak = [i](const PinCycle& pin) {
+      return pin.rows()[i].solution.contact.peak_pressure;
+    };
+    EXPECT_NEAR(peak(in_carrier) / peak(with_load), 1, 1e-9);
+    EXPECT_NEAR(peak(through) / peak(loaded), 1, 1e-9);
+  }
+}
+
+TEST(PinCycle, SaysWhereItHasNoContact) {
+  DutyCycle::Rows rows;
+  for (int i = 0; i < 4; ++i) {
+    rows.times.push_back(i);
+    rows.forces.push_back({i == 2 ? 1e9 : 1e4, 0, 0});
+    rows.motion.push_back({0.1 * i, 0, 0});
+  }
+  rows.period = 4;
+  EXPECT_ERROR(
+      PinCycle({rows, {}, DutyCycle::TurnSequence("z")}, bush(),
+               PinCycle::loaded_at(0)),
+      "the reaction at 2 s, 1e+09 N must be one under which the pin that ends "
+      "has a contact");
+}
+
+}  // namespace
+}  // namespace contact::test
