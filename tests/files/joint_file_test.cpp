@@ -257,9 +257,10 @@ TEST(JointFile, SeatsThatEnd) {
       seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "
       "23)");
-  EXPECT_ERROR(seat("cup_deg = 8\nrim_setback_deg = 7.5"),
-               "j.toml:23: seat.rim_setback_deg = 7.5: seat: width after the "
-               "setback = 0.00872665 must be at least 1 deg (0.01745 rad)");
+  EXPECT_ERROR(
+      seat("cup_deg = 8\nrim_setback_deg = 7.5"),
+      "j.toml:23: seat.rim_setback_deg = 7.5: seat: width after the "
+      "setback = 0.00872664625997166 must be at least 1 deg (0.01745 rad)");
   EXPECT_ERROR(
       seat("cup_deg = 80\naxis = [0, 0, 0]"),
       "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");
