@@ -69,6 +69,7 @@ class HingeFriction {
     JointHandle contact;
   };
   void start(const mjData* data);
+  void guess(const Eigen::VectorXd& rates);
   void weigh(mjData* data);
   void hold(mjData* data);
   void begin(mjData* data, const Eigen::VectorXd& smooth);
