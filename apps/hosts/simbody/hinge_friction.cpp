@@ -69,16 +69,32 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
            const SimTK::GeneralForceSubsystem& forces, const Options& options)
       : system_(system), forces_(forces), options_(options) {}
 
-  // Moments are a part of the state that belongs to its velocities: when forces
-  // are asked for, the subsystem of forces cannot be asked for others.
   void realizeTopology(State& state) const override {
-    cache_ = forces_.allocateCacheEntry(state, Stage::Velocity,
+    cache_ = forces_.allocateCacheEntry(state, Stage::Dynamics,
                                         new SimTK::Value<Moments>());
-  }
-  void realizeVelocity(const State& state) const override {
-    if (!is_given_) {
-      options_.fit == Fit::converged ? converge(state) : slide(state);
+    is_last_ = true;
+    SimTK::SubsystemIndex i = forces_.getMySubsystemIndex();
+    while (++i < system_.getNumSubsystems()) {
+      if (SimTK::ForceSubsystem::isInstanceOf(system_.getSubsystem(i))) {
+        is_last_ = false;
+      }
     }
+  }
+  // Moments are added when all other forces of the subsystem are known.
+  void calcForce(const State&, SimTK::Vector_<SimTK::SpatialVec>&,
+                 SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {}
+  void realizeDynamics(const State& state) const override {
+    SimTK::Vector_<SimTK::SpatialVec>& forces =
+        system_.updRigidBodyForces(state, Stage::Dynamics);
+    if (is_given_) return apply(forces);
+    if (options_.fit == Fit::lagged) {
+      slide(state);
+    } else if (is_last_ && state.getNMultipliers() == 0) {
+      converge_tree(state, forces);
+    } else {
+      converge(state);
+    }
+    apply(forces);
     Moments& moments = SimTK::Value<Moments>::updDowncast(
         forces_.updCacheEntry(state, cache_));
     moments.clear();
@@ -87,17 +103,6 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   const SimTK::Array_<Vec3>& moments(const State& state) const {
     return SimTK::Value<Moments>::downcast(
         forces_.getCacheEntry(state, cache_));
-  }
-
-  void calcForce(const State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
-                 SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {
-    // Moments of the last pass, where passes are made on a scratch state.
-    for (std::size_t i = 0; i < hinges.size(); ++i) {
-      const MobilizedBody& body = hinges[i].body;
-      const Vec3 m = is_given_ ? hinges[i].moment : moments(state)[int(i)];
-      bodies[body.getMobilizedBodyIndex()][0] += m;
-      bodies[body.getParentMobilizedBody().getMobilizedBodyIndex()][0] -= m;
-    }
   }
   double calcPotentialEnergy(const State&) const override { return 0; }
 
@@ -147,8 +152,14 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   mutable long evaluations = 0;
 
  private:
+  using BodyVectors = SimTK::Vector_<SimTK::SpatialVec>;
+  void apply(BodyVectors& forces) const;
   void slide(const State& state) const;
   void converge(const State& state) const;
+  void converge_tree(const State& state, const BodyVectors& others) const;
+  void note_reactions(const State& state, const BodyVectors& forces,
+                      const BodyVectors& accelerations) const;
+  bool refit(const State& state, int turn) const;
   void stop(State& state) const;
   void let_go(State& state, Hinge& h) const;
 
@@ -158,6 +169,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   Options options_;
   mutable SimTK::CacheEntryIndex cache_;
   mutable State scratch_;
+  mutable bool is_last_ = false;   // of all subsystems of forces
   mutable bool is_given_ = false;  // moments are those of the hinges
 };
 
@@ -182,28 +194,79 @@ void HingeFriction::Friction::slide(const State& state) const {
   }
 }
 
-// The same under the reactions that they cause.
+// Adds moments to the forces of all bodies.
+void HingeFriction::Friction::apply(BodyVectors& forces) const {
+  for (const Hinge& h : hinges) {
+    forces[h.body.getMobilizedBodyIndex()][0] += h.moment;
+    forces[h.body.getParentMobilizedBody().getMobilizedBodyIndex()][0] -=
+        h.moment;
+  }
+}
+
+// Moments under the reactions of now; whether they are those before.
+bool HingeFriction::Friction::refit(const State& state, int turn) const {
+  constexpr int limit = 100;
+  if (turn == limit) {
+    throw std::runtime_error("friction and reactions do not come to fit");
+  }
+  ++evaluations;
+  std::vector<Vec3> before;
+  for (const Hinge& h : hinges) before.push_back(h.moment);
+  slide(state);
+  double change = 0;
+  double size = 0;
+  for (std::size_t k = 0; k < hinges.size(); ++k) {
+    change = std::max(change, (hinges[k].moment - before[k]).norm());
+    size = std::max(size, hinges[k].moment.norm());
+  }
+  return change <= options_.tolerance * size;
+}
+
+// Reactions without a joint that is closed by a constraint: what the links on
+// a hinge need, m a, less the forces on them.
+void HingeFriction::Friction::note_reactions(
+    const State& state, const BodyVectors& forces,
+    const BodyVectors& accelerations) const {
+  const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
+  std::vector<Vec3> needed(matter.getNumBodies(), Vec3(0));
+  for (int i = matter.getNumBodies() - 1; i > 0; --i) {
+    const SimTK::MobilizedBodyIndex index(i);
+    const MobilizedBody& body = matter.getMobilizedBody(index);
+    const SimTK::SpatialVec inertial =
+        body.getBodySpatialInertiaInGround(state) * accelerations[i] +
+        matter.getGyroscopicForce(state, index);
+    needed[i] += inertial[1] - forces[i][1];
+    needed[body.getParentMobilizedBody().getMobilizedBodyIndex()] += needed[i];
+  }
+  for (Hinge& h : hinges) h.reaction = needed[h.body.getMobilizedBodyIndex()];
+}
+
+// Moments under the reactions that they cause.
+void HingeFriction::Friction::converge_tree(const State& state,
+                                            const BodyVectors& others) const {
+  const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
+  SimTK::Vector rates;
+  BodyVectors accelerations;
+  for (int turn = 0;; ++turn) {
+    BodyVectors forces = others;
+    apply(forces);
+    matter.calcAccelerationIgnoringConstraints(
+        state, system_.getMobilityForces(state, Stage::Dynamics), forces, rates,
+        accelerations);
+    note_reactions(state, forces, accelerations);
+    if (refit(state, turn)) break;
+  }
+}
+
+// The same with constraints, and with forces that are not known yet: on a copy
+// of the state, which costs more.
 void HingeFriction::Friction::converge(const State& state) const {
   scratch_ = state;
   is_given_ = true;
-  constexpr int limit = 100;
-  for (int i = 0;; ++i) {
+  for (int turn = 0;; ++turn) {
     system_.realize(scratch_, Stage::Acceleration);
-    ++evaluations;
     note_reactions(scratch_);
-    std::vector<Vec3> before;
-    for (const Hinge& h : hinges) before.push_back(h.moment);
-    slide(state);
-    double change = 0;
-    double size = 0;
-    for (std::size_t k = 0; k < hinges.size(); ++k) {
-      change = std::max(change, (hinges[k].moment - before[k]).norm());
-      size = std::max(size, hinges[k].moment.norm());
-    }
-    if (change <= options_.tolerance * size) break;
-    if (i == limit) {
-      throw std::runtime_error("friction and reactions do not come to fit");
-    }
+    if (refit(state, turn)) break;
     scratch_.invalidateAllCacheAtOrAbove(Stage::Dynamics);
   }
   is_given_ = false;
