@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "hosts/simbody/moment_fit.hpp"
+
 namespace contact_hosts::simbody {
 namespace {
 
@@ -27,6 +29,8 @@ struct Hinge {
   Vec3 way{0};  // in which it slides, or would: unit, axes of the parent
   Vec3 reaction{0};
   Vec3 moment{0};
+  bool slides = false;
+  contact_slip slip{};
   contact_solution solution{};
   contact_rest rest{};
 
@@ -67,7 +71,10 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
  public:
   Friction(const SimTK::MultibodySystem& system,
            const SimTK::GeneralForceSubsystem& forces, const Options& options)
-      : system_(system), forces_(forces), options_(options) {}
+      : system_(system),
+        forces_(forces),
+        options_(options),
+        fit_(options.tolerance) {}
 
   void realizeTopology(State& state) const override {
     cache_ = forces_.allocateCacheEntry(state, Stage::Dynamics,
@@ -87,8 +94,10 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
     SimTK::Vector_<SimTK::SpatialVec>& forces =
         system_.updRigidBodyForces(state, Stage::Dynamics);
     if (is_given_) return apply(forces);
-    if (options_.fit == Fit::lagged) {
-      slide(state);
+    if (!aim(state)) {
+      // All are locked.
+    } else if (options_.fit == Fit::lagged) {
+      slide();
     } else if (is_last_ && state.getNMultipliers() == 0) {
       converge_tree(state, forces);
     } else {
@@ -154,12 +163,13 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
  private:
   using BodyVectors = SimTK::Vector_<SimTK::SpatialVec>;
   void apply(BodyVectors& forces) const;
-  void slide(const State& state) const;
+  bool aim(const State& state) const;
+  void slide() const;
   void converge(const State& state) const;
   void converge_tree(const State& state, const BodyVectors& others) const;
   void note_reactions(const State& state, const BodyVectors& forces,
                       const BodyVectors& accelerations) const;
-  bool refit(const State& state, int turn) const;
+  bool refit(int turn) const;
   void stop(State& state) const;
   void let_go(State& state, Hinge& h) const;
 
@@ -167,17 +177,23 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   const SimTK::MultibodySystem& system_;
   const SimTK::GeneralForceSubsystem& forces_;
   Options options_;
+  mutable MomentFit fit_;
   mutable SimTK::CacheEntryIndex cache_;
   mutable State scratch_;
   mutable bool is_last_ = false;   // of all subsystems of forces
   mutable bool is_given_ = false;  // moments are those of the hinges
 };
 
-// Moments of the sliding hinges under their reactions.
-void HingeFriction::Friction::slide(const State& state) const {
+// How hinges slide; whether there are any that do.
+bool HingeFriction::Friction::aim(const State& state) const {
+  bool any = false;
   for (Hinge& h : hinges) {
-    h.moment = 0;
-    if (h.body.isLocked(state)) continue;
+    h.slides = !h.body.isLocked(state);
+    any = any || h.slides;
+    if (!h.slides) {
+      h.moment = 0;
+      continue;
+    }
     Vec3 rate = h.rate(state);
     // Smooth through the stop, which an event finds.
     const double least = h.is_ball ? options_.stop_speed : 1e-12;
@@ -185,11 +201,18 @@ void HingeFriction::Friction::slide(const State& state) const {
         (h.is_ball ? rate.norm() : dot(rate, h.direction(state))) < least) {
       rate = least * h.direction(state);
     }
-    contact_slip slip{};
-    put(slip.reaction, h.reaction);
-    put(slip.angular_velocity, rate);
-    put(slip.axis, h.axis(state));
-    must(contact_joint_solve(h.joint.get(), &slip, &h.solution, &h.solution));
+    put(h.slip.angular_velocity, rate);
+    put(h.slip.axis, h.axis(state));
+  }
+  return any;
+}
+
+// Moments of the sliding hinges under their reactions.
+void HingeFriction::Friction::slide() const {
+  for (Hinge& h : hinges) {
+    if (!h.slides) continue;
+    put(h.slip.reaction, h.reaction);
+    must(contact_joint_solve(h.joint.get(), &h.slip, &h.solution, &h.solution));
     h.moment = vec(h.solution.friction_moment);
   }
 }
@@ -203,23 +226,28 @@ void HingeFriction::Friction::apply(BodyVectors& forces) const {
   }
 }
 
-// Moments under the reactions of now; whether they are those before.
-bool HingeFriction::Friction::refit(const State& state, int turn) const {
+// Moments under the reactions of now; whether they fit.
+bool HingeFriction::Friction::refit(int turn) const {
   constexpr int limit = 100;
   if (turn == limit) {
     throw std::runtime_error("friction and reactions do not come to fit");
   }
   ++evaluations;
-  std::vector<Vec3> before;
-  for (const Hinge& h : hinges) before.push_back(h.moment);
-  slide(state);
-  double change = 0;
-  double size = 0;
-  for (std::size_t k = 0; k < hinges.size(); ++k) {
-    change = std::max(change, (hinges[k].moment - before[k]).norm());
-    size = std::max(size, hinges[k].moment.norm());
+  if (turn == 0) fit_.begin();
+  const auto moments = [&] {
+    Eigen::VectorXd all(3 * hinges.size());
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      all.segment<3>(3 * i) = Eigen::Vector3d(&hinges[i].moment[0]);
+    }
+    return all;
+  };
+  Eigen::VectorXd given = moments();
+  slide();
+  const bool fits = fit_.turn(given, moments());
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    Eigen::Vector3d::Map(&hinges[i].moment[0]) = given.segment<3>(3 * i);
   }
-  return change <= options_.tolerance * size;
+  return fits;
 }
 
 // Reactions without a joint that is closed by a constraint: what the links on
@@ -254,7 +282,7 @@ void HingeFriction::Friction::converge_tree(const State& state,
         state, system_.getMobilityForces(state, Stage::Dynamics), forces, rates,
         accelerations);
     note_reactions(state, forces, accelerations);
-    if (refit(state, turn)) break;
+    if (refit(turn)) break;
   }
 }
 
@@ -266,7 +294,7 @@ void HingeFriction::Friction::converge(const State& state) const {
   for (int turn = 0;; ++turn) {
     system_.realize(scratch_, Stage::Acceleration);
     note_reactions(scratch_);
-    if (refit(state, turn)) break;
+    if (refit(turn)) break;
     scratch_.invalidateAllCacheAtOrAbove(Stage::Dynamics);
   }
   is_given_ = false;
