@@ -58,10 +58,35 @@ struct Hinge {
   Vec3 axis(const State& s) const {
     return is_ball ? Vec3(0) : Vec3(axes(s) * Vec3(0, 0, 1));
   }
-  // As coordinates of the mobilizer.
+  // Angular velocities of a ball for one of each of its coordinates.
+  SimTK::Mat33 turns(const State& s) const {
+    SimTK::Mat33 all;
+    for (int i = 0; i < 3; ++i) {
+      all(i) = body.getHCol(s, SimTK::MobilizerUIndex(i))[0];
+    }
+    constexpr double least = 1e-3;  // of cos of a Gimbal's second angle
+    if (std::abs(det(all)) < least) {
+      throw std::runtime_error(
+          "a Gimbal mobilizer with friction must not come to gimbal lock: use "
+          "a Ball");
+    }
+    return all;
+  }
+  // The moment whose work in the mobilizer's coordinates is that of `forces`.
+  Vec3 moment_of(const State& s, const SimTK::Vector& forces) const {
+    if (!is_ball) {
+      return body.getOneFromUPartition(s, 0, forces) * axis(s);
+    }
+    Vec3 own;
+    for (int i = 0; i < 3; ++i) {
+      own[i] = body.getOneFromUPartition(s, i, forces);
+    }
+    return turns(s).transpose().invert() * own;
+  }
+  // A rate in the mobilizer's coordinates.
   SimTK::Vector rates(const State& s, const Vec3& rate) const {
-    const Vec3 u = ~axes(s) * rate;
-    return is_ball ? SimTK::Vector(u) : SimTK::Vector(1, u[2]);
+    return is_ball ? SimTK::Vector(turns(s).invert() * rate)
+                   : SimTK::Vector(1, dot(rate, axis(s)));
   }
 };
 
@@ -129,12 +154,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   double excess(const State& state, Hinge& h) const {
     SimTK::Vector held;
     system_.getMatterSubsystem().findMotionForces(state, held);
-    const auto own = [&](int i) {
-      return h.body.getOneFromUPartition(state, i, held);
-    };
-    const Vec3 moment =
-        -(h.axes(state) *
-          (h.is_ball ? Vec3(own(0), own(1), own(2)) : Vec3(0, 0, own(0))));
+    const Vec3 moment = -h.moment_of(state, held);
     contact_hold hold{};
     put(hold.reaction, h.body.findMobilizerReactionOnBodyAtMInGround(state)[1]);
     put(hold.moment, moment);
@@ -289,15 +309,19 @@ void HingeFriction::Friction::converge_tree(const State& state,
 // The same with constraints, and with forces that are not known yet: on a copy
 // of the state, which costs more.
 void HingeFriction::Friction::converge(const State& state) const {
+  // Ends with the fit, or with an exception.
+  struct Given {
+    explicit Given(bool& is) : is_(is) { is_ = true; }
+    ~Given() { is_ = false; }
+    bool& is_;
+  } const given(is_given_);
   scratch_ = state;
-  is_given_ = true;
   for (int turn = 0;; ++turn) {
     system_.realize(scratch_, Stage::Acceleration);
     note_reactions(scratch_);
     if (refit(turn)) break;
     scratch_.invalidateAllCacheAtOrAbove(Stage::Dynamics);
   }
-  is_given_ = false;
 }
 
 // Locks what has no rate left, and follows balls that have turned.
@@ -400,11 +424,16 @@ HingeFriction::HingeFriction(SimTK::MultibodySystem& system,
 }
 
 void HingeFriction::add(const MobilizedBody& body, const std::string& file) {
-  const bool is_ball = MobilizedBody::Ball::isInstanceOf(body);
+  const bool is_ball = MobilizedBody::Ball::isInstanceOf(body) ||
+                       MobilizedBody::Gimbal::isInstanceOf(body);
+  if (MobilizedBody::Universal::isInstanceOf(body)) {
+    throw std::runtime_error(
+        "HingeFriction::add: a Universal mobilizer must be two Pins: each of "
+        "its axes is a joint with a load of its own");
+  }
   if (!is_ball && !MobilizedBody::Pin::isInstanceOf(body)) {
     throw std::runtime_error(
-        "HingeFriction::add: body must have a Ball or Pin "
-        "mobilizer");
+        "HingeFriction::add: body must have a Ball, Gimbal or Pin mobilizer");
   }
   JointHandle joint = read_joint(file, "HingeFriction::add",
                                  is_ball ? CONTACT_BALL : CONTACT_PIN);
