@@ -231,22 +231,44 @@ void HingeFriction::hold(mjData* data) {
   }
 }
 
+// Moment of a hinge that slides, in its dofs.
+VectorXd HingeFriction::slide(std::size_t i) {
+  const Hinge& h = hinges_[i];
+  contact_slip slip{};
+  std::copy_n(starts_[i].reaction, 3, slip.reaction);
+  std::copy_n(starts_[i].angular_velocity, 3, slip.angular_velocity);
+  std::copy_n(starts_[i].axis, 3, slip.axis);
+  contact_solution& s = steps_[i].solution;
+  must(contact_joint_solve(h.contact.get(), &slip, &s, &s));
+  const Vector3d moment(s.friction_moment);
+  if (h.size == 3) return moment;
+  return VectorXd::Constant(1, moment.dot(Vector3d(slip.axis)));
+}
+
 void HingeFriction::add_torque(mjData* data) {
   start(data);
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const Hinge& h = hinges_[i];
-    contact_slip slip{};
-    std::copy_n(starts_[i].reaction, 3, slip.reaction);
-    std::copy_n(starts_[i].angular_velocity, 3, slip.angular_velocity);
-    std::copy_n(starts_[i].axis, 3, slip.axis);
-    contact_solution& s = steps_[i].solution;
-    must(contact_joint_solve(h.contact.get(), &slip, &s, &s));
-    const Vector3d moment(s.friction_moment);
-    if (h.size == 3) {
-      mapped(data->qfrc_passive + h.dof, 3) += moment;
-    } else {
-      data->qfrc_passive[h.dof] += moment.dot(Vector3d(slip.axis));
-    }
+    mapped(data->qfrc_passive + h.dof, h.size) += slide(i);
+  }
+}
+
+void HingeFriction::add_damping(mjModel* model, mjData* data) {
+  start(data);
+  for (std::size_t i = 0; i < hinges_.size(); ++i) {
+    Hinge& h = hinges_[i];
+    auto force = mapped(data->qfrc_passive + h.dof, h.size);
+    auto damping = mapped(model->dof_damping + h.dof, h.size);
+    const auto rate = mapped(data->qvel + h.dof, h.size);
+    // Below it damping stays as it is: a hinge that holds creeps at less.
+    constexpr double least = 1e-12;  // rad/s
+    if (rate.norm() < least) continue;
+    const VectorXd moment = slide(i);
+    // MuJoCo has added the force of the damping that there was.
+    force.array() += h.damping * rate.array() + moment.array();
+    damping.array() -= h.damping;
+    h.damping = -moment.dot(rate) / rate.squaredNorm();
+    damping.array() += h.damping;
   }
 }
 

@@ -65,7 +65,8 @@ class HingeFriction {
   /// At the start: locks hinges without a rate, as far as they hold.
   void settle(SimTK::State& state) const;
 
-  /// Last solution of the i-th hinge added, while it slides.
+  /// Last solution of the i-th hinge added, while it slides: of reactions that
+  /// were wrong by less than a hundred times what moments are now.
   const contact_solution& hinge(int i) const;
   /// Accelerations that friction asked for.
   long evaluations() const;
