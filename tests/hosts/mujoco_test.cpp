@@ -258,7 +258,7 @@ TEST(HostMujoco, DampingDoesNotCreep) {
     const Eigen::Quaterniond after = run(50 + 600);
     mjcb_passive = nullptr;
     RecordProperty("rests_s", std::to_string(rests));
-    // Of first order: 45.68, 45.05, 44.71 s by implicit steps of 1, 0.5 and
+    // First order: 45.68, 45.05, 44.71 s by implicit steps of 1, 0.5 and
     // 0.25 ms, 44.09, 44.19, 44.25 s by Euler's; 44.37 s is right.
     EXPECT_NEAR(rests, 44.37, 1.4);
     EXPECT_LT(before.angularDistance(after), 1e-9);

@@ -53,7 +53,7 @@ class HingeFriction {
   /// The same with k = -M . Dw/|Dw|^2 as the hinge's damping, which Euler and
   /// implicit integrators take at the end of the step: M(w) is -k w for them.
   /// A hinge that friction holds slows down by a factor at each step, and
-  /// creeps at 1e-12 rad/s at most. First order, as step().
+  /// creeps at 1e-12 rad/s at most. First order, as step(), and not beside it.
   /// @param model  that of this, whose dof_damping of these hinges it changes
   void add_damping(mjModel* model, mjData* data);
   /// After mj_step(): the reactions for the next one.
@@ -73,7 +73,7 @@ class HingeFriction {
     int size;   // 3 or 1 of them
     int angle;  // in qpos
     JointHandle contact;
-    double damping = 0;  // of add_damping()
+    double damping = 0;  // that add_damping() gave it
   };
   void start(const mjData* data);
   Eigen::VectorXd slide(std::size_t i);

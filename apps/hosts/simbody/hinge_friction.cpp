@@ -64,7 +64,7 @@ struct Hinge {
     for (int i = 0; i < 3; ++i) {
       all(i) = body.getHCol(s, SimTK::MobilizerUIndex(i))[0];
     }
-    constexpr double least = 1e-3;  // of cos of a Gimbal's second angle
+    constexpr double least = 1e-3;  // cos of a Gimbal's second angle
     if (std::abs(det(all)) < least) {
       throw std::runtime_error(
           "a Gimbal mobilizer with friction must not come to gimbal lock: use "
@@ -200,7 +200,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   mutable MomentFit fit_;
   mutable SimTK::CacheEntryIndex cache_;
   mutable State scratch_;
-  mutable bool is_last_ = false;   // of all subsystems of forces
+  mutable bool is_last_ = false;   // no subsystem of forces comes later
   mutable bool is_given_ = false;  // moments are those of the hinges
 };
 
