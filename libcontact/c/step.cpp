@@ -75,7 +75,7 @@ contact_status step_all(const contact_joint* const* joints, std::size_t count,
       step(all, all_starts,
            Eigen::Map<const Eigen::MatrixXd>(inertia, size, size), all_steps);
   for (std::size_t i = 0; i < count; ++i) {
-    // What was told of a joint's last rest stays.
+    // Otherwise the last rest that was told of stays.
     tell(steps[i], all_steps[i], rests(all_starts[i]));
   }
   if (told) *told = {status_of(done.status), done.sweeps, done.residual};

@@ -343,7 +343,7 @@ TEST(JointSteps, FromAGuessAreTheSame) {
       const StepSweeps done = step(m.joints, m.starts, m.inertia, steps);
       EXPECT_EQ(done.status, Status::ok);
       for (std::size_t k = 0; k < steps.size(); ++k) {
-        // What sweeps leave of the equation, over W free.
+        // Sweeps leave so much of the equation, over W free.
         const double scale = (m.inertia * m.stacked([&](std::size_t j) {
                                return m.starts[j].free;
                              })).norm();

@@ -73,7 +73,7 @@ class HingeFriction {
     int size;   // 3 or 1 of them
     int angle;  // in qpos
     JointHandle contact;
-    double damping = 0;  // that add_damping() gave it
+    double damping = 0;  // given by add_damping()
   };
   void start(const mjData* data);
   Eigen::VectorXd slide(std::size_t i);

@@ -49,7 +49,7 @@ class MomentFit {
 
   double tolerance_;
   int turns_ = 0;
-  double left_ = 0;  // what was wrong in the last turn
+  double left_ = 0;  // error of the last turn
   Eigen::VectorXd last_, last_wrong_;
   Eigen::MatrixXd answer_;
 };
