@@ -22,22 +22,25 @@ StepStart start_of(const contact_step_start& s) {
           Vector3d(s.axis)};
 }
 
-// Step to begin from.
-JointStep last_of(const contact_step* last) {
+bool rests(const StepStart& start) { return start.angular_velocity.isZero(0); }
+
+// Step to begin from, with what is told of rest or without.
+JointStep last_of(const contact_step* last, bool with_rest) {
   JointStep step;
   if (!last) return step;
+  step.angular_velocity = Vector3d(last->angular_velocity);
   step.solution = solution_of(last->solution);
-  step.rest = rest_of(last->rest);
+  if (with_rest) step.rest = rest_of(last->rest);
   return step;
 }
 
-void tell(contact_step& to, const JointStep& step) {
+void tell(contact_step& to, const JointStep& step, bool with_rest) {
   to.status = status_of(step.status);
   to.holds = step.holds;
   Vector3d::Map(to.angular_velocity) = step.angular_velocity;
   Vector3d::Map(to.moment) = step.moment;
   put(to.solution, step.solution);
-  put(to.rest, step.rest);
+  if (with_rest) put(to.rest, step.rest);
 }
 
 contact_status step_all(const contact_joint* const* joints, std::size_t count,
@@ -47,12 +50,18 @@ contact_status step_all(const contact_joint* const* joints, std::size_t count,
   std::vector<StepStart> all_starts;
   std::vector<JointStep> all_steps;
   Eigen::Index size = 0;
+  all.reserve(count);
+  all_starts.reserve(count);
+  all_steps.reserve(count);
   for (std::size_t i = 0; i < count; ++i) {
-    const std::string name =
-        detail::message("contact_joints_step: joints[{}]", i);
-    all.push_back(&given(joints[i], name.c_str()).joint);
+    if (!joints[i] || is_freed(joints[i])) {
+      const std::string name =
+          detail::message("contact_joints_step: joints[{}]", i);
+      given(joints[i], name.c_str());
+    }
+    all.push_back(&joints[i]->joint);
     all_starts.push_back(start_of(starts[i]));
-    all_steps.push_back(last_of(&steps[i]));
+    all_steps.push_back(last_of(&steps[i], rests(all_starts.back())));
     const bool is_pin = all.back()->is_pin();
     if (is_pin && all_starts.back().axis.isZero(0)) {
       throw Error(detail::must_be(
@@ -65,7 +74,10 @@ contact_status step_all(const contact_joint* const* joints, std::size_t count,
   const StepSweeps done =
       step(all, all_starts,
            Eigen::Map<const Eigen::MatrixXd>(inertia, size, size), all_steps);
-  for (std::size_t i = 0; i < count; ++i) tell(steps[i], all_steps[i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    // Otherwise the last rest that was told of stays.
+    tell(steps[i], all_steps[i], rests(all_starts[i]));
+  }
   if (told) *told = {status_of(done.status), done.sweeps, done.residual};
   return reported(status_of(done.status), "contact_joints_step");
 }
@@ -108,7 +120,8 @@ contact_status contact_joint_step(const contact_joint* joint,
           throw contact::Error(contact::detail::must_be(
               "contact_joint_step: inertia", contact::inertia_rule));
         }
-        contact::c::tell(to, contact::step(j, s, w, contact::c::last_of(last)));
+        contact::c::tell(
+            to, contact::step(j, s, w, contact::c::last_of(last, true)), true);
         return contact::c::reported(to.status, "contact_joint_step");
       },
       step);

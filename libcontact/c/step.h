@@ -56,7 +56,8 @@ typedef struct contact_sweeps {
  * inertia: W, mass matrix over the time step in the joints' angular velocities,
  *     three rows for a ball and one, about its axis, for a pin. Whether it is
  *     symmetric and the joints' blocks positive definite is looked at.
- * steps: in: of the step before, or all 0; out: the result.
+ * steps: in: of the step before, or all 0; a better guess of Dw than that of
+ *     `starts` may stand in its place, for speed; out: the result.
  * sweeps: NULL, or what is told of them. */
 contact_status contact_joints_step(const contact_joint* const* joints,
                                    size_t count,

@@ -58,8 +58,6 @@ MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
   if (stress && stress->over_speed() == FrictionStress::OverSpeed::falls) {
     radius_ = nan;
   }
-  most_sliding_ = edge({0, 1}).sliding;
-  most_spinning_ = edge({1, 0}).spinning;
 }
 
 MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
@@ -95,7 +93,7 @@ SlipAxis MomentSet::axis_of_moment(double sliding,
     return e.sliding * spinning - e.spinning * sliding;
   };
   // Exact if the edge were an ellipse.
-  const double ratio = most_spinning_ / most_sliding_;
+  const double ratio = edge({1, 0}).spinning / most_sliding();
   const double guess = sliding / spinning * ratio * ratio;
   constexpr double factor = 1.5;  // growth of the bounds in their search
   std::uintmax_t steps = 200;     // 10 on average
@@ -110,7 +108,7 @@ double MomentSet::utilisation(const Vector3d& moment) const noexcept {
   const Split m(moment, normal_);
   const double spinning = std::abs(m.along);
   if (!(std::isfinite(m.across) && std::isfinite(spinning))) return nan;
-  if (most_sliding_ == 0) return infinity;
+  if (most_sliding() == 0) return infinity;
   const Edge e = edge(axis_of_moment(m.across, spinning));
   // Along the moment: exact where one part of it is 0.
   return (m.across * m.across + spinning * spinning) /
@@ -122,11 +120,20 @@ Vector3d MomentSet::project(const Vector3d& moment) const noexcept {
 }
 
 Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
+  return curvature(direction, moment(direction));
+}
+
+Matrix3d MomentSet::curvature(const Vector3d& direction,
+                              const Vector3d& moment_there) const noexcept {
   const Split split(direction, normal_);
   const SlipAxis axis = axis_of(split);
   const double sin_a = std::abs(axis.sin);
   const double cos_a = std::max(axis.cos, 1e-100);
-  const Edge e = edge({sin_a, cos_a});
+  // At the pole nothing but rounding is left of a moment's part along the slip.
+  constexpr double pole = 1e-6;
+  const Edge e = cos_a > pole ? Edge{-moment_there.dot(split.direction),
+                                     std::abs(moment_there.dot(normal_))}
+                              : edge({sin_a, cos_a});
   // Along the meridian by a difference, central in its middle; the edge
   // changes over angles of cos a or theta0, whichever is larger.
   const double step =
@@ -158,20 +165,21 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia, const Vector3d& free,
             Status::out_of_range, 0, nan};
   }
   const auto slide = [&](const Vector3d& u) {
-    return detail::motion_left([&](const Vector3d& v) { return support(v); },
-                               [&](const Vector3d& v) { return moment(v); },
-                               [&](const Vector3d& v) { return curvature(v); },
-                               inertia, free, u);
+    return detail::motion_left(
+        [&](const Vector3d& v) { return moment(v); },
+        [&](const Vector3d& v, const Vector3d& m) { return curvature(v, m); },
+        inertia, free, u);
   };
   // A plane between W free and the set.
   const Vector3d likely = guess.stableNormalized();
-  if (most_sliding_ > 0 && likely.dot(wanted) > support(likely) * (1 + 1e-6)) {
+  const double least = support(likely);
+  if (least > 0 && likely.dot(wanted) > least * (1 + 1e-6)) {
     return slide(likely);
   }
   if (size == 0 || utilisation(wanted) <= 1) {
     return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
   }
-  if (most_sliding_ == 0) {  // no friction
+  if (most_sliding() == 0) {  // no friction
     return {free, Vector3d::Zero(), Status::ok, 0, 0};
   }
   // In the direction in which the set's edge opposes W free.

@@ -83,6 +83,9 @@ class MomentSet {
   /// Differences of the set's edge, for Newton's method: relative error at most
   /// 1e-4/theta0 (joint/moment_set_test.cpp).
   Eigen::Matrix3d curvature(const Eigen::Vector3d& direction) const noexcept;
+  /// The same for half the time, where moment(direction) is known.
+  Eigen::Matrix3d curvature(const Eigen::Vector3d& direction,
+                            const Eigen::Vector3d& moment_there) const noexcept;
 
  private:
   /// A point of the edge: parts along the tangent plane and along n.
@@ -91,15 +94,14 @@ class MomentSet {
     double spinning;
   };
   Edge edge(SlipAxis axis) const noexcept;
+  double most_sliding() const noexcept { return edge({0, 1}).sliding; }
   SlipAxis axis_of_moment(double sliding, double spinning) const noexcept;
 
   const JointContact* contact_;
   Eigen::Vector3d normal_;
   double normal_force_;
   double half_angle_;
-  double radius_;         // NaN where the power is not convex
-  double most_sliding_;   // at a = 0
-  double most_spinning_;  // at a = 90 deg
+  double radius_;  // NaN where the power is not convex
 };
 
 }  // namespace contact

@@ -14,27 +14,27 @@ namespace contact::detail {
 /// Along a unit vector u the best length is r(u) = gain(u)/(u . W u), where
 /// gain = u . W free - Phi(u), and the function falls to -gain r/2.
 ///
-/// @param support    Phi(u)
-/// @param moment     -dPhi/du
-/// @param curvature  the second derivative of Phi at a unit vector
+/// @param moment     -dPhi/du, so that Phi(u) = -u . moment(u)
+/// @param curvature  the second derivative of Phi at a unit vector with its
+///                   moment
 /// @param u          where gain(u) > 0 unless W free lies on the set's edge, as
 ///                   where the edge opposes W free
-template <class Support, class Moment, class Curvature>
-MomentSet::Prox motion_left(const Support& support, const Moment& moment,
-                            const Curvature& curvature,
+template <class Moment, class Curvature>
+MomentSet::Prox motion_left(const Moment& moment, const Curvature& curvature,
                             const Eigen::Matrix3d& inertia,
                             const Eigen::Vector3d& free, Eigen::Vector3d u) {
   using Eigen::Matrix3d;
   using Eigen::Vector3d;
   const Vector3d wanted = inertia * free;
   const double size = wanted.norm();
-  const auto gain_along = [&](const Vector3d& v) {
-    return v.dot(wanted) - support(v);
+  const auto gain_along = [&](const Vector3d& v, const Vector3d& m) {
+    return v.dot(wanted) + v.dot(m);
   };
   const auto value = [&](const Vector3d& v, double gain) {
     return gain > 0 ? -gain * gain / (2 * v.dot(inertia * v)) : 0.0;
   };
-  double gain = gain_along(u);
+  Vector3d edge = moment(u);
+  double gain = gain_along(u, edge);
   // On the edge, up to the rounding of its two parts: no motion.
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
   if (gain <= rounding) return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
@@ -46,12 +46,12 @@ MomentSet::Prox motion_left(const Support& support, const Moment& moment,
   for (result.iterations = 0;; ++result.iterations) {
     const double r = gain / u.dot(inertia * u);
     result.angular_velocity = r * u;
-    result.moment = moment(u);
+    result.moment = edge;
     const Vector3d gradient =
         inertia * (result.angular_velocity - free) - result.moment;
     result.residual = gradient.norm() / size;
     if (result.residual <= tolerance || result.iterations == step_limit) break;
-    const Matrix3d second = inertia + curvature(u) / r;
+    const Matrix3d second = inertia + curvature(u, edge) / r;
     const Vector3d step = -second.llt().solve(gradient);
     // Changes of the function below this are rounding.
     const double unseen = -2 * best * rounding / gain;
@@ -59,10 +59,12 @@ MomentSet::Prox motion_left(const Support& support, const Moment& moment,
     for (double share = 1; share > 1e-10 && !moved; share /= 2) {
       const Vector3d next =
           (result.angular_velocity + share * step).normalized();
-      const double next_gain = gain_along(next);
+      const Vector3d next_edge = moment(next);
+      const double next_gain = gain_along(next, next_edge);
       const double next_value = value(next, next_gain);
       if (next_gain > 0 && next_value <= best + unseen) {
         u = next;
+        edge = next_edge;
         gain = next_gain;
         best = next_value;
         moved = true;

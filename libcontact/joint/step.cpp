@@ -16,6 +16,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Motion and moment of a joint.
@@ -26,12 +27,6 @@ struct Move {
 };
 
 Move hold(const Vector3d& moment) { return {Vector3d::Zero(), moment}; }
-
-// The moment of a sliding joint as its rate has it, and -dM_t/dDw.
-struct Resistance {
-  Vector3d moment;
-  Matrix3d slope;
-};
 
 // M_t = -k Dw about u.
 Move viscous_about(const Vector3d& u, double k, double inertia, double free) {
@@ -76,27 +71,31 @@ class Sliding {
     return {prox.angular_velocity, scale * prox.moment, prox.status};
   }
 
-  // About the axis of a pin, in the corner of the slope.
-  Resistance about(const Vector3d& u, double rate) const {
+  // The moment at another rate, about the axis of a pin or of a ball.
+  double moment(const Vector3d& u, double rate) const {
     const double size = std::abs(solution_.friction_moment.dot(u));
-    const double k = joint_.contact().is_viscous() ? size / rate_.norm() : 0;
-    const double moment = k > 0 ? -k * rate : -std::copysign(size, rate);
-    return {moment * u, Vector3d(k, 0, 0).asDiagonal()};
+    const double k = slope(u);
+    return k > 0 ? -k * rate : -std::copysign(size, rate);
+  }
+  Vector3d moment(const Vector3d& rate) const {
+    if (solution_.state == JointState::unloaded) return Vector3d::Zero();
+    if (joint_.contact().is_viscous()) return -viscosity() * rate;
+    const MomentSet set = joint_.moment_set(solution_);
+    return scale_of(set) * set.moment(rate);
   }
 
-  Resistance of_ball(const Vector3d& rate) const {
-    if (solution_.state == JointState::unloaded) {
-      return {Vector3d::Zero(), Matrix3d::Zero()};
-    }
-    if (joint_.contact().is_viscous()) {
-      const Matrix3d k = viscosity();
-      return {-k * rate, k};
-    }
+  // -dM_t/dDw.
+  double slope(const Vector3d& u) const {
+    if (!joint_.contact().is_viscous()) return 0;
+    return std::abs(solution_.friction_moment.dot(u)) / rate_.norm();
+  }
+  Matrix3d slope(const Vector3d& rate, const Vector3d& moment_there) const {
+    if (solution_.state == JointState::unloaded) return Matrix3d::Zero();
+    if (joint_.contact().is_viscous()) return viscosity();
     const MomentSet set = joint_.moment_set(solution_);
     const double scale = scale_of(set);
     const double size = rate.norm();
-    return {scale * set.moment(rate),
-            scale / size * set.curvature(rate / size)};
+    return scale / size * set.curvature(rate / size, moment_there / scale);
   }
 
  private:
@@ -204,9 +203,9 @@ bool is_symmetric(const Matrix& w) {
   double size = 0;
   double difference = 0;
   for (Eigen::Index i = 0; i < w.rows(); ++i) {
-    for (Eigen::Index k = 0; k < w.cols(); ++k) {
-      if (!std::isfinite(w(i, k))) return false;
-      size = std::max(size, std::abs(w(i, k)));
+    for (Eigen::Index k = 0; k <= i; ++k) {
+      if (!std::isfinite(w(i, k)) || !std::isfinite(w(k, i))) return false;
+      size = std::max({size, std::abs(w(i, k)), std::abs(w(k, i))});
       difference = std::max(difference, std::abs(w(i, k) - w(k, i)));
     }
   }
@@ -325,31 +324,20 @@ class Mechanism {
   }
 
   // Moments of those that move from the rates that they cause, as far as
-  // Newton's steps halve what is left.
+  // Newton's steps halve what is left: from rates that are guessed, and where
+  // that fails or a joint rested from those that moments so far cause.
   void fit(double tolerance) {
-    if (is_other_) divide();
-    double left = std::numeric_limits<double>::infinity();
-    Eigen::VectorXd rate = rate_;
-    Eigen::VectorXd moment = moment_;
-    for (fits_ = false; !fits_;) {
-      Eigen::MatrixXd slope = weight_;
-      const Eigen::VectorXd moments = resist(rate, slope);
-      const Eigen::VectorXd change = moments - moment(moving_);
-      const double now = change.norm();
-      if (!(now <= left / 2)) return;
-      left = now;
-      fits_ = now <= tolerance / 10 * size_;
-      rate_ = rate;
-      moment_ = moment;
-      if (fits_) {
-        moment_(moving_) = moments;
-        for (std::size_t i = 0; i < joints_.size(); ++i) take(i);
-      } else {
-        const Eigen::VectorXd step = slope.llt().solve(change);
-        rate(moving_) += step;
-        moment(moving_) += weight_ * step;
-      }
+    fits_ = false;
+    if (is_other_) {
+      divide();
+      fits_ = guess() && newton(tolerance);
+      if (fits_) return;
+      factor_.compute(weight_);
+      const Eigen::VectorXd forces = (moment_ + pull_)(moving_);
+      const Eigen::VectorXd rates = factor_.solve(forces);
+      rate_(moving_) = rates;
     }
+    fits_ = newton(tolerance);
   }
 
   // Largest change of a moment over the largest W_ii free; infinite where
@@ -365,7 +353,7 @@ class Mechanism {
       }
       status_ = std::max(status_, steps_[i].status);
     }
-    if (is_other_) return std::numeric_limits<double>::infinity();
+    if (is_other_) return infinity;
     return size_ > 0 ? change / size_ : 0;
   }
 
@@ -385,7 +373,7 @@ class Mechanism {
     return from.segment<3>(at_[i]);
   }
 
-  // W and Dw of those that move.
+  // W of those that move.
   void divide() {
     moving_.clear();
     for (std::size_t i = 0; i < joints_.size(); ++i) {
@@ -393,13 +381,65 @@ class Mechanism {
         moving_.push_back(at_[i] + k);
       }
     }
-    weight_ = inertia_(moving_, moving_);
-    factor_.compute(weight_);
+    if (static_cast<Eigen::Index>(moving_.size()) == inertia_.rows()) {
+      weight_ = inertia_;
+    } else {
+      weight_ = inertia_(moving_, moving_);
+    }
     has_answer_ = is_other_ = false;
     rate_.setZero(inertia_.rows());
-    const Eigen::VectorXd forces = (moment_ + pull_)(moving_);
-    const Eigen::VectorXd rates = factor_.solve(forces);
-    rate_(moving_) = rates;
+  }
+
+  // Rates to begin from, if it is the first time and all that move did so.
+  bool guess() {
+    if (has_guessed_) return false;
+    has_guessed_ = true;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (holds_[i]) continue;
+      if (starts_[i].angular_velocity.isZero(0)) return false;
+      const Vector3d& guess = steps_[i].angular_velocity;
+      const bool has_one = guess.squaredNorm() > 0;
+      put(i, has_one ? guess : starts_[i].angular_velocity, rate_);
+    }
+    return true;
+  }
+
+  // A slope serves as long as each step by it leaves no more than this share.
+  static constexpr double good_share = 0.05;
+
+  bool newton(double tolerance) {
+    const double small = tolerance / 10 * size_;
+    const Eigen::VectorXd pull = pull_(moving_);
+    Eigen::VectorXd rate = rate_(moving_);
+    Eigen::MatrixXd slope;  // its Cholesky factor
+    for (double left = infinity;;) {
+      const Eigen::VectorXd moments = resist(rate);
+      const Eigen::VectorXd change = moments + pull - weight_ * rate;
+      const double now = change.norm();
+      if (!(now <= left / 2)) return false;
+      rate_(moving_) = rate;
+      moment_(moving_) = moments - change;
+      if (now <= small) {
+        take(moments);
+        return true;
+      }
+      const double share = now / left;
+      const bool is_good = left < infinity && share <= good_share;
+      if (!is_good) {
+        slope = sloped(rate, moments);
+        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(slope);
+      }
+      Eigen::VectorXd step = change;
+      slope.triangularView<Eigen::Lower>().solveInPlace(step);
+      slope.triangularView<Eigen::Lower>().adjoint().solveInPlace(step);
+      rate += step;
+      if (is_good && share * now <= small / 100) {
+        rate_(moving_) = rate;
+        take(moments - change + weight_ * step);
+        return true;
+      }
+      left = now;
+    }
   }
 
   // B, 0 in rows and columns of those that hold.
@@ -412,35 +452,57 @@ class Mechanism {
     has_answer_ = true;
   }
 
-  // Moments of those that move, and W - dM/dDw in the place of W.
-  Eigen::VectorXd resist(const Eigen::VectorXd& rate,
-                         Eigen::MatrixXd& slope) const {
-    Eigen::VectorXd moments(slope.rows());
+  // Calls what is given with each joint that moves, its first row among those
+  // that do, and how it slides.
+  template <class Work>
+  void each_moving(const Work& work) const {
     Eigen::Index at = 0;
     for (std::size_t i = 0; i < joints_.size(); ++i) {
       if (holds_[i]) continue;
-      const Sliding sliding(*joints_[i], steps_[i].solution,
-                            rate_of(starts_[i], steps_[i]));
-      if (joints_[i]->is_pin()) {
-        const auto r = sliding.about(starts_[i].axis, rate[at_[i]]);
-        moments[at] = r.moment.dot(starts_[i].axis);
-        slope(at, at) += r.slope(0, 0);
-      } else {
-        const auto r = sliding.of_ball(Vector3d(rate.segment<3>(at_[i])));
-        moments.segment<3>(at) = r.moment;
-        slope.block<3, 3>(at, at) += r.slope;
-      }
+      work(i, at,
+           Sliding(*joints_[i], steps_[i].solution,
+                   rate_of(starts_[i], steps_[i])));
       at += size_of(*joints_[i]);
     }
+  }
+
+  // Moments of those that move at their rates.
+  Eigen::VectorXd resist(const Eigen::VectorXd& rate) const {
+    Eigen::VectorXd moments(rate.size());
+    each_moving([&](std::size_t i, Eigen::Index at, const Sliding& sliding) {
+      if (joints_[i]->is_pin()) {
+        moments[at] = sliding.moment(starts_[i].axis, rate[at]);
+      } else {
+        moments.segment<3>(at) = sliding.moment(rate.segment<3>(at));
+      }
+    });
     return moments;
   }
 
-  // Takes over what fits, if joint i moves.
-  void take(std::size_t i) {
-    if (holds_[i]) return;
-    steps_[i].angular_velocity = get(i, rate_);
-    steps_[i].moment = get(i, moment_);
-    steps_[i].holds = false;
+  // W - dM/dDw of those that move.
+  Eigen::MatrixXd sloped(const Eigen::VectorXd& rate,
+                         const Eigen::VectorXd& moments) const {
+    Eigen::MatrixXd all = weight_;
+    each_moving([&](std::size_t i, Eigen::Index at, const Sliding& sliding) {
+      if (joints_[i]->is_pin()) {
+        all(at, at) += sliding.slope(starts_[i].axis);
+      } else {
+        all.block<3, 3>(at, at) +=
+            sliding.slope(rate.segment<3>(at), moments.segment<3>(at));
+      }
+    });
+    return all;
+  }
+
+  // Takes over what fits.
+  void take(const Eigen::VectorXd& moments) {
+    moment_(moving_) = moments;
+    for (std::size_t i = 0; i < joints_.size(); ++i) {
+      if (holds_[i]) continue;
+      steps_[i].angular_velocity = get(i, rate_);
+      steps_[i].moment = get(i, moment_);
+      steps_[i].holds = false;
+    }
   }
 
   // The step of joint i; the change of its moment.
@@ -489,6 +551,7 @@ class Mechanism {
   std::vector<Eigen::Index> moving_;  // rows
   bool is_other_ = true;              // others hold than those of W
   bool fits_ = false;                 // the moving ones fit each other
+  bool has_guessed_ = false;
   bool has_answer_ = false;
   double size_ = 0;  // largest W_ii free
   Status status_ = Status::ok;

@@ -90,7 +90,9 @@ struct StepSweeps {
 ///                 angular velocities, three rows for a ball and one, about its
 ///                 axis, for a pin; symmetric, positive definite. Joints'
 ///                 frames may differ.
-/// @param steps    in: those of the step before, or empty ones; out: the result
+/// @param steps    in: those of the step before, or empty ones; a better guess
+///                 of Dw than that of `starts` may stand in its place, for
+///                 speed; out: the result
 /// @param tolerance  of StepSweeps::residual
 /// @throws Error if sizes differ, a pin has no axis, or W is not symmetric or a
 ///         joint's block of it not as is_inertia() has it.

@@ -99,10 +99,10 @@ MomentSet::Prox SeatMomentSet::prox(const Matrix3d& inertia,
   if (wanted.dot(u) <= support(u)) {
     return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
   }
-  return detail::motion_left([&](const Vector3d& v) { return support(v); },
-                             [&](const Vector3d& v) { return moment(v); },
-                             [&](const Vector3d& v) { return curvature(v); },
-                             inertia, free, u);
+  return detail::motion_left(
+      [&](const Vector3d& v) { return moment(v); },
+      [&](const Vector3d& v, const Vector3d&) { return curvature(v); }, inertia,
+      free, u);
 }
 
 }  // namespace contact

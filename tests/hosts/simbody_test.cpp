@@ -24,6 +24,17 @@ const std::string ball_file = folder + "ball.toml";
 const std::string pin_file = folder + "pin.toml";
 const std::string star_pin_file = folder + "star_pin.toml";
 
+/// Message of the exception that something throws.
+template <class Work>
+std::string refused(const Work& work) {
+  try {
+    work();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 struct World {
   MultibodySystem system;
   SimbodyMatterSubsystem matter{system};
@@ -59,17 +70,18 @@ struct World {
 };
 
 /// The pendulum of docs/pendulum.md.
-void add_pendulum(World& w) {
-  w.weigh({0, 0, -9.81});
+template <class Mobilizer = MobilizedBody::Ball>
+void add_pendulum(World& w, const Vec3& rate = {0, 1, 0.5}) {
   const Body::Rigid body(
       MassProperties(5, Vec3(0, 0, -0.4), Inertia(0.9, 0.9, 0.02)));
-  w.bodies.push_back(MobilizedBody::Ball(w.matter.Ground(), body));
+  w.bodies.push_back(Mobilizer(w.matter.Ground(), body));
   w.friction.add(w.bodies.back(), ball_file);
   w.begin();
   w.bodies[0].setQToFitRotation(w.state, Rotation(1, XAxis));
-  w.bodies[0].setUToFitAngularVelocity(w.state, Vec3(0, 1, 0.5));
+  w.bodies[0].setUToFitAngularVelocity(w.state, rate);
   w.friction.settle(w.state);
 }
+const Vec3 down(0, 0, -9.81);
 
 /// Links that hang from each other on balls, or on pins about y.
 /// @param rubbing  how many have friction
@@ -101,6 +113,7 @@ void add_chain(World& w, int links, bool balls, int rubbing = 100) {
 // 44.37 +- 0.02 s.
 TEST(HostSimbody, PendulumRestsAndStaysToTheLastBit) {
   World w;
+  w.weigh(down);
   add_pendulum(w);
   double rests = 0;
   w.run(45, 1e-7, 0.01, [&] {
@@ -266,7 +279,9 @@ TEST(HostSimbody, HoldsALoop) {
                                          w.bodies[1], Vec3(0, 0, -0.5));
     w.begin();
     if (rubbing == 2) {
-      EXPECT_THROW(w.friction.settle(w.state), std::runtime_error);
+      EXPECT_EQ(refused([&] { w.friction.settle(w.state); }),
+                "resting hinges of a loop must be no more than its freedoms: "
+                "give friction to fewer of them");
       continue;
     }
     w.bodies[0].setOneU(w.state, 0, 0.3);
@@ -283,11 +298,68 @@ TEST(HostSimbody, HoldsALoop) {
   }
 }
 
+// Forces of a subsystem that comes after that of friction are part of the
+// reactions, by another way.
+TEST(HostSimbody, KnowsForcesOfOtherSubsystems) {
+  Rotation turned[2];
+  for (const bool later : {false, true}) {
+    World w;
+    GeneralForceSubsystem other(w.system);
+    const Force::UniformGravity weight(later ? other : w.forces, w.matter,
+                                       down);
+    add_pendulum(w);
+    w.run(0.5, 1e-9);
+    turned[later] = w.bodies[0].getBodyRotation(w.state);
+    EXPECT_GT(w.friction.evaluations(), 0);
+  }
+  EXPECT_LT((turned[0] - turned[1]).norm(), 1e-9);
+}
+
+// A Gimbal is a ball in other coordinates: it slides, comes to rest, stays, and
+// lets go as a Ball does, to what the integrator leaves.
+TEST(HostSimbody, GimbalMovesAsABall) {
+  for (const Vec3& rate : {Vec3(0, 1, 0.5), Vec3(0)}) {
+    World ball, gimbal;
+    ball.weigh(down);
+    gimbal.weigh(down);
+    add_pendulum(ball, rate);
+    add_pendulum<MobilizedBody::Gimbal>(gimbal, rate);
+    ball.run(1, 1e-9);
+    gimbal.run(1, 1e-9);
+    EXPECT_LT((ball.bodies[0].getBodyRotation(ball.state) -
+               gimbal.bodies[0].getBodyRotation(gimbal.state))
+                  .norm(),
+              1e-7);
+  }
+  World w;
+  w.weigh(down);
+  add_pendulum<MobilizedBody::Gimbal>(w);
+  w.run(45, 1e-7);
+  EXPECT_TRUE(w.bodies[0].isLocked(w.state));
+  const Vector q = w.state.getQ();
+  w.run(45 + 3600, 1e-6);
+  EXPECT_EQ((w.state.getQ() - q).normInf(), 0);
+}
+
+TEST(HostSimbody, RefusesGimbalLock) {
+  World w;
+  w.weigh(down);
+  const Body::Rigid body(MassProperties(1, Vec3(0), Inertia(1)));
+  w.bodies.push_back(MobilizedBody::Gimbal(w.matter.Ground(), body));
+  w.friction.add(w.bodies[0], ball_file);
+  w.begin();
+  w.bodies[0].setOneQ(w.state, 1, Pi / 2);
+  EXPECT_EQ(refused([&] { w.friction.settle(w.state); }),
+            "a Gimbal mobilizer with friction must not come to gimbal lock: "
+            "use a Ball");
+}
+
 // The lagged fit is near the converged one, and asks for no accelerations.
 TEST(HostSimbody, LaggedIsNearConverged) {
   double angle[2];
   for (const Fit fit : {Fit::converged, Fit::lagged}) {
     World w({fit, 1e-12, 1e-7});
+    w.weigh(down);
     add_pendulum(w);
     w.run(1, 1e-8);
     angle[fit == Fit::lagged] =
@@ -301,15 +373,15 @@ TEST(HostSimbody, SaysWhatIsWrong) {
   World w;
   const Body::Rigid body(MassProperties(1, Vec3(0), Inertia(1)));
   const auto refusal = [&](const MobilizedBody& b, const std::string& file) {
-    try {
-      w.friction.add(b, file);
-    } catch (const std::runtime_error& error) {
-      return std::string(error.what());
-    }
-    return std::string();
+    return refused([&] { w.friction.add(b, file); });
   };
-  EXPECT_EQ(refusal(MobilizedBody::Slider(w.matter.Ground(), body), pin_file),
-            "HingeFriction::add: body must have a Ball or Pin mobilizer");
+  EXPECT_EQ(
+      refusal(MobilizedBody::Slider(w.matter.Ground(), body), pin_file),
+      "HingeFriction::add: body must have a Ball, Gimbal or Pin mobilizer");
+  EXPECT_EQ(
+      refusal(MobilizedBody::Universal(w.matter.Ground(), body), pin_file),
+      "HingeFriction::add: a Universal mobilizer must be two Pins: each of its "
+      "axes is a joint with a load of its own");
   EXPECT_EQ(refusal(MobilizedBody::Pin(w.matter.Ground(), body), ball_file),
             "HingeFriction::add: " + ball_file + " must be a pin joint");
 }

@@ -325,6 +325,35 @@ TEST(JointSteps, OfAChainThatSlidesFitInOneSweep) {
   }
 }
 
+// Rates to begin from are for speed alone, good or bad.
+TEST(JointSteps, FromAGuessAreTheSame) {
+  RandomSlips random(15);
+  for (int i = 0; i < 20; ++i) {
+    const Mechanism m(random, 1000);
+    std::vector<JointStep> wanted(m.joints.size());
+    step(m.joints, m.starts, m.inertia, wanted);
+    const double nan = std::nan("");
+    for (const Vector3d& off :
+         {Vector3d(0, 0, 0), Vector3d(1e-6, 0, 0), Vector3d(300, -900, 10),
+          Vector3d(nan, nan, nan)}) {
+      std::vector<JointStep> steps(m.joints.size());
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        steps[k].angular_velocity = wanted[k].angular_velocity + off;
+      }
+      const StepSweeps done = step(m.joints, m.starts, m.inertia, steps);
+      EXPECT_EQ(done.status, Status::ok);
+      for (std::size_t k = 0; k < steps.size(); ++k) {
+        // Sweeps leave so much of the equation, over W free.
+        const double scale = (m.inertia * m.stacked([&](std::size_t j) {
+                               return m.starts[j].free;
+                             })).norm();
+        EXPECT_LE((steps[k].moment - wanted[k].moment).norm(), 1e-10 * scale);
+        EXPECT_EQ(steps[k].holds, wanted[k].holds);
+      }
+    }
+  }
+}
+
 TEST(JointSteps, ThatDependOnNothingAreThoseOfEachJoint) {
   RandomSlips random(12);
   for (int i = 0; i < 20; ++i) {

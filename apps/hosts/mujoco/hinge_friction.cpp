@@ -8,7 +8,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-using Matrix = Eigen::Matrix<double, -1, -1, Eigen::RowMajor>;
 using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 static_assert(sizeof(mjtNum) == sizeof(double), "MuJoCo in double precision");
 
@@ -86,29 +85,40 @@ void HingeFriction::start(const mjData* data) {
   }
 }
 
+// Rates from which the search begins.
+void HingeFriction::guess(const VectorXd& rates) {
+  for (std::size_t i = 0; i < hinges_.size(); ++i) {
+    const Hinge& h = hinges_[i];
+    Vector3d::Map(steps_[i].angular_velocity) =
+        h.size == 3 ? Vector3d(rates.segment<3>(h.dof))
+                    : Vector3d(rates[h.dof] * Vector3d(starts_[i].axis));
+  }
+}
+
 // H and W. Constraints whose force is linear in the acceleration, as those of
 // equalities, are part of H: friction knows how they give way.
 void HingeFriction::weigh(mjData* data) {
   const int nv = model_->nv;
   const double dt = model_->opt.timestep;
-  Matrix mass(nv, nv);
-  mj_fullM(model_, mass.data(), data->qM);
-  inertia_ = mass;
+  inertia_.resize(nv, nv);
+  mj_fullM(model_, inertia_.data(), data->qM);
   inertia_.diagonal() += dt * mapped(model_->dof_damping, nv);
   if (has_damping_) damped_.compute(inertia_);
-  VectorXd row(nv);
+  VectorXd row(data->nefc > 0 ? nv : 0);
   for (int i = 0; i < data->nefc; ++i) {
     if (data->efc_state[i] != mjCNSTRSTATE_QUADRATIC) continue;
     const VectorXd one = VectorXd::Unit(data->nefc, i);
     mj_mulJacTVec(model_, data, row.data(), one.data());
     inertia_ += data->efc_D[i] * row * row.transpose();
   }
-  weight_ = inertia_(own_, own_);
-  if (!other_.empty()) {
-    const Eigen::MatrixXd across = inertia_(other_, own_);
-    weight_ -= across.transpose() *
-               Eigen::MatrixXd(inertia_(other_, other_)).llt().solve(across);
+  if (other_.empty() && std::is_sorted(own_.begin(), own_.end())) {
+    weight_ = inertia_ / dt;
+    return;
   }
+  weight_ = inertia_(own_, own_);
+  const Eigen::MatrixXd across = inertia_(other_, own_);
+  weight_ -= across.transpose() *
+             Eigen::MatrixXd(inertia_(other_, other_)).llt().solve(across);
   weight_ /= dt;
 }
 
@@ -176,8 +186,13 @@ void HingeFriction::begin(mjData* data, const VectorXd& smooth) {
 void HingeFriction::step(mjData* data) {
   if (model_->opt.integrator != mjINT_EULER) {
     throw std::runtime_error(
-        "the integrator must be Euler; others have add_torque()");
+        "the integrator must be Euler; implicit ones have add_damping(), "
+        "others "
+        "add_torque()");
   }
+  // As if accelerations stayed as they were.
+  const VectorXd likely = mapped(data->qvel, model_->nv) +
+                          model_->opt.timestep * mapped(data->qacc, model_->nv);
   mj_checkPos(model_, data);
   mj_checkVel(model_, data);
   mj_forward(model_, data);
@@ -189,6 +204,7 @@ void HingeFriction::step(mjData* data) {
     if (has_damping_) accelerate(data, smooth);
     if (!has_reactions_) begin(data, smooth);
     start(data);
+    guess(likely);
     constexpr int turn_limit = 50;
     for (turns_ = 1;; ++turns_) {
       const double change = solve(free_rates(data));
@@ -217,22 +233,44 @@ void HingeFriction::hold(mjData* data) {
   }
 }
 
+// Moment of a hinge that slides, in its dofs.
+VectorXd HingeFriction::slide(std::size_t i) {
+  const Hinge& h = hinges_[i];
+  contact_slip slip{};
+  std::copy_n(starts_[i].reaction, 3, slip.reaction);
+  std::copy_n(starts_[i].angular_velocity, 3, slip.angular_velocity);
+  std::copy_n(starts_[i].axis, 3, slip.axis);
+  contact_solution& s = steps_[i].solution;
+  must(contact_joint_solve(h.contact.get(), &slip, &s, &s));
+  const Vector3d moment(s.friction_moment);
+  if (h.size == 3) return moment;
+  return VectorXd::Constant(1, moment.dot(Vector3d(slip.axis)));
+}
+
 void HingeFriction::add_torque(mjData* data) {
   start(data);
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const Hinge& h = hinges_[i];
-    contact_slip slip{};
-    std::copy_n(starts_[i].reaction, 3, slip.reaction);
-    std::copy_n(starts_[i].angular_velocity, 3, slip.angular_velocity);
-    std::copy_n(starts_[i].axis, 3, slip.axis);
-    contact_solution& s = steps_[i].solution;
-    must(contact_joint_solve(h.contact.get(), &slip, &s, &s));
-    const Vector3d moment(s.friction_moment);
-    if (h.size == 3) {
-      mapped(data->qfrc_passive + h.dof, 3) += moment;
-    } else {
-      data->qfrc_passive[h.dof] += moment.dot(Vector3d(slip.axis));
-    }
+    mapped(data->qfrc_passive + h.dof, h.size) += slide(i);
+  }
+}
+
+void HingeFriction::add_damping(mjModel* model, mjData* data) {
+  start(data);
+  for (std::size_t i = 0; i < hinges_.size(); ++i) {
+    Hinge& h = hinges_[i];
+    auto force = mapped(data->qfrc_passive + h.dof, h.size);
+    auto damping = mapped(model->dof_damping + h.dof, h.size);
+    const auto rate = mapped(data->qvel + h.dof, h.size);
+    // Below it damping stays as it is: a hinge that holds creeps at less.
+    constexpr double least = 1e-12;  // rad/s
+    if (rate.norm() < least) continue;
+    const VectorXd moment = slide(i);
+    // MuJoCo has added the force of the damping that there was.
+    force.array() += h.damping * rate.array() + moment.array();
+    damping.array() -= h.damping;
+    h.damping = -moment.dot(rate) / rate.squaredNorm();
+    damping.array() += h.damping;
   }
 }
 

@@ -25,12 +25,12 @@ namespace contact_hosts::mujoco {
 /// damping; reactions are those of the step before. A hinge that friction holds
 /// has a rate of exactly 0, and its angles do not change by a bit.
 ///
-/// Where it ends: the integrator must be Euler; implicit ones and RK4 get the
-/// torque of add_torque(), which creeps. Contacts, limits and equalities are
-/// MuJoCo's soft constraints, solved in turn with friction until both fit to
-/// 1e-8 of the moments, in 50 turns at most (turns()). Their forces
-/// count in the reaction as far as mj_rnePostConstraint() has them: contacts,
-/// no equalities.
+/// Where it ends: the integrator must be Euler; implicit ones get
+/// add_damping(), RK4 the torque of add_torque(), which creeps. Contacts,
+/// limits and equalities are MuJoCo's soft constraints, solved in turn with
+/// friction until both fit to 1e-8 of the moments, in 50 turns at most
+/// (turns()). Their forces count in the reaction as far as
+/// mj_rnePostConstraint() has them: contacts, no equalities.
 class HingeFriction {
  public:
   /// @param model  stays while this is used
@@ -50,6 +50,12 @@ class HingeFriction {
   /// the reactions of the last note_reactions(). Explicit: it never stops a
   /// hinge, which creeps.
   void add_torque(mjData* data);
+  /// The same with k = -M . Dw/|Dw|^2 as the hinge's damping, which Euler and
+  /// implicit integrators take at the end of the step: M(w) is -k w for them.
+  /// A hinge that friction holds slows down by a factor at each step, and
+  /// creeps at 1e-12 rad/s at most. First order, as step(), and not beside it.
+  /// @param model  that of this, whose dof_damping of these hinges it changes
+  void add_damping(mjModel* model, mjData* data);
   /// After mj_step(): the reactions for the next one.
   void note_reactions(mjData* data);
 
@@ -67,8 +73,11 @@ class HingeFriction {
     int size;   // 3 or 1 of them
     int angle;  // in qpos
     JointHandle contact;
+    double damping = 0;  // given by add_damping()
   };
   void start(const mjData* data);
+  Eigen::VectorXd slide(std::size_t i);
+  void guess(const Eigen::VectorXd& rates);
   void weigh(mjData* data);
   void hold(mjData* data);
   void begin(mjData* data, const Eigen::VectorXd& smooth);

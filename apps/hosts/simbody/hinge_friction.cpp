@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "hosts/simbody/moment_fit.hpp"
+
 namespace contact_hosts::simbody {
 namespace {
 
@@ -27,6 +29,8 @@ struct Hinge {
   Vec3 way{0};  // in which it slides, or would: unit, axes of the parent
   Vec3 reaction{0};
   Vec3 moment{0};
+  bool slides = false;
+  contact_slip slip{};
   contact_solution solution{};
   contact_rest rest{};
 
@@ -54,10 +58,35 @@ struct Hinge {
   Vec3 axis(const State& s) const {
     return is_ball ? Vec3(0) : Vec3(axes(s) * Vec3(0, 0, 1));
   }
-  // As coordinates of the mobilizer.
+  // Angular velocities of a ball for one of each of its coordinates.
+  SimTK::Mat33 turns(const State& s) const {
+    SimTK::Mat33 all;
+    for (int i = 0; i < 3; ++i) {
+      all(i) = body.getHCol(s, SimTK::MobilizerUIndex(i))[0];
+    }
+    constexpr double least = 1e-3;  // cos of a Gimbal's second angle
+    if (std::abs(det(all)) < least) {
+      throw std::runtime_error(
+          "a Gimbal mobilizer with friction must not come to gimbal lock: use "
+          "a Ball");
+    }
+    return all;
+  }
+  // The moment whose work in the mobilizer's coordinates is that of `forces`.
+  Vec3 moment_of(const State& s, const SimTK::Vector& forces) const {
+    if (!is_ball) {
+      return body.getOneFromUPartition(s, 0, forces) * axis(s);
+    }
+    Vec3 own;
+    for (int i = 0; i < 3; ++i) {
+      own[i] = body.getOneFromUPartition(s, i, forces);
+    }
+    return turns(s).transpose().invert() * own;
+  }
+  // A rate in the mobilizer's coordinates.
   SimTK::Vector rates(const State& s, const Vec3& rate) const {
-    const Vec3 u = ~axes(s) * rate;
-    return is_ball ? SimTK::Vector(u) : SimTK::Vector(1, u[2]);
+    return is_ball ? SimTK::Vector(turns(s).invert() * rate)
+                   : SimTK::Vector(1, dot(rate, axis(s)));
   }
 };
 
@@ -67,18 +96,39 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
  public:
   Friction(const SimTK::MultibodySystem& system,
            const SimTK::GeneralForceSubsystem& forces, const Options& options)
-      : system_(system), forces_(forces), options_(options) {}
+      : system_(system),
+        forces_(forces),
+        options_(options),
+        fit_(options.tolerance) {}
 
-  // Moments are a part of the state that belongs to its velocities: when forces
-  // are asked for, the subsystem of forces cannot be asked for others.
   void realizeTopology(State& state) const override {
-    cache_ = forces_.allocateCacheEntry(state, Stage::Velocity,
+    cache_ = forces_.allocateCacheEntry(state, Stage::Dynamics,
                                         new SimTK::Value<Moments>());
-  }
-  void realizeVelocity(const State& state) const override {
-    if (!is_given_) {
-      options_.fit == Fit::converged ? converge(state) : slide(state);
+    is_last_ = true;
+    SimTK::SubsystemIndex i = forces_.getMySubsystemIndex();
+    while (++i < system_.getNumSubsystems()) {
+      if (SimTK::ForceSubsystem::isInstanceOf(system_.getSubsystem(i))) {
+        is_last_ = false;
+      }
     }
+  }
+  // Moments are added when all other forces of the subsystem are known.
+  void calcForce(const State&, SimTK::Vector_<SimTK::SpatialVec>&,
+                 SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {}
+  void realizeDynamics(const State& state) const override {
+    SimTK::Vector_<SimTK::SpatialVec>& forces =
+        system_.updRigidBodyForces(state, Stage::Dynamics);
+    if (is_given_) return apply(forces);
+    if (!aim(state)) {
+      // All are locked.
+    } else if (options_.fit == Fit::lagged) {
+      slide();
+    } else if (is_last_ && state.getNMultipliers() == 0) {
+      converge_tree(state, forces);
+    } else {
+      converge(state);
+    }
+    apply(forces);
     Moments& moments = SimTK::Value<Moments>::updDowncast(
         forces_.updCacheEntry(state, cache_));
     moments.clear();
@@ -87,17 +137,6 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   const SimTK::Array_<Vec3>& moments(const State& state) const {
     return SimTK::Value<Moments>::downcast(
         forces_.getCacheEntry(state, cache_));
-  }
-
-  void calcForce(const State& state, SimTK::Vector_<SimTK::SpatialVec>& bodies,
-                 SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {
-    // Moments of the last pass, where passes are made on a scratch state.
-    for (std::size_t i = 0; i < hinges.size(); ++i) {
-      const MobilizedBody& body = hinges[i].body;
-      const Vec3 m = is_given_ ? hinges[i].moment : moments(state)[int(i)];
-      bodies[body.getMobilizedBodyIndex()][0] += m;
-      bodies[body.getParentMobilizedBody().getMobilizedBodyIndex()][0] -= m;
-    }
   }
   double calcPotentialEnergy(const State&) const override { return 0; }
 
@@ -115,12 +154,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   double excess(const State& state, Hinge& h) const {
     SimTK::Vector held;
     system_.getMatterSubsystem().findMotionForces(state, held);
-    const auto own = [&](int i) {
-      return h.body.getOneFromUPartition(state, i, held);
-    };
-    const Vec3 moment =
-        -(h.axes(state) *
-          (h.is_ball ? Vec3(own(0), own(1), own(2)) : Vec3(0, 0, own(0))));
+    const Vec3 moment = -h.moment_of(state, held);
     contact_hold hold{};
     put(hold.reaction, h.body.findMobilizerReactionOnBodyAtMInGround(state)[1]);
     put(hold.moment, moment);
@@ -147,8 +181,15 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   mutable long evaluations = 0;
 
  private:
-  void slide(const State& state) const;
+  using BodyVectors = SimTK::Vector_<SimTK::SpatialVec>;
+  void apply(BodyVectors& forces) const;
+  bool aim(const State& state) const;
+  void slide() const;
   void converge(const State& state) const;
+  void converge_tree(const State& state, const BodyVectors& others) const;
+  void note_reactions(const State& state, const BodyVectors& forces,
+                      const BodyVectors& accelerations) const;
+  bool refit(int turn) const;
   void stop(State& state) const;
   void let_go(State& state, Hinge& h) const;
 
@@ -156,16 +197,23 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   const SimTK::MultibodySystem& system_;
   const SimTK::GeneralForceSubsystem& forces_;
   Options options_;
+  mutable MomentFit fit_;
   mutable SimTK::CacheEntryIndex cache_;
   mutable State scratch_;
+  mutable bool is_last_ = false;   // no subsystem of forces comes later
   mutable bool is_given_ = false;  // moments are those of the hinges
 };
 
-// Moments of the sliding hinges under their reactions.
-void HingeFriction::Friction::slide(const State& state) const {
+// How hinges slide; whether there are any that do.
+bool HingeFriction::Friction::aim(const State& state) const {
+  bool any = false;
   for (Hinge& h : hinges) {
-    h.moment = 0;
-    if (h.body.isLocked(state)) continue;
+    h.slides = !h.body.isLocked(state);
+    any = any || h.slides;
+    if (!h.slides) {
+      h.moment = 0;
+      continue;
+    }
     Vec3 rate = h.rate(state);
     // Smooth through the stop, which an event finds.
     const double least = h.is_ball ? options_.stop_speed : 1e-12;
@@ -173,40 +221,107 @@ void HingeFriction::Friction::slide(const State& state) const {
         (h.is_ball ? rate.norm() : dot(rate, h.direction(state))) < least) {
       rate = least * h.direction(state);
     }
-    contact_slip slip{};
-    put(slip.reaction, h.reaction);
-    put(slip.angular_velocity, rate);
-    put(slip.axis, h.axis(state));
-    must(contact_joint_solve(h.joint.get(), &slip, &h.solution, &h.solution));
+    put(h.slip.angular_velocity, rate);
+    put(h.slip.axis, h.axis(state));
+  }
+  return any;
+}
+
+// Moments of the sliding hinges under their reactions.
+void HingeFriction::Friction::slide() const {
+  for (Hinge& h : hinges) {
+    if (!h.slides) continue;
+    put(h.slip.reaction, h.reaction);
+    must(contact_joint_solve(h.joint.get(), &h.slip, &h.solution, &h.solution));
     h.moment = vec(h.solution.friction_moment);
   }
 }
 
-// The same under the reactions that they cause.
-void HingeFriction::Friction::converge(const State& state) const {
-  scratch_ = state;
-  is_given_ = true;
+// Adds moments to the forces of all bodies.
+void HingeFriction::Friction::apply(BodyVectors& forces) const {
+  for (const Hinge& h : hinges) {
+    forces[h.body.getMobilizedBodyIndex()][0] += h.moment;
+    forces[h.body.getParentMobilizedBody().getMobilizedBodyIndex()][0] -=
+        h.moment;
+  }
+}
+
+// Moments under the reactions of now; whether they fit.
+bool HingeFriction::Friction::refit(int turn) const {
   constexpr int limit = 100;
-  for (int i = 0;; ++i) {
+  if (turn == limit) {
+    throw std::runtime_error("friction and reactions do not come to fit");
+  }
+  ++evaluations;
+  if (turn == 0) fit_.begin();
+  const auto moments = [&] {
+    Eigen::VectorXd all(3 * hinges.size());
+    for (std::size_t i = 0; i < hinges.size(); ++i) {
+      all.segment<3>(3 * i) = Eigen::Vector3d(&hinges[i].moment[0]);
+    }
+    return all;
+  };
+  Eigen::VectorXd given = moments();
+  slide();
+  const bool fits = fit_.turn(given, moments());
+  for (std::size_t i = 0; i < hinges.size(); ++i) {
+    Eigen::Vector3d::Map(&hinges[i].moment[0]) = given.segment<3>(3 * i);
+  }
+  return fits;
+}
+
+// Reactions without a joint that is closed by a constraint: what the links on
+// a hinge need, m a, less the forces on them.
+void HingeFriction::Friction::note_reactions(
+    const State& state, const BodyVectors& forces,
+    const BodyVectors& accelerations) const {
+  const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
+  std::vector<Vec3> needed(matter.getNumBodies(), Vec3(0));
+  for (int i = matter.getNumBodies() - 1; i > 0; --i) {
+    const SimTK::MobilizedBodyIndex index(i);
+    const MobilizedBody& body = matter.getMobilizedBody(index);
+    const SimTK::SpatialVec inertial =
+        body.getBodySpatialInertiaInGround(state) * accelerations[i] +
+        matter.getGyroscopicForce(state, index);
+    needed[i] += inertial[1] - forces[i][1];
+    needed[body.getParentMobilizedBody().getMobilizedBodyIndex()] += needed[i];
+  }
+  for (Hinge& h : hinges) h.reaction = needed[h.body.getMobilizedBodyIndex()];
+}
+
+// Moments under the reactions that they cause.
+void HingeFriction::Friction::converge_tree(const State& state,
+                                            const BodyVectors& others) const {
+  const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
+  SimTK::Vector rates;
+  BodyVectors accelerations;
+  for (int turn = 0;; ++turn) {
+    BodyVectors forces = others;
+    apply(forces);
+    matter.calcAccelerationIgnoringConstraints(
+        state, system_.getMobilityForces(state, Stage::Dynamics), forces, rates,
+        accelerations);
+    note_reactions(state, forces, accelerations);
+    if (refit(turn)) break;
+  }
+}
+
+// The same with constraints, and with forces that are not known yet: on a copy
+// of the state, which costs more.
+void HingeFriction::Friction::converge(const State& state) const {
+  // Ends with the fit, or with an exception.
+  struct Given {
+    explicit Given(bool& is) : is_(is) { is_ = true; }
+    ~Given() { is_ = false; }
+    bool& is_;
+  } const given(is_given_);
+  scratch_ = state;
+  for (int turn = 0;; ++turn) {
     system_.realize(scratch_, Stage::Acceleration);
-    ++evaluations;
     note_reactions(scratch_);
-    std::vector<Vec3> before;
-    for (const Hinge& h : hinges) before.push_back(h.moment);
-    slide(state);
-    double change = 0;
-    double size = 0;
-    for (std::size_t k = 0; k < hinges.size(); ++k) {
-      change = std::max(change, (hinges[k].moment - before[k]).norm());
-      size = std::max(size, hinges[k].moment.norm());
-    }
-    if (change <= options_.tolerance * size) break;
-    if (i == limit) {
-      throw std::runtime_error("friction and reactions do not come to fit");
-    }
+    if (refit(turn)) break;
     scratch_.invalidateAllCacheAtOrAbove(Stage::Dynamics);
   }
-  is_given_ = false;
 }
 
 // Locks what has no rate left, and follows balls that have turned.
@@ -309,11 +424,16 @@ HingeFriction::HingeFriction(SimTK::MultibodySystem& system,
 }
 
 void HingeFriction::add(const MobilizedBody& body, const std::string& file) {
-  const bool is_ball = MobilizedBody::Ball::isInstanceOf(body);
+  const bool is_ball = MobilizedBody::Ball::isInstanceOf(body) ||
+                       MobilizedBody::Gimbal::isInstanceOf(body);
+  if (MobilizedBody::Universal::isInstanceOf(body)) {
+    throw std::runtime_error(
+        "HingeFriction::add: a Universal mobilizer must be two Pins: each of "
+        "its axes is a joint with a load of its own");
+  }
   if (!is_ball && !MobilizedBody::Pin::isInstanceOf(body)) {
     throw std::runtime_error(
-        "HingeFriction::add: body must have a Ball or Pin "
-        "mobilizer");
+        "HingeFriction::add: body must have a Ball, Gimbal or Pin mobilizer");
   }
   JointHandle joint = read_joint(file, "HingeFriction::add",
                                  is_ball ? CONTACT_BALL : CONTACT_PIN);

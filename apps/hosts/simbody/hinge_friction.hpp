@@ -10,24 +10,26 @@ namespace contact_hosts::simbody {
 
 /// How friction and the reactions that it causes come to fit.
 enum class Fit {
-  /// By accelerations repeated until moments change by `tolerance`.
+  /// By accelerations repeated until moments are wrong by `tolerance`.
   converged,
-  /// Moments under the reactions of the evaluation before: a fifth of the cost,
-  /// an error of the order of the joint's radius over the distance of the
-  /// masses, and integrators take shorter steps.
+  /// Moments under the reactions of the evaluation before: without these
+  /// accelerations, an error of the order of the joint's radius over the
+  /// distance of the masses, and integrators take shorter steps.
   lagged,
 };
 
 struct Options {
   Fit fit = Fit::converged;
-  /// Largest change of a moment over the largest moment.
-  double tolerance = 1e-12;
+  /// Error of the moments over the largest. Not above what the integrator
+  /// resolves.
+  double tolerance = 1e-8;
   /// A ball below it has come to rest, rad/s. Not below what the integrator
   /// resolves.
   double stop_speed = 1e-7;
 };
 
-/// Friction of libcontact in Ball and Pin mobilizers of a Simbody system.
+/// Friction of libcontact in Ball, Gimbal and Pin mobilizers of a Simbody
+/// system.
 ///
 ///     HingeFriction friction(system, forces);
 ///     friction.add(hip, "hip.toml");
@@ -44,8 +46,10 @@ struct Options {
 /// Where it ends: one State at a time; mobilizers are locked and unlocked, so
 /// locks of others on them are lost; in a
 /// loop no more hinges may have friction than it has freedoms: a loop that is
-/// locked twice has no reactions, and is refused; nothing is known of contacts
-/// that open.
+/// locked twice has no reactions, and is refused; a Gimbal must stay off its
+/// gimbal lock; nothing is known of contacts that open. Constraints, and
+/// subsystems of forces that come after `forces`, cost a copy of the State for
+/// each evaluation.
 class HingeFriction {
  public:
   /// Before system.realizeTopology().
@@ -53,7 +57,7 @@ class HingeFriction {
                 SimTK::GeneralForceSubsystem& forces, Options options = {});
 
   /// Friction of a joint file between a body and its parent.
-  /// @param body  of a Ball or Pin mobilizer
+  /// @param body  of a Ball, Gimbal or Pin mobilizer
   /// @throws std::runtime_error for another mobilizer, and if the file is not
   ///         good or of another kind
   void add(const SimTK::MobilizedBody& body, const std::string& file);
@@ -61,7 +65,8 @@ class HingeFriction {
   /// At the start: locks hinges without a rate, as far as they hold.
   void settle(SimTK::State& state) const;
 
-  /// Last solution of the i-th hinge added, while it slides.
+  /// Last solution of the i-th hinge added, while it slides: of reactions that
+  /// were wrong by less than a hundred times what moments are now.
   const contact_solution& hinge(int i) const;
   /// Accelerations that friction asked for.
   long evaluations() const;
