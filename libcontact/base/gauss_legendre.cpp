@@ -2,35 +2,55 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace contact::detail {
 
+namespace {
+
+// P_size and P_{size - 1}.
+template <class Array>
+std::pair<Array, Array> last_two(int size, const Array& x) {
+  using Scalar = typename Array::Scalar;
+  Array previous = Array::Ones(x.size());
+  Array current = x;
+  for (int n = 2; n <= size; ++n) {
+    const Scalar part = Scalar(n - 1) / n;
+    previous = x * current + part * (x * current - previous);
+    previous.swap(current);
+  }
+  return {std::move(current), std::move(previous)};
+}
+
+}  // namespace
+
 GaussLegendre::GaussLegendre(int size) : node(size), weight(size) {
-  using Array = Eigen::ArrayX<long double>;
   const int half = (size + 1) / 2;
   // The largest zeros, decreasing, by Tricomi's formula to order size^-4.
   const double n3 = 8.0 * size * size * size;
-  Array x(half);
+  Eigen::ArrayXd x(half);
   for (int i = 0; i < half; ++i) {
     x(i) = (1 - (size - 1) / n3) *
            std::cos(std::numbers::pi * (i + 0.75) / (size + 0.5));
   }
-  Array rest, slope;
-  // Three of Newton's steps, and the slope.
-  for (int step = 0; step < 4; ++step) {
-    Array previous = Array::Ones(half);
-    Array current = x;
-    for (int n = 2; n <= size; ++n) {
-      previous = (2 * n - 1.0L) / n * x * current - (n - 1.0L) / n * previous;
-      previous.swap(current);
-    }
-    rest = (1 - x) * (1 + x);
-    slope = size * (previous - x * current) / rest;
-    if (step < 3) x -= current / slope;
+  // Newton's steps, of which the last one alone needs more digits: where these
+  // are made by software, they cost fifty times as much.
+  for (int step = 0; step < 3; ++step) {
+    const auto [value, previous] = last_two(size, x);
+    x -= value * (1 - x) * (1 + x) / (size * (previous - x * value));
   }
-  const Array w = 2 / (rest * slope.square());
-  node.head(half) = -x.matrix().cast<double>();
-  node.tail(half) = x.matrix().reverse().cast<double>();
+  using Long = Eigen::ArrayX<long double>;
+  const Long at = x.cast<long double>();
+  const auto [value, previous] = last_two(size, at);
+  const Long rest = (1 - at) * (1 + at);
+  const Long slope = size * (previous - at * value) / rest;
+  const Long step = -value / slope;
+  const Long zero = at + step;
+  // The slope at the zero, (1 - x^2) P'' = 2 x P' there.
+  const Long w = 2 / ((rest - 2 * at * step) *
+                      (slope * (1 + 2 * at * step / rest)).square());
+  node.head(half) = -zero.matrix().cast<double>();
+  node.tail(half) = zero.matrix().reverse().cast<double>();
   if (size % 2 == 1) node(half - 1) = 0;
   weight.head(half) = w.matrix().cast<double>();
   weight.tail(half) = weight.head(half).reverse();

@@ -5,7 +5,8 @@
 namespace contact::detail {
 
 /// Gauss-Legendre rule on [-1, 1], nodes increasing. For rules whose size is
-/// known at run time only; relative error of the weights below 1e-14.
+/// known at run time only; relative error of nodes and weights below 2.3e-16
+/// for up to 512 nodes (base/gauss_legendre_test.cpp).
 struct GaussLegendre {
   explicit GaussLegendre(int size);
   Eigen::VectorXd node;
