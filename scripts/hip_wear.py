@@ -10,8 +10,9 @@ Nothing is shared with the library.
 
     hip_wear.py [SPACING_DEG...] > hip_wear_steps.csv
 
-The last rows are the lines through those of all spacings, at 0. Contacts are
-read at the instant of the largest load, load_x_N to load_z_N.
+The last rows are lines through those of all spacings to the power 3/2, at 0:
+so the half-angle goes to the exact one before wear. Contacts are read at the
+instant of the largest load, load_x_N to load_z_N.
 """
 import csv
 import pathlib
@@ -22,11 +23,11 @@ from scipy.linalg import solve
 from scipy.optimize import nnls
 
 RHO, EPS = 0.014, 1e-4
-BALL, SEAT = (230e9, 0.3), (1e9, 0.4)  # E, nu
-K = 1e-15  # m^2/N
+BALL, SEAT, K = (230e9, 0.3), (1e9, 0.4), 1e-15  # E, nu; wear, m^2/N
 CYCLES = (0, 2e5, 1e6, 5e6)
-REACH = np.radians(96)  # of the points, from the middle
-FIRST, GROWTH = 0.05, 0.1  # of blocks: of the compliance of n = 2, of the path
+SPACINGS = (7, 6.5, 6, 5.5, 5, 4.6, 4.3, 4, 3.7, 3.4, 3.2, 3, 2.8)
+REACH = np.radians(96)  # points end there, from the middle
+FIRST, GROWTH = 0.05, 0.1  # blocks: shares of C_2, of the path
 STATES = (pathlib.Path(__file__).parent.parent /
           "data/reference/duty/cycle_hip_states.csv")
 
@@ -54,9 +55,9 @@ def kernel():
     large = 1e6
     a, b = np.linalg.solve(
         [[1, 1 / large], [1, 0.5 / large]],
-        [(2 * m + 1) * harmonics(np.array(m)) for m in (large, 2 * large)])
+        [(2 * m + 1) * harmonics(m) for m in (large, 2 * large)])
     rest = (2 * n + 1) * harmonics(n) - a - b / n
-    grid = np.linspace(0, 1, 4001)  # of the sine of half the angle
+    grid = np.linspace(0, 1, 4001)  # sines of half the angle
     x = 1 - 2 * grid**2
     series, one, two = np.zeros_like(x), x, np.ones_like(x)  # P_n, P_(n-1)
     for m, c in zip(n, rest):
@@ -65,34 +66,31 @@ def kernel():
 
     def at(cosines):
         s = np.sqrt(np.maximum(1 - cosines, 0) / 2)
-        return (np.interp(s, grid, series) + harmonics(np.array(0.0)) - a +
-                a / (2 * s) - b * np.log(s * (1 + s))) / (4 * np.pi)
+        closed = harmonics(0.0) - a + a / (2 * s) - b * np.log(s * (1 + s))
+        return (closed + np.interp(s, grid, series)) / (4 * np.pi)
     return at
 
 
 class Seat:
     def __init__(self, spacing, middle):
         count = int(4 * np.pi / spacing**2)
-        self.area = 4 * np.pi / count  # of the unit sphere
+        self.area = 4 * np.pi / count  # on the unit sphere
         i = np.arange(count)
         z = 1 - (2 * i + 1) / count
-        turn = i * np.pi * (3 - np.sqrt(5))
-        r = np.sqrt(1 - z * z)
+        r, turn = np.sqrt(1 - z * z), i * np.pi * (3 - np.sqrt(5))
         axes = np.linalg.svd(middle[None])[2]
         axes[0] = middle
         everywhere = np.column_stack(
             (z, r * np.cos(turn), r * np.sin(turn))) @ axes
         self.points = everywhere[z > np.cos(REACH)]
-        size = len(self.points)
-        at = kernel()
+        size, at = len(self.points), kernel()
         c = np.empty((size, size))
-        even = harmonics(np.array(0.0))
         for i in range(size):
             cosines = everywhere @ self.points[i]
             cosines[i] = 0
             u = self.area * at(cosines)
             # An even pressure has to give what it does.
-            u[i] = even - u[:i].sum() - u[i + 1:].sum()
+            u[i] = harmonics(0.0) - u[:i].sum() - u[i + 1:].sum()
             c[i] = u[:size]
         self.compliance = ((c + c.T) / 2).astype(np.float32)
 
@@ -119,7 +117,7 @@ class Seat:
         raise RuntimeError("no contact found")
 
     def half_angle(self, load, left, touching):
-        """Of a cap with the contact's area: where gaps a s^(3/2) + b s begin."""
+        """A cap's of this area: to where gaps a s^(3/2) + b s begin; by count."""
         cell = np.sqrt(self.area)
         n = load / np.linalg.norm(load)
         theta = np.arccos(np.clip(self.points @ n, -1, 1))
@@ -132,15 +130,14 @@ class Seat:
         for one in np.unique(sector):
             mine = sector == one
             first = theta[mine & ~touching].min()
-            near = mine & (theta > first - 2 * cell) & (
-                theta < first + 3 * cell)
-            misfits = []
-            tries = first + cell * np.linspace(-2, 2, 161)
-            for edge in tries:
+            near = mine & (np.abs(theta - first - cell / 2) < 2.5 * cell)
+
+            def misfit(edge):
                 s = np.maximum(theta[near] - edge, 0) / cell
-                misfits.append(nnls(np.column_stack((s**1.5, s)),
-                                    left[near] / EPS)[1])
-            edges.append(tries[np.argmin(misfits)])
+                return nnls(np.column_stack((s**1.5, s)), left[near] / EPS)[1]
+
+            edges.append(min(first + cell * np.linspace(-2, 2, 161),
+                             key=misfit))
         return np.arccos(np.cos(edges).mean()), counted
 
 
@@ -166,7 +163,7 @@ def wear(spacing):
     worn = np.zeros(len(r))
     touch = [r @ load > 0.8 * np.linalg.norm(load) for load in loads]
     largest = np.argmax(np.linalg.norm(loads, axis=1))
-    first = FIRST * harmonics(np.array(2.0)) / (K * path.sum())
+    first = FIRST * harmonics(2.0) / (K * path.sum())
     done, block = 0.0, 0
     for target in CYCLES:
         while done < target:
@@ -177,30 +174,27 @@ def wear(spacing):
                 p, _, touch[i] = seat.press(loads[i], worn + EPS, touch[i])
                 worn += 2 * K * now * slips[i] * p
             done, block = done + now, block + 1
-        p, left, touching = seat.press(loads[largest], worn + EPS,
-                                       touch[largest])
-        yield (spacing, done, *loads[largest],
-               *np.degrees(seat.half_angle(loads[largest], left, touching)),
-               p.max(), worn.max() * 1e3,
-               worn.sum() * seat.area * RHO**2 * 1e9)
-
-
-def show(row):
-    print(",".join(f"{x:.6g}" for x in row), flush=True)
+        load = loads[largest]
+        p, left, touching = seat.press(load, worn + EPS, touch[largest])
+        yield (spacing, done, *load,
+               *np.degrees(seat.half_angle(load, left, touching)), p.max(),
+               worn.max() * 1e3, worn.sum() * seat.area * RHO**2 * 1e9)
 
 
 def main():
+    def show(row):
+        print(",".join(f"{x:.6g}" for x in row), flush=True)
+
     print("spacing_deg,cycles,load_x_N,load_y_N,load_z_N,theta0_deg,"
           "counted_deg,p_peak_Pa,depth_mm,volume_mm3")
     rows = []
-    for spacing in [float(x) for x in sys.argv[1:]] or [5, 4, 3]:
+    for spacing in [float(x) for x in sys.argv[1:]] or SPACINGS:
         for row in wear(spacing):
-            show(row)
             rows.append(row)
+            show(row)
     for cycles in CYCLES:
         some = np.array([row for row in rows if row[1] == cycles])
-        show((0, *np.polyfit(some[:, 0], some[:, 1:], 1)[1]))
+        show((0, *np.polyfit(some[:, 0]**1.5, some[:, 1:], 1)[1]))
 
 
-if __name__ == "__main__":
-    main()
+main()
