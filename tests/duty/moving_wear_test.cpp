@@ -266,5 +266,77 @@ TEST(MovingWear, OfAHipHasTheLimitOfFinerSteps) {
   EXPECT_NEAR(worn.volume * 1e9 / limit.value("volume_mm3"), 1, 3e-3);
 }
 
+// Against scripts/hip_wear.py, another contact and another way through the
+// cycle. Its rows of spacing 0 are good to 0.2 deg; a contact that is worn
+// little is shown too narrow, see below.
+TEST(MovingWear, OfAHipMatchesWearStepByStep) {
+  const std::filesystem::path data = CONTACT_DATA_DIR;
+  const JointContact contact =
+      read_joint(data / "reference/duty/cycle_hip.toml").contact();
+  const LayeredPair pair{contact.geometry().radius(), contact.pair().inner(),
+                         contact.pair().outer()};
+  const ReferenceTable table("duty/hip_wear_steps.csv");
+  AccuracyReport half_angle("half-angle, of 1 deg", 0.3);
+  AccuracyReport at_first("half-angle at first, of 1 deg", 0.4);
+  AccuracyReport peak("peak", 0.01);
+  AccuracyReport depth("depth", 5e-3);
+  AccuracyReport volume("worn volume", 5e-3);
+  for (const ReferenceTable::Row row : table) {
+    const double cycles = row.value("cycles");
+    if (row.value("spacing_deg") != 0 || cycles == 0) continue;
+    const WearIn worn = wear_in(hip_cycle(), contact, {.seat = 1e-15}, cycles);
+    const detail::WornSphere sphere(pair, worn.worn.pole, worn.worn.reach);
+    ASSERT_EQ(worn.worn.depths.size(),
+              std::size_t(sphere.latitudes() * sphere.longitudes()));
+    const Eigen::MatrixXd gap =
+        Eigen::Map<const Eigen::MatrixXd>(
+            worn.worn.depths.data(), sphere.latitudes(), sphere.longitudes())
+            .array() +
+        contact.geometry().radial_clearance();
+    const auto now = sphere.press(
+        {row.value("load_x_N"), row.value("load_y_N"), row.value("load_z_N")},
+        gap);
+    EXPECT_EQ(now.status, Status::ok);
+    (cycles < 1e6 ? at_first : half_angle)
+        .add_error(std::abs(now.half_angle / degree - row.value("theta0_deg")),
+                   row.label());
+    peak.add(now.pressure.maxCoeff(), row.value("p_peak_Pa"), row.label());
+    depth.add(worn.states.back().penetration * 1e3, row.value("depth_mm"),
+              row.label());
+    volume.add(worn.states.back().volume * 1e9, row.value("volume_mm3"),
+               row.label());
+  }
+}
+
+// Without wear the half-angle is known: what cells of 4 deg show of it depends
+// on where the load is among them.
+TEST(MovingWear, CellsShowAFreshBall) {
+  const std::filesystem::path data = CONTACT_DATA_DIR;
+  const JointContact contact =
+      read_joint(data / "reference/duty/cycle_hip.toml").contact();
+  const JointGeometry& geometry = contact.geometry();
+  const ElasticPair& pair = contact.pair();
+  const JointContact exact{
+      geometry, pair, FrictionLaw(weak),
+      std::make_shared<ExactLaw>(JointKind::ball, pair),
+      std::make_shared<ExactPressure>(JointKind::ball, pair)};
+  const detail::WornSphere sphere(
+      {geometry.radius(), pair.inner(), pair.outer()}, Vector3d::UnitX(),
+      pi / 2);
+  const Eigen::MatrixXd gap = Eigen::MatrixXd::Constant(
+      sphere.latitudes(), sphere.longitudes(), geometry.radial_clearance());
+  AccuracyReport half_angle("half-angle, of 1 deg", 0.8);
+  for (const double load : {300.0, 1500.0, 3000.0}) {
+    for (const double off_deg : {0.0, 1.0, 2.0, 4.0, 8.0}) {
+      const double off = off_deg * degree;
+      const auto now =
+          sphere.press(load * Vector3d(std::cos(off), std::sin(off), 0), gap);
+      half_angle.add_error(
+          std::abs(now.half_angle - exact.half_angle(load).half_angle) / degree,
+          std::to_string(load) + " N, off by " + std::to_string(off_deg));
+    }
+  }
+}
+
 }  // namespace
 }  // namespace contact::test
