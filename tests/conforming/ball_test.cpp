@@ -60,6 +60,25 @@ TEST(BallKernel, IsTheSumOfItsHarmonics) {
   }
 }
 
+// Partial fractions of d_n, sum e^(iNx)/(N - r) by Lerch's integral, in 30
+// digits (mpmath); x = 0.3, 1.5, 3.
+TEST(BallKernel, IsExactToItsLastDigits) {
+  constexpr double expected[][3] = {
+      {-0.689072207884992508, -0.645679661826412009, -0.00232563031983970126},
+      {-0.897976245676133162, -0.567689891660720366, -0.105005913623470626},
+      {-0.787240276776852002, -0.628368375469262995, -0.0457400541327817196},
+      {-0.746257368564249564, -0.905590732752613539, 0.0052576390283812046}};
+  for (int i = 0; i < 4; ++i) {
+    const detail::BallKernel kernel(constants[i]);
+    int j = 0;
+    for (const double x : {0.3, 1.5, 3.0}) {
+      // Terms up to 5: their roundings.
+      EXPECT_NEAR(kernel_value(kernel, x), expected[i][j], 1e-14) << x;
+      ++j;
+    }
+  }
+}
+
 TEST(BallKernel, IsALogarithmAtZero) {
   // kappa(x) = -A ln x + const + O(x ln x), A = w_1 a(nu_1) - w_2 a(nu_2),
   // a(v) = (1-2v)^2/(2(1-v)).

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/constants/constants.hpp>
-#include <boost/math/special_functions/zeta.hpp>
+#include <boost/math/special_functions/bernoulli.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -47,15 +47,22 @@ struct Fraction {
   std::array<double, 4> denominator;  // powers 0 to 3 of N
 };
 
-// sum_{n >= 0} (n + 1/2)^-s, continued to s <= 1, for s = `last` - i.
-template <int count, int last>
-std::array<double, count> half_zetas() {
-  std::array<double, count> zetas;
-  for (int i = 0; i < count; ++i) {
-    const double s = last - i;
-    zetas[i] = s == 1
-                   ? std::numeric_limits<double>::quiet_NaN()
-                   : std::expm1(s * std::numbers::ln2) * boost::math::zeta(s);
+// zeta(s, 3/2) = sum_{n >= 1} (n + 1/2)^-s, continued to s < 1, for s = 8 - i.
+template <int count>
+std::array<double, count> zetas() {
+  // The continuation is -B_m(3/2)/m, m = 1 - s.
+  std::array<double, count> zetas = {
+      0.039725830475806541565, 0.060358227504199008654,
+      0.092612905020295802015, 0.14476040944446771627,
+      0.23484850566707287274,  0.4143983221171599978,
+      0.93480220054467930942,  std::numeric_limits<double>::quiet_NaN()};
+  for (int i = 8; i < count; ++i) {
+    const int m = i - 7;
+    zetas[i] = -std::ldexp(1.0, 1 - m);
+    if (m % 2 == 0) {
+      zetas[i] += (1 - std::ldexp(2.0, -m)) *
+                  boost::math::unchecked_bernoulli_b2n<double>(m / 2) / m;
+    }
   }
   return zetas;
 }
@@ -143,18 +150,22 @@ BallKernel BallKernel::of_gap(const BallConstants& constants) {
 }
 
 BallKernel::BallKernel(const Powers& q, const Direct& direct) {
-  for (int n = 0; n < direct_terms; ++n) {
+  // The closed sums begin with n = 1: of N = 1/2 the last powers are thousands,
+  // which would only leave their roundings.
+  direct_[0] = direct[0];
+  for (int n = 1; n < direct_terms; ++n) {
     const double order = n + 0.5;
     double closed = 0;
     for (int k = powers - 1; k >= 0; --k) closed = (closed + q[k]) / order;
     direct_[n] = direct[n] - closed;
   }
 
-  // sum cos(N x)/N^(m+1) is the real part of (Erdelyi, Higher Transcendental
-  // Functions, 1.11 (8))
-  //   (ix)^m/m! (H_m + 2 ln 2 - ln(-ix)) + sum_{k != m} zeta(m+1-k, 1/2)
+  // sum_{n >= 1} cos(N x)/N^(m+1) is the real part of (Erdelyi, Higher
+  // Transcendental Functions, 1.11 (8))
+  //   (ix)^m/m! (H_m + 2 ln 2 - 2 - ln(-ix)) + sum_{k != m} zeta(m+1-k, 3/2)
   //   (ix)^k/k!,  -ln(-ix) = -ln x + i pi/2.
-  static const auto zetas = half_zetas<powers + 2 * series_terms, powers>();
+  static_assert(powers == 8);
+  static const auto zeta = zetas<powers + 2 * series_terms>();
   double harmonic = 0;
   double factorial_m = 1;
   for (int m = 0; m < powers; ++m) {
@@ -165,7 +176,7 @@ BallKernel::BallKernel(const Powers& q, const Direct& direct) {
     const double leading = q[m] / factorial_m;
     if (m % 2 == 0) {
       const double c = leading * real_power_of_i(m);
-      even_[m / 2] += c * (harmonic + 2 * std::numbers::ln2);
+      even_[m / 2] += c * (harmonic + 2 * std::numbers::ln2 - 2);
       logarithmic_[m / 2] = -c;
     } else {
       odd_[m / 2] = leading * real_power_of_i(m + 1) * pi / 2;
@@ -176,7 +187,7 @@ BallKernel::BallKernel(const Powers& q, const Direct& direct) {
       if (k > 0) factorial_k *= k * (k - 1.0);
       if (k == m) continue;
       even_[j] +=
-          q[m] * zetas[powers - m - 1 + k] * real_power_of_i(k) / factorial_k;
+          q[m] * zeta[powers - m - 1 + k] * real_power_of_i(k) / factorial_k;
     }
   }
 }
