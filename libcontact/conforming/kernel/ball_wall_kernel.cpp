@@ -11,6 +11,37 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
+// cos and sin of products of x with numbers of few digits. The product of x's
+// first 33 binary places is exact, and the rest is small: a rounding of angles
+// of hundreds would be a rounding of the sum's terms that is as large.
+class Waves {
+ public:
+  explicit Waves(const Eigen::VectorXd& x)
+      : head_(x.unaryExpr([](double at) {
+          constexpr double places = 0x1p33;
+          return std::nearbyint(places * at) / places;
+        })),
+        rest_(x - head_) {}
+
+  struct Both {
+    Eigen::MatrixXd cosine;
+    Eigen::MatrixXd sine;
+  };
+  Both operator()(const Eigen::RowVectorXd& number) const {
+    const Eigen::ArrayXXd angle = head_ * number;
+    const Eigen::ArrayXXd more = rest_ * number;
+    const Eigen::ArrayXXd c =
+        angle.unaryExpr([](double a) { return std::cos(a); });
+    const Eigen::ArrayXXd s =
+        angle.unaryExpr([](double a) { return std::sin(a); });
+    return {c - more * s, s + more * c};
+  }
+
+ private:
+  Eigen::VectorXd head_;
+  Eigen::VectorXd rest_;
+};
+
 // sum_n weight_n cos((n + 1/2) x), n = block i + j: cosines of sums, so that
 // few are evaluated, each to its last digit, and the rest is a product.
 class CosineSum {
@@ -24,18 +55,14 @@ class CosineSum {
   }
 
   Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
-    const auto cosine = [](double angle) { return std::cos(angle); };
-    const auto sine = [](double angle) { return std::sin(angle); };
-    const Eigen::MatrixXd inner =
-        x * Eigen::RowVectorXd::LinSpaced(block, 0.5, block - 0.5);
+    const Waves waves(x);
+    const auto inner =
+        waves(Eigen::RowVectorXd::LinSpaced(block, 0.5, block - 0.5));
     const Eigen::Index blocks = weight_.cols();
-    const Eigen::MatrixXd outer =
-        x * Eigen::RowVectorXd::LinSpaced(
-                blocks, 0, 1.0 * block * (static_cast<double>(blocks) - 1));
-    const Eigen::MatrixXd cosines = inner.unaryExpr(cosine) * weight_;
-    const Eigen::MatrixXd sines = inner.unaryExpr(sine) * weight_;
-    return (cosines.cwiseProduct(outer.unaryExpr(cosine)) -
-            sines.cwiseProduct(outer.unaryExpr(sine)))
+    const auto outer = waves(Eigen::RowVectorXd::LinSpaced(
+        blocks, 0, 1.0 * block * (static_cast<double>(blocks) - 1)));
+    return ((inner.cosine * weight_).cwiseProduct(outer.cosine) -
+            (inner.sine * weight_).cwiseProduct(outer.sine))
         .rowwise()
         .sum();
   }
