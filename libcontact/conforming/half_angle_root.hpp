@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/conforming/exact_results.hpp"
@@ -25,12 +26,20 @@ ExactHalfAngle half_angle_root(const ReciprocalLoad& reciprocal_load,
                                double largest) {
   const double scale = std::min(x, 1.0);
   int evaluations = 0;
+  // The last iterate is mostly ten times as close as its bracket is wide.
+  double least = std::numeric_limits<double>::infinity();
+  double nearest = largest;
   // Freed of its pole at 0 the difference is smooth and close to linear, near
   // 0 as well as near the limit angle.
   const auto residual = [&](double theta) {
     ++evaluations;
-    return std::pow(std::tan(theta / 2) / scale, power) *
-           (reciprocal_load(theta) - reciprocal);
+    const double rest = std::pow(std::tan(theta / 2) / scale, power) *
+                        (reciprocal_load(theta) - reciprocal);
+    if (std::abs(rest) < least) {
+      least = std::abs(rest);
+      nearest = theta;
+    }
+    return rest;
   };
   // In all elastic pairs theta0 > x/2 for x <= 1 and theta0 < 1.05 x for a
   // force at the centre; other loadings, walls and large x move the bracket.
@@ -59,7 +68,7 @@ ExactHalfAngle half_angle_root(const ReciprocalLoad& reciprocal_load,
   constexpr std::uintmax_t step_limit = 60;
   const RootBracket root =
       shrink_bracket(residual, low, high, at_low, at_high, 45, step_limit);
-  return {root.middle(), root.converged ? Status::ok : Status::not_converged,
+  return {nearest, root.converged ? Status::ok : Status::not_converged,
           root.high - root.low, evaluations};
 }
 
