@@ -15,6 +15,10 @@ namespace {
 
 using detail::LanesOf;
 
+#if defined(__aarch64__) || defined(__wasm_simd128__)
+static_assert(detail::native_lanes == 2);
+#endif
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr std::array<double, 8> left = {1, -2, nan, 0.0, 3, 5, -1, 0.25};
 constexpr std::array<double, 8> right = {2, -2, 1, -0.0, nan, 4, -7, 0.25};
