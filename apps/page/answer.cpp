@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
-#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/tables/friction_presets.hpp"
@@ -46,22 +45,6 @@ constexpr const char* textbook = "M_textbook_N_m";
 constexpr int curve_points = 81;
 constexpr int curve_decades = 4;
 constexpr int profile_points = 101;
-
-// The files of a folder in the order of their names, with the name that each
-// says it has.
-Json files_of(const fs::path& folder) {
-  std::vector<fs::path> paths;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    if (entry.path().extension() == ".toml") paths.push_back(entry.path());
-  }
-  std::sort(paths.begin(), paths.end());
-  Json files = Json::array();
-  for (const fs::path& path : paths) {
-    files.push_back({{"file", path.filename().string()},
-                     {"text", contact::detail::file_text(path)}});
-  }
-  return files;
-}
 
 Json unit_choices(Dimension dimension) {
   Json units = Json::array();
@@ -304,7 +287,7 @@ Calculator::Calculator(fs::path data) : data_(std::move(data)) {}
 
 Calculator::~Calculator() = default;
 
-std::string Calculator::choices() const {
+std::string choices() {
   Json presets = Json::array();
   for (const auto& preset : contact::detail::friction_presets()) {
     presets.push_back({{"name", preset.name},
@@ -312,9 +295,6 @@ std::string Calculator::choices() const {
                        {"largest", preset.largest}});
   }
   const Json all = {
-      {"pairs", files_of(data_ / "materials")},
-      {"backings", files_of(data_ / "backings")},
-      {"joints", files_of(data_ / "joints")},
       {"presets", presets},
       {"units",
        {{"length", unit_choices(Dimension::length)},

@@ -6,6 +6,11 @@
 
 namespace page {
 
+/// Presets of friction and units to choose from, as JSON:
+///
+///     {"presets": [{"name", "least", "largest"}], "units": {"length": [..]}}
+std::string choices();
+
 /// Calculator of the page: answers a joint file and a state with all that the
 /// page shows, as JSON. The laws of the last joint are kept, so that another
 /// load costs solutions alone, and another friction or clearance no new law.
@@ -14,16 +19,10 @@ namespace page {
 /// units, and words of columns, notes and refusals are the library's.
 class Calculator {
  public:
-  /// @param data  the folder with materials/, backings/ and joints/, to which
-  ///   the paths of joint files are relative as if they lay in joints/
+  /// @param data  the folder with materials/, to which the paths of joint files
+  ///   are relative as if they lay in its joints/
   explicit Calculator(std::filesystem::path data);
   ~Calculator();
-
-  /// Things to choose from:
-  ///
-  ///     {"pairs": [{"name", "text"}], "backings": ..., "joints": ...,
-  ///      "presets": [{"name", "least", "largest"}], "units": {"length": [..]}}
-  std::string choices() const;
 
   /// An answer, or {"error": MESSAGE}, whose message names the key at fault:
   ///

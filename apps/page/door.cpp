@@ -1,7 +1,11 @@
 // The page's door to C++: texts in, JSON out, valid until the next call.
 #include <string>
 
+#include "libcontact/base/simd.hpp"
 #include "page/answer.hpp"
+
+// WebAssembly's vectors have two doubles.
+static_assert(contact::detail::native_lanes == 2);
 
 namespace {
 
@@ -17,7 +21,7 @@ page::Calculator& calculator() {
 extern "C" {
 
 const char* page_choices() {
-  last = calculator().choices();
+  last = page::choices();
   return last.c_str();
 }
 

@@ -1,31 +1,13 @@
 // Asks the engine while one types, and shows its answers.
 
-// A part of the page that is packed by gzip, in base64.
-async function unpacked(id) {
-  const packed = Uint8Array.from(atob(byId(id).textContent),
-                                 (c) => c.charCodeAt(0));
-  byId(id).remove();
-  return new Response(new Blob([packed]).stream().pipeThrough(
-      new DecompressionStream('gzip'))).arrayBuffer();
-}
-
-// The engine's script and code, in a worker, so that tables of thin walls do
-// not stop the page.
-async function startWorker() {
-  const [script, wasmBinary] =
-      await Promise.all([unpacked('engine'), unpacked('wasm')]);
-  worker = new Worker(URL.createObjectURL(
-      new Blob([script], {type: 'text/javascript'})));
-  worker.onmessage = ({data: {id, json}}) => {
-    waiting.get(id)(JSON.parse(json));
-    waiting.delete(id);
-  };
-  worker.onerror = (event) => {
-    event.preventDefault();
-    stopped(event.message);
-  };
-  worker.postMessage({wasmBinary}, [wasmBinary]);
-}
+engineWorker.onmessage = ({data: {id, json}}) => {
+  waiting.get(id)(JSON.parse(json));
+  waiting.delete(id);
+};
+engineWorker.onerror = (event) => {
+  event.preventDefault();
+  stopped(event.message);
+};
 
 function stopped(why) {
   byId('error').hidden = false;
@@ -33,13 +15,16 @@ function stopped(why) {
       `The calculator has stopped (${why}): load the page again.`;
 }
 
-let worker;
 const waiting = new Map();
 let lastId = 0;
-const ask = (call, ...texts) => new Promise((resolve) => {
-  waiting.set(++lastId, resolve);
-  worker.postMessage({id: lastId, call, texts});
-});
+const ready = engineCode.then((code) => engineWorker.postMessage({code}));
+async function ask(call, ...texts) {
+  await ready;
+  return new Promise((resolve) => {
+    waiting.set(++lastId, resolve);
+    engineWorker.postMessage({id: lastId, call, texts});
+  });
+}
 
 // Rows beside the picture: names of numbers, and what to call them; the first
 // ones in bold.
@@ -213,27 +198,26 @@ function changeMode() {
   update();
 }
 
-startWorker().then(() => ask('choices')).then((choices) => {
-  form = new Form(choices);
+const choices = JSON.parse(byId('choices').textContent);
+form = new Form(choices);
+form.set(new URLSearchParams(location.hash.slice(1)));
+byId('form').addEventListener('input', ({target}) => {
+  if (target.id === 'example' && target.value !== '') {
+    byId('file').value = choices.joints.find(
+        ({file}) => file === target.value).text;
+  }
+  if (form.own !== null) form.own = byId('file').value;
+  form.show();
+  update();
+});
+byId('form').addEventListener('submit', (event) => event.preventDefault());
+byId('mode').addEventListener('click', changeMode);
+byId('link').addEventListener('click', () => {
+  writeLink();
+  copy(location.href, byId('link'));
+});
+addEventListener('hashchange', () => {
   form.set(new URLSearchParams(location.hash.slice(1)));
-  byId('form').addEventListener('input', ({target}) => {
-    if (target.id === 'example' && target.value !== '') {
-      byId('file').value = choices.joints.find(
-          ({file}) => file === target.value).text;
-    }
-    if (form.own !== null) form.own = byId('file').value;
-    form.show();
-    update();
-  });
-  byId('form').addEventListener('submit', (event) => event.preventDefault());
-  byId('mode').addEventListener('click', changeMode);
-  byId('link').addEventListener('click', () => {
-    writeLink();
-    copy(location.href, byId('link'));
-  });
-  addEventListener('hashchange', () => {
-    form.set(new URLSearchParams(location.hash.slice(1)));
-    update();
-  });
-  return update();
-}).catch((error) => stopped(error.message));
+  update();
+});
+update().catch((error) => stopped(error.message));
