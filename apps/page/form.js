@@ -12,14 +12,16 @@ function fieldsOf(choices) {
   const numbers = has('pair', 'numbers');
   const walled = has('wall', 'layer');
   const isBall = has('kind', 'ball');
+  const coated = has('coating', 'one');
+  const viscous = has('friction', 'viscous');
   return [
-    {id: 'kind', label: 'Kind', key: 'kind', of: ['ball', 'pin']},
+    {id: 'kind', label: 'Kind', key: 'kind', of: ['pin', 'ball']},
     {id: 'by', label: 'Size by', of: [
       ['size', 'diameter and clearance'], ['fit', 'diameter and fit (ISO 286)'],
       ['designation', 'designation of a bearing (ball)']]},
-    {id: 'diameter', label: 'Diameter', key: 'geometry.diameter', value: '25.4',
+    {id: 'diameter', label: 'Diameter', key: 'geometry.diameter', value: '40',
      units: 'length', unit: 'mm', when: sized},
-    {id: 'clearance', label: 'Diametral clearance', value: '10',
+    {id: 'clearance', label: 'Diametral clearance', value: '50',
      key: 'geometry.diametral_clearance', units: 'length', unit: 'um',
      when: has('by', 'size')},
     {id: 'hole', label: 'Seat or hole', key: 'geometry.hole', value: 'H7',
@@ -33,9 +35,9 @@ function fieldsOf(choices) {
     {id: 'taken', label: 'Clearance taken', key: 'geometry.clearance',
      of: ['minimum', 'mean', 'maximum'], value: 'mean',
      when: has('by', 'fit', 'designation')},
-    {id: 'length', label: 'Length', key: 'geometry.length', value: '20',
+    {id: 'length', label: 'Length', key: 'geometry.length', value: '40',
      units: 'length', unit: 'mm', when: has('kind', 'pin')},
-    {id: 'pair', label: 'Materials', value: 'steel_ptfe_liner.toml',
+    {id: 'pair', label: 'Materials', value: 'steel_bronze.toml',
      of: [...choices.pairs.map(named), ['numbers', 'by their numbers']]},
     ...[['inner', 'Ball or pin', '207', '0.292'],
         ['outer', 'Seat or hole', '111', '0.349']].flatMap(
@@ -45,7 +47,7 @@ function fieldsOf(choices) {
            unit: 'GPa', when: numbers},
           {id: `${body}_ratio`, label: `${label}, ν`, value: ratio,
            key: `materials.${body}.poissons_ratio`, when: numbers}]),
-    {id: 'wall', label: 'Wall', value: 'layer', of: [
+    {id: 'wall', label: 'Wall', of: [
       ['none', 'no end: one material'], ['layer', 'liner or wall on a backing']]},
     {id: 'thickness', label: 'Thickness', key: 'wall.layer.thickness',
      value: '0.4', units: 'length', unit: 'mm', when: walled},
@@ -58,17 +60,29 @@ function fieldsOf(choices) {
     {id: 'backing_ratio', label: 'Backing, ν', value: '0.33',
      key: 'wall.backing.poissons_ratio',
      when: both(walled, has('backing', 'numbers'))},
+    {id: 'coating', label: 'Coating', of: [
+      ['none', 'none'], ['one', 'on the ball or pin']]},
+    {id: 'coating_thickness', label: 'Coating, thickness', value: '3',
+     key: 'coating.thickness', units: 'length', unit: 'um', when: coated},
+    {id: 'coating_modulus', label: 'Coating, E', value: '300', when: coated,
+     key: 'coating.youngs_modulus', units: 'stress', unit: 'GPa'},
+    {id: 'coating_ratio', label: 'Coating, ν', value: '0.25', when: coated,
+     key: 'coating.poissons_ratio'},
     {id: 'friction', label: 'Friction', value: 'coefficient', of: [
-      ['coefficient', 'coefficient'],
+      ['coefficient', 'coefficient'], ['viscous', 'viscous'],
       ...choices.presets.map(({name, least, largest}) => [
         name, `${name.replaceAll('_', ' ')}, ${least} to ${largest}`])]},
-    {id: 'coefficient', label: 'Coefficient f0', value: '0.06',
+    {id: 'coefficient', label: 'Coefficient f0', value: '0.1',
      key: 'friction.coefficient', when: has('friction', 'coefficient')},
     {id: 'adhesion', label: 'Adhesion A', value: '0', units: 'stress',
      unit: 'MPa', key: 'friction.adhesion',
      when: has('friction', 'coefficient')},
+    {id: 'viscous', label: 'Viscous, k0', value: '1e4', unit: 'Pa s/m',
+     key: 'friction.viscous_constant_Pa_s_per_m', when: viscous},
+    {id: 'viscous_slope', label: 'by pressure, k1', value: '0', unit: 's/m',
+     key: 'friction.viscous_pressure_slope_s_per_m', when: viscous},
     {id: 'share', label: 'Share of the range', value: '0.5',
-     key: 'friction.preset_share', when: (v) => v.friction !== 'coefficient'},
+     key: 'friction.preset_share', when: isPreset},
     {id: 'load', label: 'Load (reaction)', key: 'reaction', value: '10',
      units: 'force', unit: 'kN', state: true},
     {id: 'rate', label: 'Speed', key: 'rate', value: '10', state: true,
@@ -77,6 +91,10 @@ function fieldsOf(choices) {
      state: true, when: isBall},
   ];
 }
+
+// Friction by the name of the surfaces.
+const isPreset = (values) =>
+    !['coefficient', 'viscous'].includes(values.friction);
 
 // A number as TOML has it; what is none as a text, which its reader refuses.
 function tomlNumber(text) {
@@ -210,7 +228,7 @@ class Form {
   #file(values, tables) {
     const file = (list, name) =>
         this.choices[list].find((each) => each.file === name)?.text ?? '';
-    if (values.friction !== 'coefficient') {
+    if (isPreset(values)) {
       tables.set('friction', `preset = ${JSON.stringify(values.friction)}\n` +
           tables.get('friction'));
     }
@@ -224,10 +242,12 @@ class Form {
     let text = 'name = "joint"\n' + (tables.get('') ?? '');
     tables.delete('');
     for (const name of ['geometry', 'materials.inner', 'materials.outer',
-                        'wall', 'wall.backing', 'wall.layer', 'friction']) {
+                        'wall', 'wall.backing', 'wall.layer', 'coating',
+                        'friction']) {
       if (name === 'wall') text += pair;
       if (!tables.has(name)) continue;
-      const head = name === 'wall.layer' ? `[[${name}]]` : `[${name}]`;
+      const head = ['wall.layer', 'coating'].includes(name) ?
+          `[[${name}]]` : `[${name}]`;
       text += `\n${head}\n${tables.get(name)}`;
     }
     // Which alone knows the approach.
@@ -237,9 +257,10 @@ class Form {
   // A message beside the field whose key it names, else below the form.
   say(message) {
     const {values} = this;
+    const plain = message?.replace(/\[\d+\]/g, '');
     const at = message === undefined ? undefined : this.fields
         .filter((field) => field.key && this.isShown(field, values) &&
-            message.includes(field.key.replace('wall.layer.', '')))
+            plain.includes(field.key))
         .sort((a, b) => b.key.length - a.key.length)[0];
     for (const field of this.fields) {
       field.said.hidden = field !== at;

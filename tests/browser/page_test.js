@@ -9,7 +9,8 @@ const {withPage} = require('./chromium.js');
 const ask = require('./engine.js');
 
 const file = path.resolve(process.env.CONTACT_PAGE);
-const joints = path.resolve(__dirname, '../../data/joints');
+const data = path.resolve(__dirname, '../../data');
+const joints = path.join(data, 'joints');
 
 // Times of answers so far, ms.
 const answers = (page, name = 'answer') => page.evaluate((of) =>
@@ -65,7 +66,7 @@ test('it opens from the disk, answers while one types, asks for nothing',
     // Numbers shown are those of the file that is shown, to the last bit.
     const joint = await page.textContent('#ways pre >> nth=0');
     assert.deepStrictEqual(after, await engineNumbers(
-        joint, 'reaction_kN = 20\nrate_deg_per_s = 10\nbeta_deg = 90'));
+        joint, 'reaction_kN = 20\nrate_deg_per_s = 10'));
     for (let load = 21; load <= 40; ++load) {
       await afterAnswer(page, () => page.fill('#load', String(load)), false);
     }
@@ -76,8 +77,19 @@ test('it opens from the disk, answers while one types, asks for nothing',
   });
 });
 
+// A coated ball on a liner.
+const lined = '#' + new URLSearchParams(
+    {kind: 'ball', pair: 'steel_ptfe_liner.toml', wall: 'layer',
+     coating: 'one'});
+
 test('every joint of data is read, and every kind of field', async () => {
-  await withCalculator({}, async (page) => {
+  await withCalculator({hash: lined}, async (page) => {
+    const countOf = (folder) => fs.readdirSync(path.join(data, folder)).length;
+    // Beside them: 'by their numbers'; rigid and held.
+    assert.strictEqual(await page.locator('#pair option').count(),
+                       countOf('materials') + 1);
+    assert.strictEqual(await page.locator('#backing option').count(),
+                       countOf('backings') + 3);
     await afterAnswer(page, () => page.click('#mode'));
     for (const name of fs.readdirSync(joints)) {
       await afterAnswer(page, () => page.selectOption('#example', name));
@@ -94,7 +106,8 @@ test('every joint of data is read, and every kind of field', async () => {
       ['by', 'designation'], ['group', 'C3'], ['pair', 'steel_steel.toml'],
       ['wall', 'none'], ['friction', 'steel_steel_greased'], ['kind', 'pin'],
       ['by', 'fit'], ['pair', 'numbers'], ['wall', 'layer'],
-      ['backing', 'numbers'], ['backing', 'held'], ['taken', 'maximum']]) {
+      ['backing', 'numbers'], ['backing', 'held'], ['taken', 'maximum'],
+      ['coating', 'one'], ['friction', 'viscous']]) {
       const isRefused = field === 'kind';  // a pin has no designation
       await afterAnswer(page, () => page.selectOption(`#${field}`, value),
                         !isRefused);
@@ -107,7 +120,6 @@ test('every joint of data is read, and every kind of field', async () => {
 
 test('a link carries the inputs', async () => {
   const [hash, numbers] = await withCalculator({}, async (page) => {
-    await afterAnswer(page, () => page.selectOption('#kind', 'pin'));
     await afterAnswer(page, () => page.fill('#length', '33'));
     await afterAnswer(page, () => page.selectOption('#load_unit', 'lbf'));
     await page.click('#link');
@@ -122,14 +134,20 @@ test('a link carries the inputs', async () => {
 });
 
 test('mistakes are said beside the field', async () => {
-  await withCalculator({}, async (page) => {
+  await withCalculator({hash: lined}, async (page) => {
     for (const [field, value, rule] of [
       ['load', '-1', 'reaction_kN = -1 must be 0 to 1e+97 kN'],
       ['load', '', 'must be a number'], ['load', '1e999', 'must be'],
       ['load', 'NaN', 'must be'], ['beta', '181', 'must be'],
       ['diameter', '<script>alert(1)</script>', 'must be a number'],
       ['clearance', '99e3', 'clearance'], ['coefficient', '-0.1', 'must be'],
-      ['thickness', '1e-9', 'thickness']]) {
+      ['thickness', '1e-9', 'thickness'], ['thickness', '0', 'must be'],
+      ['coating_thickness', '-1', 'must be above 0'],
+      ['coating_ratio', '0.7', 'must be 0 to 0.5'],
+      ['viscous', '-1', 'must be']]) {
+      if (field === 'viscous') {
+        await afterAnswer(page, () => page.selectOption('#friction', 'viscous'));
+      }
       const good = await page.inputValue(`#${field}`);
       await afterAnswer(page, () => page.fill(`#${field}`, value), false);
       const said = await page.textContent(`#${field}_said`);
@@ -156,7 +174,7 @@ test('forged addresses and files do nothing', async () => {
   await withPage(file, {hash: `#${forged}`}, async (page, said) => {
     await page.waitForFunction(
         () => performance.getEntriesByName('answer').length > 0);
-    assert.strictEqual(await page.inputValue('#kind'), 'ball');
+    assert.strictEqual(await page.inputValue('#kind'), 'pin');
     assert.ok((await page.textContent('#load_said')).includes('<script>'));
     assert.strictEqual(await page.locator('img').count(), 0);
     assert.deepStrictEqual(said, []);
