@@ -5,7 +5,9 @@
 const {withPage} = require('../tests/browser/chromium.js');
 const [, , file, picture] = process.argv;
 
-withPage(file, {viewport: {width: 1600, height: 960}}, async (page) => {
+const hash = '#kind=ball&pair=steel_ptfe_liner.toml&wall=layer';
+const viewport = {width: 1600, height: 960};
+withPage(file, {hash, viewport}, async (page) => {
   await page.waitForFunction(
       () => performance.getEntriesByName('curves').length > 0);
   await page.screenshot({path: picture, quality: 82});  // of a .jpg

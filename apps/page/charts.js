@@ -21,7 +21,7 @@ function ticksOf(low, high, logarithmic) {
 
 const tickText = (value) => value === 0 ? '0' :
     Math.abs(value) >= 1e4 || Math.abs(value) < 1e-3 ?
-        value.toExponential(0).replace('e', '·10^').replace('+', '') :
+        value.toExponential(0).replace('+', '').replace('-', '−') :
         String(Number(value.toPrecision(3)));
 
 // An axis from numbers to places in the picture, in the unit that suits `size`.

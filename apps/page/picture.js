@@ -87,10 +87,11 @@ function drawJoint({joint, pressure, words}, number) {
     if (half < Math.PI) {
       parts.push(draw('path', {class: 'aid', d: `M${places(
           [onCircle(ballRadius, -half), [0, 0], onCircle(ballRadius, half)])}`}));
-      const middle = Math.min(half, 1.2) / 2;
+      // Beside the line where there is no room between both.
+      const place = half < .6 ? half + .15 : Math.min(half, 1.2) / 2;
       parts.push(draw('path', {class: 'aid', d: `M${places(
           arcOf(30, 0, half))}`}),
-                 label('θ', onCircle(42, Math.max(middle, .35)), 'start', '0'));
+                 label('θ', onCircle(42, place), 'start', '0'));
     }
   }
   const slides = words.state === 'sliding';
