@@ -210,7 +210,8 @@ check_page() {
   install packages-page.txt
   CONTACT_SKIP_SETUP=1 scripts/page.sh
   cmake --preset release
-  cmake --build --preset release --target hinge-joint hinge-pressure
+  cmake --build --preset release \
+    --target hinge-joint hinge-pressure contact_python
   [ -d tests/browser/node_modules/axe-core ] || npm ci --prefix tests/browser
   CONTACT_BUILD=build CONTACT_PAGE=build-wasm/calculator.html \
     CONTACT_ENGINE=build-wasm/bin/engine.js \
