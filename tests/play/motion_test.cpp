@@ -157,7 +157,8 @@ TEST(PlayMotion, ImpactIsThatOfTheClosedForms) {
     EXPECT_NEAR(touch, 1e-6 / speed, 1e-17);
     ASSERT_TRUE(run.advance_to(1e-3));
     const Impact impact = JointImpact(spec)(damping, mass, speed);
-    EXPECT_NEAR(-run.state()[1] / speed, impact.restitution, 1e-11);
+    // Many steps of 2e-14 each; 1e-12 to 2e-11 seen, by the force's last bits.
+    EXPECT_NEAR(-run.state()[1] / speed, impact.restitution, 1e-10);
     EXPECT_NEAR((run.time() - touch) / impact.duration(), 1, 1e-9);
   }
 }
