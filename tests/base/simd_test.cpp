@@ -57,17 +57,17 @@ using Types = testing::Types<LanesOf<2>, LanesOf<4>, LanesOf<8>>;
 TYPED_TEST_SUITE(Lanes, Types);
 
 TYPED_TEST(Lanes, CompareAsNumbersDo) {
-  const auto& a = this->a;
-  const auto& b = this->b;
-  this->expect(a < b, [](double x, double y) { return x < y; });
-  this->expect(a <= b, [](double x, double y) { return x <= y; });
-  this->expect(a > b, [](double x, double y) { return x > y; });
-  this->expect(a >= b, [](double x, double y) { return x >= y; });
-  this->expect(a == b, [](double x, double y) { return x == y; });
-  this->expect(a != b, [](double x, double y) { return x != y; });
-  this->expect(a < b || a > b,
+  const auto& u = this->a;
+  const auto& w = this->b;
+  this->expect(u < w, [](double x, double y) { return x < y; });
+  this->expect(u <= w, [](double x, double y) { return x <= y; });
+  this->expect(u > w, [](double x, double y) { return x > y; });
+  this->expect(u >= w, [](double x, double y) { return x >= y; });
+  this->expect(u == w, [](double x, double y) { return x == y; });
+  this->expect(u != w, [](double x, double y) { return x != y; });
+  this->expect(u < w || u > w,
                [](double x, double y) { return x < y || x > y; });
-  this->expect(a <= b && a >= b, [](double x, double y) { return x == y; });
+  this->expect(u <= w && u >= w, [](double x, double y) { return x == y; });
   using Mask = typename TypeParam::mask_type;
   this->expect(Mask(true), [](double, double) { return true; });
   this->expect(Mask(false), [](double, double) { return false; });

@@ -24,7 +24,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
     options.euler = is_pin ? "" : "XYZ";
   }
   try {
-    const contact::DutyCycle cycle = hinge_duty::read_cycle(options, is_pin);
+    const contact::DutyCycle cycle =
+        hinge_duty::read_cycle(options, is_pin).cycle;
     check(cycle.period() > 0);
   } catch (const contact::Error&) {
     // Its names are the file's own: cli::Program prints them on one line.
