@@ -287,8 +287,8 @@ extern constexpr HalfAngleEntry exact_law = {
               .allows_walls = true,
               .least_clearance = Clearance::interference,
               .is_slow_to_make = true},
-    .ball_cost = 25,
-    .pin_cost = 15,
+    .ball_cost = 24,
+    .pin_cost = 14,
     .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
       const auto& [loading, walls, clearance] = asked.conditions;
       return walls

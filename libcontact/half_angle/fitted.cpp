@@ -93,7 +93,7 @@ extern constexpr HalfAngleEntry fitted_law = {
               .meaning = "explicit load(theta0), fitted to the exact contact",
               .accuracy = "0.05 %",
               .needs = LawEntry::Needs::materials},
-    .ball_cost = 14,
+    .ball_cost = 13,
     .pin_cost = 10,
     .make = [](const HalfAngleRequest& asked) -> std::unique_ptr<HalfAngleLaw> {
       return std::make_unique<FittedLaw>(asked.kind, asked.pair);

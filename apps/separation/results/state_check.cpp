@@ -78,7 +78,7 @@ void check_body(const BodyRecord& body, const Past& past) {
     check_size(joint.moment, "bodies.joints.moment");
     require(joint.lower_gap >= 0 && joint.upper_gap >= 0, "bodies.joints.gap",
             joint.least_gap(), "0 or more");
-    check_size(joint.rim_time, "bodies.joints.rim_time");
+    past.check(joint.rim_time, "bodies.joints.rim_time");
   }
   past.check_or_never(body.release.time, "bodies.release.time");
 }

@@ -64,6 +64,7 @@ template <class T>
 void add(std::span<const contact::Quantity<T>> quantities, const T& of,
          const std::string& prefix, Numbers& to) {
   for (const auto& q : quantities) {
+    if (q.exists && !q.exists(of)) continue;
     const std::string name = prefix + '.' + separation::summary_name(q);
     separation::for_numbers(q, of, [&](double number, int k) {
       add(k == 0 ? name : fmt::format("{}[{}]", name, k), number, to);
