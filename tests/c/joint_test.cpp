@@ -189,6 +189,7 @@ TEST_P(Joints, RestAsInCpp) {
   contact_rest warm = {};
   RestSolution last;
   for (std::size_t i = 0; i < 20; ++i) {
+    SCOPED_TRACE(i);
     const Joint::Slip& slip = both.slips[i];
     const Joint::Hold hold = {slip.reaction, slip.angular_velocity, slip.axis};
     const contact_slip c = c_slip(slip);
