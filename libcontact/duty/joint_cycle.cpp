@@ -7,7 +7,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
-#include "libcontact/duty/largest.hpp"
+#include "libcontact/duty/over_cycle.hpp"
 
 namespace contact {
 namespace {
@@ -41,11 +41,7 @@ JointCycle::Instant JointCycle::at(double time) const noexcept {
 }
 
 double JointCycle::integral(const Quantity& quantity) const {
-  double sum = 0;
-  for (const Instant& point : gauss_points_) {
-    sum += point.weight * quantity(point);
-  }
-  return sum;
+  return detail::integral_of(gauss_points_, quantity);
 }
 
 JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {

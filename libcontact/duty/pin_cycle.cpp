@@ -10,7 +10,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
-#include "libcontact/duty/largest.hpp"
+#include "libcontact/duty/over_cycle.hpp"
 #include "libcontact/duty/periodic_spline.hpp"
 
 namespace contact {
@@ -89,11 +89,7 @@ PinCycle::Instant PinCycle::at(double time) const noexcept {
 }
 
 double PinCycle::integral(const Quantity& quantity) const {
-  double sum = 0;
-  for (const Instant& point : gauss_points_) {
-    sum += point.weight * quantity(point);
-  }
-  return sum;
+  return detail::integral_of(gauss_points_, quantity);
 }
 
 PinCycle::Instant PinCycle::largest(const Quantity& quantity) const {
@@ -102,14 +98,24 @@ PinCycle::Instant PinCycle::largest(const Quantity& quantity) const {
       quantity);
 }
 
+PinCycle::Instant PinCycle::largest_pv() const {
+  return largest([](const Instant& i) { return i.largest_pv(); });
+}
+
+PinCycle::Instant PinCycle::largest_peak() const {
+  return largest(
+      [](const Instant& i) { return i.solution.contact.peak_pressure; });
+}
+
+PinCycle::Instant PinCycle::largest_half_angle() const {
+  return largest(
+      [](const Instant& i) { return i.solution.contact.largest_half_angle; });
+}
+
 LargestContact PinCycle::largest_contact() const {
   LargestContact all;
-  all.add(largest([](const Instant& i) {
-            return i.solution.contact.largest_half_angle;
-          }).solution.contact.largest());
-  all.add(largest([](const Instant& i) {
-            return i.solution.contact.peak_pressure;
-          }).solution.contact.largest());
+  all.add(largest_half_angle().solution.contact.largest());
+  all.add(largest_peak().solution.contact.largest());
   return all;
 }
 

@@ -65,6 +65,9 @@ class PinCycle {
   double integral(const Quantity& quantity) const;
   /// As JointCycle::largest().
   Instant largest(const Quantity& quantity) const;
+  Instant largest_pv() const;
+  Instant largest_peak() const;
+  Instant largest_half_angle() const;
   LargestContact largest_contact() const;
 
   /// p v at one place along the pin through the cycle.

@@ -46,9 +46,8 @@ class SeatCycle {
   static constexpr int many = 60;
 
   const std::vector<Instant>& rows() const { return rows_; }
-  const SeatJoint& joint() const { return *joint_; }
-  /// For what outlives the cycle.
-  std::shared_ptr<const SeatJoint> shared_joint() const { return joint_; }
+  /// Shared with what outlives the cycle.
+  const std::shared_ptr<const SeatJoint>& joint() const { return joint_; }
   /// The table's, if there is one; of no states without.
   const SeatTable::Check& check() const { return check_; }
   /// SeatTable::bytes() of the table that was made; "" of none.

@@ -100,9 +100,9 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
 }
 
 WearMap::WearMap(const SeatCycle& cycle, JointBody body)
-    : geometry_(cycle.joint().unbounded().contact().geometry()),
+    : geometry_(cycle.joint()->unbounded().contact().geometry()),
       total_(cycle.pv_integral()) {
-  const auto joint = cycle.shared_joint();
+  const auto joint = cycle.joint();
   const Joint& unbounded = joint->unbounded();
   std::vector<Instant> instants;
   for (const SeatCycle::Instant& row : cycle.rows()) {

@@ -63,16 +63,17 @@ using Instant = PinCycle::Instant;
 constexpr Quantity<Cycle> of_cycle[] = {
     {"largest_pv", "pin_largest_pv", Dimension::power_density,
      "largest p v of the pin that ends",
-     [](const Cycle& c) {
-       return c.largest([](const Instant& i) { return i.largest_pv(); })
-           .largest_pv();
-     }},
+     [](const Cycle& c) { return c.largest_pv().largest_pv(); }},
     {"largest_peak_pressure", "pin_largest_p_peak", Dimension::stress,
      "its largest pressure",
-     [](const Cycle& c) { return c.largest_contact().peak_pressure; }},
+     [](const Cycle& c) {
+       return c.largest_peak().solution.contact.peak_pressure;
+     }},
     {"largest_half_angle", "pin_largest_theta0", Dimension::angle,
      "its largest half-angle",
-     [](const Cycle& c) { return c.largest_contact().half_angle; }},
+     [](const Cycle& c) {
+       return c.largest_half_angle().solution.contact.largest_half_angle;
+     }},
     {"energy", "pin_energy", Dimension::energy, "dissipated by its friction",
      [](const Cycle& c) {
        return c.integral([](const Instant& i) {

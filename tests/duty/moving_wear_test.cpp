@@ -177,6 +177,15 @@ JointContact lined_ball(const ReferenceTable::Row& row) {
   return spec.contact();
 }
 
+// The gap at the cells of a worn seat.
+Eigen::MatrixXd gap_of(const WornSeat& worn, const detail::WornSphere& sphere,
+                       double clearance) {
+  return Eigen::Map<const Eigen::MatrixXd>(
+             worn.depths.data(), sphere.latitudes(), sphere.longitudes())
+             .array() +
+         clearance;
+}
+
 TEST(MovingWear, OfABallMatchesWearStepByStep) {
   const ReferenceTable table("duty/moving_ball_wear.csv");
   // Limits for cells of 4 deg; 0.42 deg and 2.5 % were seen.
@@ -205,10 +214,7 @@ TEST(MovingWear, OfABallMatchesWearStepByStep) {
     ASSERT_EQ(worn.worn.depths.size(),
               std::size_t(sphere.latitudes() * sphere.longitudes()));
     const Eigen::MatrixXd gap =
-        Eigen::Map<const Eigen::MatrixXd>(
-            worn.worn.depths.data(), sphere.latitudes(), sphere.longitudes())
-            .array() +
-        row.value("clearance");
+        gap_of(worn.worn, sphere, row.value("clearance"));
     for (const bool off : {false, true}) {
       const double at = off ? amplitude / 2 : 0;
       const auto now =
@@ -289,10 +295,7 @@ TEST(MovingWear, OfAHipMatchesWearStepByStep) {
     ASSERT_EQ(worn.worn.depths.size(),
               std::size_t(sphere.latitudes() * sphere.longitudes()));
     const Eigen::MatrixXd gap =
-        Eigen::Map<const Eigen::MatrixXd>(
-            worn.worn.depths.data(), sphere.latitudes(), sphere.longitudes())
-            .array() +
-        contact.geometry().radial_clearance();
+        gap_of(worn.worn, sphere, contact.geometry().radial_clearance());
     const auto now = sphere.press(
         {row.value("load_x_N"), row.value("load_y_N"), row.value("load_z_N")},
         gap);

@@ -105,7 +105,7 @@ std::vector<WearMap::Wear> worn(const WearMap& map,
 TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
   const JointSpec spec = bearing(JointBody::body);
   const SeatCycle in_seat(cycle(-1), spec, {.keeps_contacts = true});
-  const SeatJoint& joint = in_seat.joint();
+  const SeatJoint& joint = *in_seat.joint();
   const WearMap seat(in_seat, JointBody::carrier);
   const double radius = spec.geometry.radius();
   for (const double v : {0.1, 0.5, 0.9}) {

@@ -39,14 +39,8 @@ void add_tilt_options(Program& program, TiltOptions& o, std::string_view needs,
 FinitePinSolution PinLie::solve(
     const FinitePin& pin, const Vector2d& reaction,
     const FinitePin::Motion& motion) const noexcept {
-  if (place) return pin.solve_at(reaction, *place, motion);
-  // Without a reaction the plane is XOZ.
-  const Vector2d x = reaction.isZero(0) ? Vector2d(Vector2d::UnitX())
-                                        : reaction.stableNormalized();
-  return pin.solve(reaction,
-                   {tilt.x() * x.x() - tilt.y() * x.y(),
-                    tilt.x() * x.y() + tilt.y() * x.x()},
-                   motion);
+  return place ? pin.solve_at(reaction, *place, motion)
+               : pin.solve(reaction, tilt, motion);
 }
 
 FinitePinSolution PinLie::under(const FinitePin& pin,
@@ -118,7 +112,15 @@ class Rows {
           row.number(loads_[i]);
           if (lie.place) row.number(*lie.place);
         };
-        table_.write(pin_, s, begin, row);
+        if (table_.write) {
+          table_.write(pin_, s, begin, row);
+          continue;
+        }
+        begin();
+        for (const PinColumn& column : table_.columns) {
+          row.number(column.of(pin_, s) + 0.0);  // no -0
+        }
+        row.end();
       }
     }
     const contact::ContactLimits limits(*joint_.laws[0].law, joint_.pair,
@@ -143,7 +145,7 @@ ExitStatus write_tilted(const std::vector<Joint>& joints,
                         const OutputOptions& output) {
   std::vector<std::string> names = {table.load_column};
   if (options.is_placed()) names.emplace_back("load_at_m");
-  names.insert(names.end(), table.columns.begin(), table.columns.end());
+  for (const PinColumn& column : table.columns) names.push_back(column.name);
   std::vector<Rows> rows;
   for (const Joint& joint : joints) rows.emplace_back(joint, options, table);
   // All but that the relief is left out.
@@ -162,15 +164,20 @@ ExitStatus write_tilted(const std::vector<Joint>& joints,
   return some_bad;
 }
 
-std::vector<contact::Column<FinitePinSolution>> pin_columns(
-    const std::vector<std::string_view>& keys) {
-  const auto all = contact::finite_pin_quantities();
-  if (keys.empty()) return columns_of(all);
-  std::vector<contact::Column<FinitePinSolution>> columns;
-  for (const std::string_view key : keys) {
-    for (auto& column : columns_of(*find_quantity(all, key))) {
-      columns.push_back(std::move(column));
+std::vector<PinColumn> pin_columns(const std::vector<std::string_view>& keys) {
+  std::vector<PinColumn> columns;
+  const auto add = [&](const auto& all) {
+    for (const auto& column : all) {
+      columns.push_back({column.name, [column](const FinitePin& /*pin*/,
+                                               const FinitePinSolution& s) {
+                           return column(s);
+                         }});
     }
+  };
+  const auto all = contact::finite_pin_quantities();
+  if (keys.empty()) add(columns_of(all));
+  for (const std::string_view key : keys) {
+    add(columns_of(*find_quantity(all, key)));
   }
   return columns;
 }

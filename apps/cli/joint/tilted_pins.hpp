@@ -10,7 +10,6 @@
 #include "cli/joint/joint_options.hpp"
 #include "cli/sweep.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
-#include "libcontact/quantities/quantity.hpp"
 
 /// Pins that end, tilted or loaded off their middle, as programs take them.
 namespace cli {
@@ -44,7 +43,7 @@ struct PinLie {
   Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
   std::optional<double> place = {};  ///< m
 
-  /// Under a reaction while the body moves; the tilt is in its plane first.
+  /// Under a reaction along x while the body moves.
   contact::FinitePinSolution solve(
       const contact::FinitePin& pin, const Eigen::Vector2d& reaction,
       const contact::FinitePin::Motion& motion) const noexcept;
@@ -73,6 +72,19 @@ class PinLies {
 ///   pin
 contact::FinitePin make_finite_pin(const Joint& joint, const char* flag);
 
+/// A column of such pins.
+struct PinColumn {
+  std::string name;
+  std::function<double(const contact::FinitePin&,
+                       const contact::FinitePinSolution&)>
+      of;
+};
+
+/// The columns of the quantities of pins that end that `keys` name, of all
+/// without it.
+std::vector<PinColumn> pin_columns(
+    const std::vector<std::string_view>& keys = {});
+
 /// Table of such pins: rows of each load and lie.
 struct TiltedTable {
   std::string_view program;
@@ -81,12 +93,13 @@ struct TiltedTable {
   std::string loads;  ///< sweep
   /// Nothing: the loads are normal forces; else reactions.
   std::optional<contact::FinitePin::Motion> motion;
-  std::vector<std::string> columns;  ///< behind those of the load
-  /// Writes rows, each begun by `begin`, which writes the cells of the load.
+  std::vector<PinColumn> columns;  ///< behind those of the load
+  /// Instead of one row of the columns, whose names alone count: writes rows,
+  /// each begun by `begin`, which writes the cells of the load.
   std::function<void(const contact::FinitePin&,
                      const contact::FinitePinSolution&,
                      const std::function<void()>& begin, RowWriter&)>
-      write;
+      write = {};
 };
 
 /// Writes it, with warnings of what leaves the theory; some_bad if rows have no
@@ -94,10 +107,5 @@ struct TiltedTable {
 ExitStatus write_tilted(const std::vector<Joint>& joints,
                         const TiltOptions& options, const TiltedTable& table,
                         const OutputOptions& output);
-
-/// The columns of the quantities of pins that end that `keys` name, of all
-/// without it.
-std::vector<contact::Column<contact::FinitePinSolution>> pin_columns(
-    const std::vector<std::string_view>& keys = {});
 
 }  // namespace cli

@@ -187,8 +187,7 @@ void HingeFriction::step(mjData* data) {
   if (model_->opt.integrator != mjINT_EULER) {
     throw std::runtime_error(
         "the integrator must be Euler; implicit ones have add_damping(), "
-        "others "
-        "add_torque()");
+        "others add_torque()");
   }
   // As if accelerations stayed as they were.
   const VectorXd likely = mapped(data->qvel, model_->nv) +

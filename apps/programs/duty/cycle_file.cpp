@@ -92,8 +92,6 @@ void check_pin_rates(const std::vector<Vector3d>& rates,
   }
 }
 
-}  // namespace
-
 // The columns of a pin's lie, as many rows as the period has.
 void add_lies(const CycleColumns& columns,
               const std::vector<std::vector<double>>& values, CycleFile& to) {
@@ -111,6 +109,8 @@ void add_lies(const CycleColumns& columns,
     }
   }
 }
+
+}  // namespace
 
 CycleFile read_cycle(const Options& options, bool is_pin) {
   if (is_pin && !options.euler.empty()) {

@@ -24,6 +24,10 @@ struct JointDuty {
   /// k as given, mm^3/(N m).
   std::optional<double> wear_seat = {};
   std::optional<double> wear_inner = {};
+
+  std::optional<double> wear_coefficient(contact::JointBody body) const {
+    return body == joint.spec.geometry.inner_body() ? wear_inner : wear_seat;
+  }
 };
 
 }  // namespace hinge_duty

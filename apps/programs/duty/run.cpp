@@ -153,7 +153,7 @@ BodyWear wear_of(const JointDuty& duty, JointBody body,
   for (const auto& point : points) worn.push_back(map.at(point));
   return {.body = body == JointBody::carrier ? "carrier" : "body",
           .surface = inner ? "inner" : "seat",
-          .k = inner ? options.wear_inner : options.wear_seat,
+          .k = duty.wear_coefficient(body),
           .map = map,
           .points = points,
           .wear = worn,
@@ -262,17 +262,18 @@ contact::SeatCycle confined(const Options& options, const JointDuty& duty) {
     done = std::max(done, percent);
   };
   const contact::DutyCycle& cycle = duty.cycle.cycle();
+  contact::SeatCycle::Options asked{.progress = say,
+                                    .keeps_contacts = wants_wear(options)};
   if (is_kept) {
     try {
-      return {cycle,
-              spec,
-              {say, contact::detail::file_text(file), wants_wear(options)}};
+      asked.table = contact::detail::file_text(file);
+      return {cycle, spec, asked};
     } catch (const contact::Error& error) {
       throw contact::Error(
           fmt::format("--seat-table {}: {}", file, error.what()));
     }
   }
-  contact::SeatCycle made(cycle, spec, {say, {}, wants_wear(options)});
+  contact::SeatCycle made(cycle, spec, asked);
   if (!file.empty() && !made.table().empty()) {
     cli::Output output(file);
     output.write(made.table());

@@ -94,37 +94,27 @@ void add_pins(const Options& options, const CycleFile& file,
 
 void add_pin(const PinCycle& pin, cli::Report& to) {
   using Instant = PinCycle::Instant;
-  const auto pv = [](const Instant& i) { return i.largest_pv(); };
-  const auto peak = [](const Instant& i) {
-    return i.solution.contact.peak_pressure;
-  };
-  const auto half_angle = [](const Instant& i) {
-    return i.solution.contact.largest_half_angle;
-  };
-  const auto at = [&](std::string_view key) -> std::vector<cli::Cell> {
-    const auto cells = [](const Instant& i, double z) {
-      return std::vector<cli::Cell>{i.time, {}, {}, z};
-    };
-    if (key == "largest_pv") {
-      const Instant i = pin.largest(pv);
-      return cells(i, i.solution.contact.peak_place);
-    }
-    if (key == "largest_peak_pressure") {
-      const Instant i = pin.largest(peak);
-      return cells(i, i.solution.contact.peak_place);
-    }
-    if (key == "largest_half_angle") {
-      const Instant i = pin.largest(half_angle);
-      return cells(i, i.solution.contact.half_angle_place);
-    }
-    return {};
-  };
+  using contact::FinitePinState;
+  const struct {
+    std::string_view key;
+    Instant at;
+    double FinitePinState::*place;
+  } largest[] = {{"largest_pv", pin.largest_pv(), &FinitePinState::peak_place},
+                 {"largest_peak_pressure", pin.largest_peak(),
+                  &FinitePinState::peak_place},
+                 {"largest_half_angle", pin.largest_half_angle(),
+                  &FinitePinState::half_angle_place}};
   for (const auto& column : columns_of(contact::pin_cycle_quantities())) {
-    std::vector<cli::Cell> beside = at(column.quantity->key);
-    to.add(column.name, column(pin),
-           std::string(column.meaning) +
-               (beside.empty() ? "" : "; z in m from its middle"),
-           std::move(beside));
+    const auto* const found = std::ranges::find(
+        largest, column.quantity->key, [](const auto& l) { return l.key; });
+    if (found == std::end(largest)) {
+      to.add(column.name, column(pin), column.meaning);
+    } else {
+      const Instant& at = found->at;
+      to.add(column.name, column(pin),
+             std::string(column.meaning) + "; z in m from its middle",
+             {at.time, {}, {}, at.solution.contact.*found->place});
+    }
   }
 }
 
@@ -141,8 +131,8 @@ void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
                  to.number(i.time);
                  to.number(i.state.reaction.x());
                  to.number(i.state.reaction.y());
-                 for (const auto& column : columns) {
-                   to.number(column(i.solution) + 0.0);  // no -0
+                 for (const cli::PinColumn& column : columns) {
+                   to.number(column.of(duty.pin->pin(), i.solution) + 0.0);
                  }
                  to.number(i.largest_pv());
                  to.end();
@@ -181,10 +171,8 @@ void write_along_map(const std::vector<JointDuty>& duties, cli::Output& output,
       output, style,
       [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
         for (const JointBody body : {JointBody::carrier, JointBody::body}) {
-          const bool inner = body == duty.joint.spec.geometry.inner_body();
-          const double k =
-              (inner ? duty.wear_inner : duty.wear_seat)
-                  .value_or(std::numeric_limits<double>::quiet_NaN());
+          const double k = duty.wear_coefficient(body).value_or(
+              std::numeric_limits<double>::quiet_NaN());
           for (int i = 0; i < places; ++i) {
             const double z = place_of(length_of(duty), i, places);
             const auto pv = duty.pin->pv_integrals(body, z, angles);

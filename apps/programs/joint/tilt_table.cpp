@@ -1,7 +1,5 @@
 #include "programs/joint/tilt_table.hpp"
 
-#include <functional>
-#include <string>
 #include <vector>
 
 namespace hinge_joint {
@@ -15,7 +13,6 @@ cli::ExitStatus run_tilted(const Options& options) {
     joint.spec.friction =
         make_friction(options.friction, joint.spec.friction, options.joint);
   }
-  const auto columns = cli::pin_columns();
   const FinitePin::Motion motion{options.rate.value_or(1),
                                  options.slide.value_or(0)};
   cli::TiltedTable table{.program = "hinge-joint",
@@ -23,17 +20,14 @@ cli::ExitStatus run_tilted(const Options& options) {
                          .load_column = "R_N",
                          .loads = options.reaction,
                          .motion = motion,
-                         .columns = {},
-                         .write = {}};
-  for (const auto& column : columns) table.columns.push_back(column.name);
-  if (options.pv) table.columns.emplace_back("pv_max_W_per_m2");
-  table.write = [&](const FinitePin& pin, const FinitePinSolution& s,
-                    const std::function<void()>& begin, cli::RowWriter& row) {
-    begin();
-    for (const auto& column : columns) row.number(column(s) + 0.0);
-    if (options.pv) row.number(pin.largest_pv(s.contact, motion));
-    row.end();
-  };
+                         .columns = cli::pin_columns()};
+  if (options.pv) {
+    table.columns.push_back(
+        {"pv_max_W_per_m2",
+         [motion](const FinitePin& pin, const FinitePinSolution& s) {
+           return pin.largest_pv(s.contact, motion);
+         }});
+  }
   return write_tilted(joints, options.tilt, table, options.output);
 }
 

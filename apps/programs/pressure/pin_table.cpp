@@ -56,36 +56,27 @@ void write_map(const FinitePin& pin, const FinitePinState& state, int points,
 }  // namespace
 
 cli::ExitStatus run_tilted(const Options& options) {
-  // Friction has no part in it.
-  std::vector<std::string_view> keys;
-  for (const auto& q : contact::finite_pin_quantities()) {
-    if (q.is_word() || q.key == "moment") continue;
-    if (q.key != "axial_friction_force") keys.push_back(q.key);
-  }
-  const auto columns = cli::pin_columns(keys);
-  const int points = options.points;
   cli::TiltedTable table{.program = "hinge-pressure",
                          .load_flag = "--load",
                          .load_column = "load_N",
                          .loads = options.load.load,
                          .motion = {},
-                         .columns = {},
-                         .write = {}};
-  if (points > 0) {
-    table.columns = {"theta_deg", "z_m", "p_Pa"};
-  } else {
-    for (const auto& column : columns) table.columns.push_back(column.name);
-  }
-  table.write = [&](const FinitePin& pin, const FinitePinSolution& s,
-                    const Begin& begin, cli::RowWriter& row) {
-    if (points > 0) {
+                         .columns = {}};
+  if (const int points = options.points; points > 0) {
+    table.columns = {{"theta_deg", {}}, {"z_m", {}}, {"p_Pa", {}}};
+    table.write = [points](const FinitePin& pin, const FinitePinSolution& s,
+                           const Begin& begin, cli::RowWriter& row) {
       write_map(pin, s.contact, points, begin, row);
-      return;
+    };
+  } else {
+    // Friction has no part in it.
+    std::vector<std::string_view> keys;
+    for (const auto& q : contact::finite_pin_quantities()) {
+      if (q.is_word() || q.key == "moment") continue;
+      if (q.key != "axial_friction_force") keys.push_back(q.key);
     }
-    begin();
-    for (const auto& column : columns) row.number(column(s) + 0.0);
-    row.end();
-  };
+    table.columns = cli::pin_columns(keys);
+  }
   return write_tilted(make_joints(options.joint), options.tilt, table,
                       options.output);
 }

@@ -6,6 +6,15 @@
 
 namespace contact::detail {
 
+/// The integral of a quantity over a cycle.
+/// @param points  with their `weight` in it, s
+template <class Points, class Quantity>
+double integral_of(const Points& points, const Quantity& quantity) {
+  double sum = 0;
+  for (const auto& point : points) sum += point.weight * quantity(point);
+  return sum;
+}
+
 /// The row of a cycle where a quantity is largest, improved between its
 /// neighbours to 1e-8.
 /// @param rows      of one period, with their `time`
