@@ -1,4 +1,5 @@
 #include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -91,7 +92,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
   const bool is_carrier = geometry.inner_body() == JointBody::carrier;
   centre_ = is_carrier ? solution.normal : Vector3d(-solution.normal);
   pressure_unit_ = contact.pressure_unit(normal_force_);
-  rim_speed_ = rho * angular_velocity.stableNorm();
+  rim_speed_ = rho * magnitude(angular_velocity);
   if (const auto* dry = std::get_if<FrictionLaw>(&contact.friction())) {
     heat_stress_ = {dry->coefficient(), dry->adhesion(), 1};
   } else if (const auto* viscous =
@@ -108,7 +109,7 @@ SlidingContact::SlidingContact(const JointContact& contact,
   if (centre_.isZero(0)) centre_ = angular_velocity.unitOrthogonal();
   add_totals(solution);
   pv_nominal_ =
-      geometry.nominal_pressure(solution.reaction.stableNorm()) * rim_speed_;
+      geometry.nominal_pressure(magnitude(solution.reaction)) * rim_speed_;
 }
 
 SlidingContact::Peaks SlidingContact::search(bool pv,
@@ -187,8 +188,8 @@ void SlidingContact::add_slip(const JointSolution& s) noexcept {
     return;
   }
   const FrictionIntegrals i = contact.integrals(
-      half_angle_, axis_, {normal_force_, angular_velocity_.stableNorm()});
-  const auto strength = contact.strength(angular_velocity_.stableNorm());
+      half_angle_, axis_, {normal_force_, magnitude(angular_velocity_)});
+  const auto strength = contact.strength(magnitude(angular_velocity_));
   heat_ = rim_speed_ * (strength.pressure_part * normal_force_ *
                             about(i.coefficient, axis_) +
                         strength.area_part * about(i.area, axis_));

@@ -1,4 +1,5 @@
 #include "libcontact/identify/equivalent.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -72,7 +73,7 @@ double largest_error(const std::vector<Sample>& samples, double preload,
 double resisting_moment(const Joint& joint, const Joint::Slip& state) {
   const JointSolution solution = joint.solve(state);
   return solution.status == Status::ok
-             ? -solution.power / state.angular_velocity.stableNorm()
+             ? -solution.power / magnitude(state.angular_velocity)
              : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -85,10 +86,10 @@ std::vector<Sample> samples_of(const Joint& joint,
     const double moment = resisting_moment(joint, state);
     if (!(moment > 0)) {
       throw Error(detail::needs(detail::message("{}: a reaction of {} N", place,
-                                                state.reaction.stableNorm()),
+                                                magnitude(state.reaction)),
                                 "a friction moment above 0"));
     }
-    samples.push_back({state.reaction.stableNorm(), moment});
+    samples.push_back({magnitude(state.reaction), moment});
   }
   return samples;
 }

@@ -1,4 +1,5 @@
 #include "libcontact/identify/identify.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -267,8 +268,8 @@ class Identification {
     Eigen::Index at = 0;
     for (const MeasuredMoment& datum : data_) {
       const int size = datum.size();
-      const double force = datum.reaction.stableNorm();
-      const double speed = datum.angular_velocity.stableNorm();
+      const double force = magnitude(datum.reaction);
+      const double speed = magnitude(datum.angular_velocity);
       load.segment(at, size).setConstant(std::log(force));
       rate.segment(at, size).setConstant(speed);
       direction.segment(at, size).setConstant(

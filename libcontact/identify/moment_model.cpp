@@ -1,4 +1,5 @@
 #include "libcontact/identify/moment_model.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -36,7 +37,7 @@ Vector3d trial(const JointContact& contact, const JointSolution& solution,
                double tangent) {
   const SineCosine b = solution.reaction_direction;
   // Friction is dry: any speed will do.
-  const SlipEquation equation(contact, 1, solution.reaction.stableNorm(),
+  const SlipEquation equation(contact, 1, magnitude(solution.reaction),
                               {b.sin, std::abs(b.cos)});
   const SlipPoint p = equation.at(tangent);
   const SlipAxis a = {p.triangle.axis_sin, p.triangle.axis_cos};
@@ -100,7 +101,7 @@ MomentModel::MomentModel(JointContact joint,
   double force = 0;
   for (const MeasuredMoment& state : states_) {
     size_ += state.size();
-    force += state.reaction.stableNorm();
+    force += magnitude(state.reaction);
   }
   const JointGeometry& geometry = joint_.geometry();
   unit_ =

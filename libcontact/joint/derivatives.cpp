@@ -1,4 +1,5 @@
 #include "libcontact/joint/derivatives.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -143,7 +144,7 @@ SlipDerivatives derivatives(const Joint& joint, const Joint::Slip& slip,
         Matrix3d::Constant(nan);
     return result;
   }
-  const double speed = slip.angular_velocity.stableNorm();
+  const double speed = magnitude(slip.angular_velocity);
   const Vector3d w = slip.angular_velocity.stableNormalized();
   Jacobians by = jacobians(joint.contact(), solution, w, speed);
   Matrix3d across = Matrix3d::Identity();

@@ -1,4 +1,5 @@
 #include "libcontact/joint/fixed_point.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -14,8 +15,8 @@ FixedPointResult fixed_point(const Joint& joint, const Joint::Slip& slip,
   const Eigen::Vector3d& rate = slip.angular_velocity;
   const Eigen::Vector3d reaction =
       detail::taken(joint, slip.reaction, rate, slip.axis);
-  const double force = reaction.stableNorm();
-  const double speed = rate.stableNorm();
+  const double force = magnitude(reaction);
+  const double speed = magnitude(rate);
   // Parallel vectors may round to more than 1.
   const double cos_b =
       std::clamp((reaction / force).dot(rate / speed), -1.0, 1.0);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/slip_equation.hpp"
 #include "libcontact/joint/taken_force.hpp"
 
@@ -24,17 +25,11 @@ struct Polar {
   double length;
   Vector3d direction;
 
-  explicit Polar(const Vector3d& v) : length(v.norm()) {
+  explicit Polar(const Vector3d& v) : length(magnitude(v)) {
     constexpr double safe = 1e140;
-    if (!(length > 1 / safe && length < safe)) {
-      const double largest = v.cwiseAbs().maxCoeff();
-      const Vector3d scaled = v / largest;
-      length = largest * scaled.norm();
-      direction = scaled / scaled.norm();
-      if (v.isZero(0)) length = 0;
-    } else {
-      direction = v / length;
-    }
+    direction = length > 1 / safe && length < safe
+                    ? Vector3d(v / length)
+                    : (v / v.cwiseAbs().maxCoeff()).normalized();
   }
 };
 

@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/joint/joint.hpp"
 
@@ -150,7 +151,7 @@ RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
   const Vector3d& moment = hold.moment;
   RestSolution rest;
   rest.slip = joint.solve({reaction, Vector3d::Zero()});
-  const double needed = moment.stableNorm();
+  const double needed = magnitude(moment);
   if (has_no_answer(rest, moment) || needed == 0) return rest;
   const JointContact::Strength strength = joint.contact().strength(0);
   if (rest.slip.state == JointState::unloaded ||
@@ -159,13 +160,13 @@ RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
     return rest;
   }
 
-  const double force = reaction.stableNorm();
+  const double force = magnitude(reaction);
   const Vector3d m = moment / needed;
   if (force == 0) {  // interference alone: every axis alike
     rest.direction = -m;
     rest.slip = joint.solve({reaction, rest.direction}, options);
     rest.solves = 1;
-    rest.utilisation = needed / rest.slip.friction_moment.stableNorm();
+    rest.utilisation = needed / magnitude(rest.slip.friction_moment);
     return rest;
   }
   // Z: along R, on the side of -M.
@@ -188,7 +189,7 @@ RestSolution ball_at_rest(const Joint& joint, const Joint::Hold& hold,
         size > 0 ? Vector3d((found.x() * p - found.y() * q) / size) : p;
     Eigen::Matrix3d turn;
     turn << x, z.cross(x), z;
-    const double tau = needed / search.last().friction_moment.stableNorm();
+    const double tau = needed / magnitude(search.last().friction_moment);
     if (rest.utilisation > 0 && !(tau < rest.utilisation)) return;
     rest.status = search.last().status;
     rest.utilisation = tau;

@@ -156,7 +156,8 @@ struct JointSolution {
   double moment_coefficient() const {
     if (normal_force == 0) return 0;
     return std::hypot(sliding_coefficient, spinning_coefficient) *
-           (normal_force / reaction.stableNorm());
+           (normal_force /
+            std::hypot(reaction.x(), reaction.y(), reaction.z()));
   }
   /// Heat of friction over the contact's area, W/m^2; 0 at rest and without a
   /// contact. To 1e-15 (joint/ball_joint_test.cpp).

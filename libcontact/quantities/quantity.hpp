@@ -13,6 +13,7 @@
 
 #include "libcontact/base/dimension.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/solution.hpp"
 
 /// Tables of the quantities of results, one for each struct, from which columns
@@ -80,7 +81,7 @@ double number_of(const Quantity<T>& q, const T& of, int part = whole) {
   if (const auto* number = std::get_if<0>(&q.of)) return (*number)(of);
   if (const auto* vector = std::get_if<5>(&q.of)) {
     const Eigen::Vector3d& v = (*vector)(of);
-    return part == whole ? v.stableNorm() : v[part];
+    return part == whole ? magnitude(v) : v[part];
   }
   return std::visit(
       [&](auto get) -> double {

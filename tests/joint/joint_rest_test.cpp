@@ -1,7 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <cstddef>
 #include <filesystem>
+#include <new>
 #include <string>
 
 #include "libcontact/files/joint_file.hpp"
@@ -136,6 +139,22 @@ TEST(JointAtRest, WithoutFrictionOrLoadHoldsNothing) {
   EXPECT_EQ(viscous.at_rest({reaction, Vector3d::Zero()}).utilisation, 0);
   const Joint dry = steel_ball(FrictionLaw(0.2));
   EXPECT_EQ(dry.at_rest({Vector3d::Zero(), m}).utilisation, infinity);
+}
+
+// Vectors may lie anywhere that a double may.
+TEST(JointAtRest, BitsAreThoseOfNumbersNotOfAddresses) {
+  RandomSlips random(2);
+  alignas(16) std::array<std::byte, sizeof(Joint::Hold) + 8> aligned, shifted;
+  for (int i = 0; i < 200; ++i) {
+    const RandomSlip input = random.next();
+    const Joint::Slip slip = input.slip();
+    const Joint::Hold hold = {slip.reaction, slip.angular_velocity};
+    const auto& a = *new (aligned.data()) Joint::Hold(hold);
+    const auto& b = *new (shifted.data() + 8) Joint::Hold(hold);
+    EXPECT_EQ(input.joint.at_rest(a).utilisation,
+              input.joint.at_rest(b).utilisation)
+        << i;
+  }
 }
 
 TEST(JointAtRest, NanGivesNanAndNothingAllocates) {

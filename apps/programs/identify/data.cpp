@@ -8,6 +8,7 @@
 
 #include "cli/refuse.hpp"
 #include "cli/stream/points.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "programs/joint/points/form.hpp"
 
 namespace hinge_identify {
@@ -73,7 +74,7 @@ struct Columns {
       const double x = next();
       const double y = next();
       const Vector3d moment(x, y, next());
-      size = moment.stableNorm();
+      size = contact::magnitude(moment);
       datum.moment = moment;
     } else {
       size = next();

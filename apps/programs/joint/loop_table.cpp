@@ -9,6 +9,7 @@
 
 #include "cli/output.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/fixed_point.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -122,15 +123,16 @@ void warn_of(const contact::FixedPointResult& result) {
 JointSolution contact_at(const contact::Joint& joint,
                          const contact::Joint::Slip& slip, double f) {
   const auto& [reaction, rate, axis] = slip;
-  const double force = reaction.stableNorm();
+  const double force = contact::magnitude(reaction);
   const double cos_b =
-      joint.is_pin() ? 0 : reaction.dot(rate) / force / rate.stableNorm();
+      joint.is_pin() ? 0
+                     : reaction.dot(rate) / force / contact::magnitude(rate);
   const double cos_g = 1 / std::hypot(1, f);
   const double sin_a = cos_b / cos_g;
   const double cos_a = std::sqrt((1 - sin_a) * (1 + sin_a));
   return joint.solve_contact(
       {.normal_force = force * cos_g * Vector3d(cos_a, 0, sin_a),
-       .angular_velocity = {0, 0, rate.stableNorm()}});
+       .angular_velocity = {0, 0, contact::magnitude(rate)}});
 }
 
 // The rounds of the outer loop.
@@ -176,7 +178,7 @@ class OuterLoop {
     }
     const double before = moment_;
     // M about Dw of all joints; power = M_t . Dw.
-    moment_ = -law_.joints * contact_.power / input_.turn.stableNorm();
+    moment_ = -law_.joints * contact_.power / contact::magnitude(input_.turn);
     converged_ = std::abs(moment_ - before) <= outer_tolerance * moment_;
     return result;
   }
@@ -197,7 +199,7 @@ std::vector<double> round_values(const OuterLoop& loop, std::size_t round,
   const Vector3d r = loop.reaction();
   std::vector<double> values = {static_cast<double>(round + 1), loop.moment()};
   if (braking) values.push_back(*braking * loop.moment());
-  for (const double value : {r.stableNorm(), r.x(), r.y(), r.z()}) {
+  for (const double value : {contact::magnitude(r), r.x(), r.y(), r.z()}) {
     values.push_back(value);
   }
   const JointSolution& s = loop.contact();

@@ -7,6 +7,7 @@
 
 #include "cli/number.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/root_finding.hpp"
 
 namespace hinge_joint {
@@ -32,7 +33,7 @@ double moment_of(const contact::Joint& joint, Question question,
           : joint.solve(
                 {.reaction = input.force, .angular_velocity = input.turn});
   return solution.status == contact::Status::ok
-             ? solution.friction_moment.stableNorm()
+             ? contact::magnitude(solution.friction_moment)
              : std::numeric_limits<double>::quiet_NaN();
 }
 

@@ -11,6 +11,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "programs/joint/beside.hpp"
 #include "programs/joint/contact_picture.hpp"
@@ -40,7 +41,7 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   if (force.isZero(0) || turn.isZero(0)) return;
   const double axial = std::abs(force.dot(turn.stableNormalized()));
   // Rounding leaves this of a force normal to the axis.
-  if (axial <= 1e-12 * force.stableNorm()) return;
+  if (axial <= 1e-12 * contact::magnitude(force)) return;
   cli::warn("hinge-joint",
             fmt::format("a pin takes no force along its axis: {:.4g} N "
                         "of the reaction are left out",

@@ -1,4 +1,5 @@
 #include "programs/joint/solution_row.hpp"
+#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -140,10 +141,10 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   a.patch.emplace(
       contact::ContactPatch{joint.contact(), s.normal_force, s.half_angle});
   if (named.approach) a.approach = (*named.approach)(s.half_angle);
-  const double force = s.reaction.stableNorm();
+  const double force = contact::magnitude(s.reaction);
   const contact::JointSolution traditional = joint.solve_contact(
       {.normal_force = s.reaction, .angular_velocity = a.rate});
-  a.traditional = traditional.friction_moment.stableNorm();
+  a.traditional = contact::magnitude(traditional.friction_moment);
   const bool is_pressed =
       s.normal_force != 0 || joint.contact().has_interference();
   a.mean_pressure =

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "cli/plot.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/joint/solution_row.hpp"
 
@@ -113,7 +114,7 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
         const Answer a = answer(
             joint, inputs.question(),
             over_angle ? inputs.at(member, value) : inputs.at(value, member));
-        const double moment = a.solution().friction_moment.stableNorm();
+        const double moment = contact::magnitude(a.solution().friction_moment);
         solved.x.push_back(value);
         solved.y.push_back(moment);
         traditional.x.push_back(value);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/base/magnitude.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/hinges/link_checks.hpp"
 
@@ -46,7 +47,7 @@ Matrix3d axes_of_ball(const Matrix3d& inertia, const Vector3d& r) {
 Link BallHinge::link(const Body& body, const std::string& place) {
   Link link{};
   link.axes = axes_of_ball(body.inertia, body.hinge_from_com);
-  link.arm = body.hinge_from_com.stableNorm();
+  link.arm = contact::magnitude(body.hinge_from_com);
   link.inertia = link.axes.transpose() * body.inertia * link.axes;
   link.hinge = body.hinge_from_carrier_com;
   const double scale = body.inertia.trace();
