@@ -74,6 +74,8 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
     copy(c.rims[rim].intensity, s.contact.rims[rim].intensity);
     copy(c.rims[rim].longitude, s.contact.rims[rim].longitude);
     copy(c.rims[rim].half_arc, s.contact.rims[rim].half_arc);
+    copy(c.rims[rim].peak_pressure, s.contact.rims[rim].peak_pressure);
+    copy(c.rims[rim].reach, s.contact.rims[rim].reach);
     copy(c.rims[rim].distance, s.contact.rims[rim].distance);
     copy(c.rims[rim].gap, s.contact.rims[rim].gap);
   }

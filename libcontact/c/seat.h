@@ -55,9 +55,13 @@ typedef struct contact_seat_rim {
   double intensity; /* K = lim p sqrt(2 pi s), Pa m^0.5; 0: not reached */
   double longitude; /* place where K is largest, rad, 0 or pi */
   double half_arc;  /* over which the contact follows the rim, rad */
-  double distance;  /* to the rim in the plane of the load, rad; 0: reached,
-                       infinite: there is none */
-  double gap;       /* the same along the seat, m */
+  /* On the rounding of edge_radius: largest p, Pa, and how far the contact goes
+   * on beyond the rim as drawn, m. NaN: sharp, or not reached. */
+  double peak_pressure;
+  double reach;
+  double distance; /* to the rim in the plane of the load, rad; 0: reached,
+                      infinite: there is none */
+  double gap;      /* the same along the seat, m */
 } contact_seat_rim;
 
 /* Vectors are in the axes of the body that has the seat, as the seat's axis is;

@@ -124,6 +124,12 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
     if (seat->setback() > 0) {
       toml.number("rim_setback_rad", seat->setback());
     }
+    const SeatEdge& edge = seat->edge();
+    if (edge.radius > 0) toml.number("edge_radius_m", edge.radius);
+    if (edge.angle) toml.number("edge_angle_rad", *edge.angle);
+    if (edge.report_distance != SeatEdge().report_distance) {
+      toml.number("report_distance_rad", edge.report_distance);
+    }
     if (seat->axis() != std::array<double, 3>{0, 0, 1}) {
       toml.numbers("axis", seat->axis());
     }

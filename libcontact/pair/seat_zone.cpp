@@ -63,6 +63,21 @@ SeatZone SeatZone::drawn() const {
   return other;
 }
 
+SeatZone SeatZone::with_edge(const SeatEdge& edge) const {
+  detail::require(edge.radius >= 0 && std::isfinite(edge.radius), "seat",
+                  "edge_radius", edge.radius, "at least 0 m and finite");
+  if (edge.angle) {
+    detail::require(*edge.angle > 0 && *edge.angle < pi, "seat", "edge_angle",
+                    *edge.angle, "above 0 and below pi rad");
+  }
+  detail::require(edge.report_distance > 0 && edge.report_distance < 1, "seat",
+                  "report_distance", edge.report_distance,
+                  "above 0 and below 1 radius");
+  SeatZone other = *this;
+  other.edge_ = edge;
+  return other;
+}
+
 bool SeatZone::has_upper_rim() const { return to_ < pi; }
 
 double SeatZone::reach() const {
@@ -89,6 +104,7 @@ double SeatZone::nearest(double direction) const {
 }
 
 double SeatZone::side_angle(int rim) const {
+  if (edge_.angle) return *edge_.angle;
   const double opening = rim == 0 ? from_ : pi - to_;
   return opening < pi / 4 ? pi / 2 + opening : opening;
 }

@@ -1,8 +1,24 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 namespace contact {
+
+/// How a seat is made at its rims, and how near to them pressures are reported.
+struct SeatEdge {
+  /// Radius of the rounding along the meridian, or of a chamfer blend, m; 0:
+  /// sharp.
+  double radius = 0;
+  /// Angle in the seat body between its surface and the side face, rad, (0,
+  /// pi); that of SeatZone::side_angle() if left out.
+  std::optional<double> angle = {};
+  /// From every rim, over the ball's radius, for peak pressures and p v, (0,
+  /// 1).
+  double report_distance = 0.02;
+
+  friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
+};
 
 /// Zone of a ball's seat, from <= v <= to in polar angles v from the seat's
 /// axis, a surface of revolution that ends at its rims. A ring, a cup, a socket
@@ -44,6 +60,11 @@ class SeatZone {
   SeatZone drawn() const;
   double setback() const { return setback_; }  ///< rad
 
+  /// The same zone with other edges.
+  /// @throws Error if a number is out of its interval.
+  SeatZone with_edge(const SeatEdge& edge) const;
+  const SeatEdge& edge() const { return edge_; }
+
   /// Unit vector.
   const std::array<double, 3>& axis() const { return axis_; }
   double from() const { return from_ + (has_lower_rim() ? setback_ : 0); }
@@ -73,8 +94,8 @@ class SeatZone {
   double nearest(double direction) const;
 
   /// The angle in the seat's body between its surface and the side face at a
-  /// rim, rad: of a face normal to the axis, and beside an opening of less than
-  /// 45 deg about it of a bore.
+  /// rim, rad: the edge's own, else of a face normal to the axis, and beside an
+  /// opening of less than 45 deg about it of a bore.
   /// @param rim  0 the lower, 1 the upper one
   double side_angle(int rim) const;
 
@@ -85,6 +106,7 @@ class SeatZone {
   double to_;
   std::array<double, 3> axis_ = {0, 0, 1};
   double setback_ = 0;
+  SeatEdge edge_ = {};
 };
 
 }  // namespace contact

@@ -13,6 +13,10 @@ namespace contact::detail {
 template <class Whole, auto member, const auto& table, std::size_t i>
 constexpr Quantity<Whole> lifted_row() {
   constexpr std::size_t kind = table[i].of.index();
+  bool (*exists)(const Whole&) = nullptr;
+  if constexpr (table[i].exists != nullptr) {
+    exists = [](const Whole& whole) { return table[i].exists(whole.*member); };
+  }
   return {table[i].key,
           table[i].symbol,
           table[i].dimension,
@@ -20,10 +24,11 @@ constexpr Quantity<Whole> lifted_row() {
           +[](const Whole& whole) -> decltype(auto) {
             return std::get<kind>(table[i].of)(whole.*member);
           },
-          table[i].length_meaning};
+          table[i].length_meaning,
+          exists};
 }
 
-/// All rows of a constexpr table, which exist always.
+/// All rows of a constexpr table.
 template <class Whole, auto member, const auto& table>
 constexpr auto lifted() {
   return []<std::size_t... i>(std::index_sequence<i...>) {

@@ -1,5 +1,8 @@
 #include "libcontact/quantities/seat.hpp"
 
+#include <cmath>
+#include <limits>
+
 #include "libcontact/quantities/lifted.hpp"
 
 namespace contact {
@@ -7,11 +10,20 @@ namespace {
 
 using S = SeatState;
 
+bool is_number(double x) { return !std::isnan(x); }
+
+// It rises with K.
+double rim_pressure(const SeatCycle& cycle) {
+  const auto* instant = cycle.largest_intensity();
+  return instant ? instant->solution.contact.rim_pressure()
+                 : std::numeric_limits<double>::quiet_NaN();
+}
+
 constexpr Quantity<S> of_seat[] = {
     {"free", "", Dimension::number, "1 if the contact reaches no rim",
      [](const S& s) { return s.is_free ? 1 : 0; }},
     {"peak_pressure", "p_peak", Dimension::stress,
-     "largest pressure at 0.02 radii or more from every rim",
+     "largest pressure report_distance (0.02 radii) or more from every rim",
      [](const S& s) { return s.peak_pressure; }},
     {"peak_polar_angle", "v_peak", Dimension::angle,
      "its angle from the seat's axis",
@@ -45,6 +57,13 @@ constexpr Quantity<S> of_seat[] = {
      [](const S& s) { return s.rims[0].intensity; }},
     {"upper_intensity", "K_high", Dimension::number, "at the upper rim",
      [](const S& s) { return s.rims[1].intensity; }},
+    {"lower_rim_pressure", "p_rim_low", Dimension::stress,
+     "largest pressure on the lower rim, rounded by edge_radius",
+     [](const S& s) { return s.rims[0].peak_pressure; }, "",
+     [](const S& s) { return is_number(s.rims[0].peak_pressure); }},
+    {"upper_rim_pressure", "p_rim_high", Dimension::stress, "on the upper rim",
+     [](const S& s) { return s.rims[1].peak_pressure; }, "",
+     [](const S& s) { return is_number(s.rims[1].peak_pressure); }},
     {"force_ratio", "S", Dimension::number,
      "sum of the pressures without regard to their direction over the load",
      [](const S& s) { return s.force_ratio; }},
@@ -96,7 +115,7 @@ constexpr Quantity<SeatPv> of_pv[] = {
     {"pv_total", "", Dimension::power, "integral of p v over the contact",
      [](const SeatPv& pv) { return pv.total; }},
     {"pv_max", "", Dimension::power_density,
-     "largest p v at 0.02 radii or more from every rim",
+     "largest p v report_distance (0.02 radii) or more from every rim",
      [](const SeatPv& pv) { return pv.largest; }},
     {"pv_max_place", "pv_max", Dimension::number,
      "unit vector from the ball's centre to it",
@@ -123,7 +142,7 @@ constexpr Quantity<SeatCycle> of_cycle[] = {
      [](const SeatCycle& c) { return c.least_gap()->solution.contact.gap(); },
      "", [](const SeatCycle& c) { return c.least_gap() != nullptr; }},
     {"largest_peak_pressure", "seat_largest_p_peak", Dimension::stress,
-     "largest pressure at 0.02 radii or more from every rim",
+     "largest pressure report_distance (0.02 radii) or more from every rim",
      [](const SeatCycle& c) {
        return c.largest_peak()->solution.contact.peak_pressure;
      },
@@ -132,7 +151,7 @@ constexpr Quantity<SeatCycle> of_cycle[] = {
      "of p v over contact and time, in the seat that ends",
      [](const SeatCycle& c) { return c.pv_integral(); }},
     {"largest_pv", "seat_largest_pv", Dimension::power_density,
-     "largest p v at 0.02 radii or more from every rim",
+     "largest p v report_distance (0.02 radii) or more from every rim",
      [](const SeatCycle& c) { return c.largest_pv()->pv.largest; }, "",
      [](const SeatCycle& c) { return c.largest_pv() != nullptr; }},
     {"largest_intensity", "seat_largest_K", Dimension::number,
@@ -141,6 +160,10 @@ constexpr Quantity<SeatCycle> of_cycle[] = {
        return c.largest_intensity()->solution.contact.intensity();
      },
      "", [](const SeatCycle& c) { return c.largest_intensity() != nullptr; }},
+    {"largest_rim_pressure", "seat_largest_p_rim", Dimension::stress,
+     "largest pressure on a rim, rounded by edge_radius",
+     [](const SeatCycle& c) { return rim_pressure(c); }, "",
+     [](const SeatCycle& c) { return is_number(rim_pressure(c)); }},
 };
 
 constexpr auto of_rest =

@@ -62,17 +62,15 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
                          const Grid& grid)
     : radius_(joint.geometry.radius()),
       contact_(exact_contact(joint)),
-      zone_(zone),
-      report_distance_(grid.report_distance) {
+      zone_(zone) {
   detail::require(grid.cells >= 8 && grid.cells <= 200, "seat", "cells",
                   grid.cells, "8 to 200");
   detail::require(grid.longitudes >= 16 && grid.longitudes <= 720, "seat",
                   "longitudes", grid.longitudes, "16 to 720");
-  detail::require(grid.report_distance > 0 && grid.report_distance < 1, "seat",
-                  "report_distance", grid.report_distance,
-                  "above 0 and below 1 radius");
+  const LayeredPair pair = pair_of(joint);
+  surface_layer_ = radius_ * pair.relative_thickness();
   windows_ = std::make_unique<const detail::SeatWindows>(
-      pair_of(joint), zone, grid.cells, grid.longitudes,
+      pair, zone, grid.cells, grid.longitudes,
       joint.geometry.radial_clearance());
 }
 
@@ -158,7 +156,7 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
                 Eigen::Vector3d(patch.shift.x(), 0, patch.shift.y());
   const bool on_seat = direction >= zone_.from() && direction <= zone_.to();
   state.pressure_at_load = on_seat ? unit * read.pressure(direction, 0) : nan;
-  const auto peak = read.peak(report_distance_);
+  const auto peak = read.peak(report_distance());
   state.peak_pressure = unit * peak.pressure;
   state.peak_place = {peak.polar_angle, is_axial ? nan : peak.longitude};
   for (const int rim : {0, 1}) {
@@ -190,7 +188,13 @@ void SeatContact::set_rims(SeatState& state) const {
   if (zone_.has_upper_rim()) {
     state.rims[1].distance = zone_.to() - state.upper_end;
   }
-  for (SeatRim& rim : state.rims) rim.gap = radius_ * rim.distance;
+  for (SeatRim& rim : state.rims) {
+    rim.gap = radius_ * rim.distance;
+    if (!(zone_.edge().radius > 0 && rim.intensity > 0)) continue;
+    const RoundedRim rounded = rounded_rim(rim.intensity, zone_.edge().radius);
+    rim.peak_pressure = rounded.peak_pressure;
+    rim.reach = rounded.reach;
+  }
 }
 
 SeatPlace seat_place(const Eigen::Vector3d& force,
@@ -229,7 +233,7 @@ SeatPv SeatContact::pv(const SeatState& state,
                 : Eigen::Vector3d::UnitZ();
   const detail::SeatReadout read(*state.solution->solver,
                                  state.solution->patch);
-  const auto slip = read.slip(axis, report_distance_);
+  const auto slip = read.slip(axis, report_distance());
   const double modulus = contact_.pair().effective_modulus();
   const double unit = modulus / (4 * radius_) * radius_ * speed;
   return {unit * radius_ * radius_ * slip.total, unit * slip.largest,
@@ -331,8 +335,32 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
         is_acute     ? is_reached ? 18 : 5
         : is_reached ? 7
                      : 2.5));
+    add_rounding_notes(state, rim, all);
   }
   return all;
+}
+
+void SeatContact::add_rounding_notes(const SeatState& state, int rim,
+                                     std::vector<std::string>& all) const {
+  const SeatRim& of = state.rims[rim];
+  if (std::isnan(of.peak_pressure)) return;
+  const char* const name = rim == 0 ? "lower" : "upper";
+  for (const auto& note : contact_.limits().notes({0, of.peak_pressure})) {
+    all.push_back(
+        detail::message("on the rounding of its {} rim: {}", name, note));
+  }
+  constexpr double millimetre = 1e-3;
+  // The punch's edge is that of a half-space, and a small part of the contact.
+  constexpr double largest_share = 0.1;
+  const double width = radius_ * (state.upper_end - state.lower_end);
+  if (of.reach <= largest_share * std::min(width, surface_layer_)) return;
+  all.push_back(detail::message(
+      "the contact goes {:.3g} mm on over the rounding of its {} rim, more "
+      "than "
+      "a tenth of {:.3g} mm, {}: the pressure there is that of a rounding much "
+      "smaller",
+      of.reach / millimetre, name, std::min(width, surface_layer_) / millimetre,
+      surface_layer_ < width ? "the surface layer" : "its width"));
 }
 
 }  // namespace contact

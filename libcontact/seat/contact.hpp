@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -65,6 +66,11 @@ struct SeatRim {
   double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
   /// How far the contact follows the rim to each side, rad; pi: all round.
   double half_arc = 0;
+  /// Largest pressure on the rim's rounding, Pa, and how far the contact goes
+  /// on beyond the rim as drawn, m: SeatContact::rounded_rim() at K with
+  /// SeatEdge::radius. NaN of a sharp rim and one that is not reached.
+  double peak_pressure = std::numeric_limits<double>::quiet_NaN();
+  double reach = std::numeric_limits<double>::quiet_NaN();
   /// From the contact's end to the rim in the plane of the load, rad; 0 if
   /// reached, infinite without a rim.
   double distance = std::numeric_limits<double>::infinity();
@@ -105,6 +111,10 @@ struct SeatState {
   /// The larger K, Pa m^(1/2); above 0 at a rim.
   double intensity() const {
     return std::max(rims[0].intensity, rims[1].intensity);
+  }
+  /// The larger peak on a rounded rim, Pa; NaN if none is.
+  double rim_pressure() const {
+    return std::fmax(rims[0].peak_pressure, rims[1].peak_pressure);
   }
 
   /// The grid's solution; none if free.
@@ -148,8 +158,6 @@ class SeatContact {
   struct Grid {
     int cells = 28;       ///< over latitude, 8 to 200; some more near rims
     int longitudes = 90;  ///< over half a turn, 16 to 720
-    /// From every rim, over the radius, for peak_pressure, (0, 1).
-    double report_distance = 0.02;
   };
   /// Thinner surface layers, over the radius, would take too many cells.
   static constexpr double smallest_relative_thickness = 1e-3;
@@ -197,7 +205,7 @@ class SeatContact {
   std::string note(const SeatState& state) const;
   /// The same, and of a contact that ends less than 10 deg from a rim what the
   /// model leaves out there, with the angle of the side face that it depends
-  /// on: SeatZone::side_angle() unless told otherwise.
+  /// on, and of a rim that is rounded too much for rounded_rim().
   std::vector<std::string> notes(const SeatState& state) const;
 
   /// The area that catalogues put beneath a load, m^2: of a zone on both sides
@@ -223,11 +231,15 @@ class SeatContact {
   void set_free(double half_angle, double direction, SeatState& state) const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;
+  void add_rounding_notes(const SeatState& state, int rim,
+                          std::vector<std::string>& all) const;
+
+  double report_distance() const { return zone_.edge().report_distance; }
 
   double radius_;
   JointContact contact_;
   SeatZone zone_;
-  double report_distance_;  // over the radius
+  double surface_layer_;  // thickness, m; infinite without
   std::unique_ptr<const detail::SeatWindows> windows_;
 };
 

@@ -331,7 +331,7 @@ double SeatJoint::pressure_off_rims(const SeatJointSolution& solution,
                                     const Vector3d& place) const {
   const SeatState state = in_seat(solution);
   const SeatZone& zone = contact_.zone();
-  const double off = contact_.report_distance_;
+  const double off = contact_.report_distance();
   SeatPlace at = seat_place(state.force, from_seat_.transpose() * place);
   if (at.polar_angle >= zone.from() && at.polar_angle <= zone.to()) {
     if (zone.has_lower_rim()) {

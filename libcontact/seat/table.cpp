@@ -265,7 +265,7 @@ bool SeatTable::find(const Eigen::Vector3d& force, SeatState& state,
 // In units of load/rho^2.
 void SeatTable::set_peak(const Numbers& numbers, SeatState& state) const {
   const SeatZone& zone = contact_.zone();
-  const double near = contact_.report_distance_;
+  const double near = contact_.report_distance();
   state.peak_pressure = numbers(inner_peak);
   state.peak_place = {numbers(inner_angle), 0};
   for (int n = 0; n < 4; ++n) {

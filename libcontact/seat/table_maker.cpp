@@ -81,7 +81,7 @@ class SeatTable::Maker {
     const detail::SeatReadout read(*solution.solver, solution.patch);
     const detail::SeatWindow& window = solution.solver->cells().window;
     const SeatZone& zone = table_.contact_.zone();
-    const double near = table_.contact_.report_distance_;
+    const double near = table_.contact_.report_distance();
     const double inside = std::min(4 * near, zone.width() / 3);
     const auto inner = read.peak(inside);
     to(inner_peak) = unit * inner.pressure;

@@ -51,6 +51,29 @@ void expect_same(const contact_seat_solution& c, const SeatJointSolution& cpp) {
   EXPECT_EQ(c.rims[1].half_arc, cpp.contact.rims[1].half_arc);
 }
 
+TEST(CSeat, HasThePressureOnARoundedRim) {
+  const contact_setting rounded = {"seat.edge_radius_mm", "0.5"};
+  contact_joint* made = nullptr;
+  ASSERT_EQ(contact_joint_read(cup.c_str(), &rounded, 1, &made), CONTACT_OK);
+  const CJoint joint(made, contact_joint_free);
+  contact_seat* seat = nullptr;
+  ASSERT_EQ(contact_seat_make(joint.get(), nullptr, &seat), CONTACT_OK);
+  const CSeat owner(seat, contact_seat_free);
+  const contact_slip slip = {{3e3, 0, 1e3}, {0, 0, 1}, {}};
+  contact_seat_solution c;
+  ASSERT_EQ(contact_seat_solve(seat, &slip, &c), CONTACT_OK);
+  ASSERT_GT(c.rims[1].intensity, 0);
+  const SeatJoint cpp(
+      contact::read_joint(cup, {{"seat.edge_radius_mm", "0.5"}}));
+  const auto rim = cpp.contact().rounded_rim(c.rims[1].intensity, 0.5e-3);
+  EXPECT_EQ(c.rims[1].peak_pressure, rim.peak_pressure);
+  EXPECT_EQ(c.rims[1].reach, rim.reach);
+  double value;
+  ASSERT_EQ(contact_seat_solution_get(&c, "upper_rim_pressure", &value),
+            CONTACT_OK);
+  EXPECT_EQ(value, rim.peak_pressure);
+}
+
 // At both rims, at none, and at rest.
 TEST(CSeat, IsWhatCppSays) {
   const CSeat seat = c_seat(ring);

@@ -248,9 +248,14 @@ TEST(JointFile, SeatsThatEnd) {
             SeatZone::cup(1).moved_in(0.1));
   EXPECT_EQ(seat("cup_rad = 1\naxis = [0, 3, -4]"),
             SeatZone::cup(1).about({0, 0.6, -0.8}));
+  EXPECT_EQ(seat("cup_rad = 1\nedge_radius_um = 500\nedge_angle_rad = 1.5\n"
+                 "report_distance_rad = 0.03"),
+            SeatZone::cup(1).with_edge({500e-6, 1.5, 0.03}));
   const JointSpec turned =
       parsed(ball_file().edit("+",
                               "[seat]\ncup_rad = 1\nrim_setback_rad = 0.07\n"
+                              "edge_radius_mm = 1\nedge_angle_rad = 2\n"
+                              "report_distance_rad = 0.03\n"
                               "axis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
   EXPECT_ERROR(
@@ -261,6 +266,9 @@ TEST(JointFile, SeatsThatEnd) {
       seat("cup_deg = 8\nrim_setback_deg = 7.5"),
       "j.toml:23: seat.rim_setback_deg = 7.5: seat: width after the "
       "setback = 0.00872664625997166 must be at least 1 deg (0.01745 rad)");
+  EXPECT_ERROR(seat("cup_deg = 80\nedge_radius_mm = 60"),
+               "j.toml:23: seat.edge_radius_mm = 60 must be from 0 and "
+               "below 50 mm");
   EXPECT_ERROR(
       seat("cup_deg = 80\naxis = [0, 0, 0]"),
       "j.toml:23: seat.axis = [0, 0, 0] must be a vector that is not 0");

@@ -298,6 +298,14 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
     EXPECT_EQ(table.at(row, "S"), s.force_ratio);
     EXPECT_EQ(table.at(row, "free"), s.is_free ? 1 : 0);
   }
+  const CsvTable rounded =
+      folder.table(run + "100kN --direction 70 --set seat.edge_radius_mm=0.5");
+  const double intensity =
+      std::max(table.at(4, "K_low"), table.at(4, "K_high"));
+  EXPECT_EQ(std::max(rounded.at(1, "K_low"), rounded.at(1, "K_high")),
+            intensity);
+  EXPECT_EQ(std::max(rounded.at(1, "p_rim_low_Pa"), 0.0),
+            seat.rounded_rim(intensity, 0.5e-3).peak_pressure);
   // Without end the same load presses less (docs/seats.md).
   const auto open = folder.run_well(run + "100kN --summary");
   EXPECT_TRUE(has_text(open.err, "where a contact in the middle of the seat"));

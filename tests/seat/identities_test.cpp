@@ -47,7 +47,6 @@ TEST(Seat, RefusesWhatItHasNoCellsFor) {
   EXPECT_TRUE(has_text(message(pin, {}), "requires a ball"));
   EXPECT_TRUE(has_text(message(bearing(), {.cells = 7}), "must be 8 to 200"));
   EXPECT_TRUE(has_text(message(bearing(), {.longitudes = 1000}), "16 to 720"));
-  EXPECT_TRUE(has_text(message(bearing(), {.report_distance = 0}), "above 0"));
 }
 
 TEST(Seat, SaysWhatItCannotCarry) {
@@ -262,6 +261,45 @@ TEST(Seat, RoundedRimIsThePunchsShape) {
   }
   EXPECT_NEAR(largest / rim.peak_pressure, 1, 2e-3);  // to three digits
   EXPECT_NEAR(place, 0.70, 0.01);
+}
+
+// States and tables have it of their own K, and notes say where it ends.
+TEST(Seat, RimsThatAreRoundedHaveAPeak) {
+  const SeatContact::Grid grid = {.cells = 16, .longitudes = 32};
+  JointSpec lined = bearing();
+  lined.outer = {{{5e-4, {3e9, 0.4}}}, Backing::medium(steel)};
+  const SeatContact sharp(bearing(), cup(60), grid);
+  const SeatContact fine(bearing(), cup(60).with_edge({1e-4}), grid);
+  const SeatContact coarse(lined, cup(60).with_edge({1e-3}), grid);
+  const double force = 4e5;
+  const auto under = [&](const SeatContact& seat, double angle) {
+    return seat.under(force *
+                      Eigen::Vector3d(std::sin(angle), 0, std::cos(angle)));
+  };
+  const double at_rim = 50 * degree;
+  const SeatState state = under(fine, at_rim);
+  ASSERT_GT(state.rims[1].intensity, 0);
+  const RoundedRim rim = fine.rounded_rim(state.rims[1].intensity, 1e-4);
+  EXPECT_EQ(state.rims[1].peak_pressure, rim.peak_pressure);
+  EXPECT_EQ(state.rims[1].reach, rim.reach);
+  EXPECT_EQ(state.rim_pressure(), rim.peak_pressure);
+  EXPECT_TRUE(std::isnan(state.rims[0].peak_pressure));
+  EXPECT_TRUE(std::isnan(under(sharp, at_rim).rim_pressure()));
+  EXPECT_EQ(under(sharp, at_rim).intensity(), state.intensity());
+  // Nothing is reached by a load that is small.
+  EXPECT_TRUE(std::isnan(fine.under({0, 0, 1}).rim_pressure()));
+  const auto says = [](const SeatContact& seat, const SeatState& of) {
+    std::string all;
+    for (const std::string& note : seat.notes(of)) all += note + '\n';
+    return all;
+  };
+  EXPECT_TRUE(has_text(says(fine, state),
+                       "on the rounding of its upper rim: "
+                       "peak pressure "));
+  EXPECT_FALSE(has_text(says(fine, state), "goes"));
+  EXPECT_TRUE(has_text(says(coarse, under(coarse, at_rim)),
+                       "over the rounding of its upper rim, more than a tenth "
+                       "of 0.5 mm, the surface layer"));
 }
 
 }  // namespace

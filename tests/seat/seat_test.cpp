@@ -145,7 +145,7 @@ void compare_extent(const ReferenceTable::Row& row, const SeatState& state,
                     row.label());
 }
 
-void compare_all(SeatContact::Grid grid, Reports to) {
+void compare_all(const SeatContact::Grid& grid, Reports to) {
   const ReferenceTable table("edges/edges_ball.csv");
   std::string id;
   std::unique_ptr<const SeatContact> seat;
@@ -153,9 +153,10 @@ void compare_all(SeatContact::Grid grid, Reports to) {
     if (is_cut(row)) continue;
     if (row.text("id") != id) {
       id = row.text("id");
-      grid.report_distance = row.value("rim_distance") / row.value("rho");
-      seat = std::make_unique<const SeatContact>(joint_of(row), zone_of(row),
-                                                 grid);
+      const double distance = row.value("rim_distance") / row.value("rho");
+      seat = std::make_unique<const SeatContact>(
+          joint_of(row), zone_of(row).with_edge({.report_distance = distance}),
+          grid);
     }
     const SeatState state = seat->under(force_of(row));
     ASSERT_EQ(state.status, SeatStatus::ok) << row.label();

@@ -47,6 +47,21 @@ TEST(SeatZone, HasAnAxisAndSideFaces) {
               1e-15);
 }
 
+TEST(SeatZone, EdgesMayBeTold) {
+  const SeatZone zone = cup(60).with_edge({1e-3, 75 * degree, 0.05});
+  EXPECT_EQ(zone.side_angle(1), 75 * degree);
+  EXPECT_EQ(zone.moved_in(0.1).drawn().about({0, 0, 1}), zone);
+  EXPECT_NE(zone, cup(60));
+  EXPECT_EQ(zone.with_edge({}), cup(60));
+  const auto refused = [](const SeatEdge& edge) {
+    return error_message([&] { cup(60).with_edge(edge); });
+  };
+  EXPECT_TRUE(has_text(refused({.radius = -1}), "edge_radius = -1 must be"));
+  EXPECT_TRUE(has_text(refused({.angle = pi}), "above 0 and below pi rad"));
+  EXPECT_TRUE(has_text(refused({.report_distance = 0}), "above 0 and below 1"));
+  EXPECT_TRUE(has_text(refused({.report_distance = nan}), "above 0"));
+}
+
 TEST(SeatZone, RimsMoveInAndTheSideFaceStays) {
   const SeatZone drawn(65 * degree, 115 * degree);
   const SeatZone moved = drawn.moved_in(5 * degree);

@@ -123,7 +123,8 @@ void add_seat(const contact::SeatCycle& seat, Report& to) {
       {{"least_gap", seat.least_gap()},
        {"largest_peak_pressure", seat.largest_peak()},
        {"largest_pv", seat.largest_pv()},
-       {"largest_intensity", seat.largest_intensity()}};
+       {"largest_intensity", seat.largest_intensity()},
+       {"largest_rim_pressure", seat.largest_intensity()}};
   for (const auto& column : columns_of(contact::seat_cycle_quantities())) {
     const auto* row = std::ranges::find(rows, column.quantity->key,
                                         [](const auto& r) { return r.first; });

@@ -86,7 +86,7 @@ class Rows {
   void write_map(const SeatState& state, int points, const Begin& begin,
                  cli::RowWriter& row) const {
     const contact::SeatZone& zone = seat_.zone();
-    const double near = contact::SeatContact::Grid().report_distance;
+    const double near = zone.edge().report_distance;
     const double from = zone.from() + (zone.has_lower_rim() ? near : 0);
     const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
     for (int i = 0; i < points; ++i) {

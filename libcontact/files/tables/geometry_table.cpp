@@ -113,9 +113,21 @@ SeatZone angles_from_table(const TomlTable& seat, double radius) {
   return made("upper_rim", [&] { return SeatZone(from, to); });
 }
 
+SeatEdge edge_from_table(const TomlTable& seat, double radius) {
+  SeatEdge edge;
+  const auto read = [&](const char* key, const Interval& allowed, auto& to) {
+    if (seat.has(key)) to = seat.number(key, allowed);
+  };
+  read("edge_radius", {0, radius, false, true}, edge.radius);
+  read("edge_angle", {0, std::numbers::pi, true, true}, edge.angle);
+  read("report_distance", {0, 1, true, true}, edge.report_distance);
+  return edge;
+}
+
 // [seat]
 SeatZone zone_from_table(const TomlTable& seat, double radius) {
-  SeatZone zone = angles_from_table(seat, radius);
+  SeatZone zone =
+      angles_from_table(seat, radius).with_edge(edge_from_table(seat, radius));
   if (seat.has("rim_setback")) {
     try {
       zone = zone.moved_in(seat.number("rim_setback", {0, std::numbers::pi}));
@@ -277,6 +289,9 @@ KnownKeys geometry_keys() {
                              {"lower_rim", Dimension::angle},
                              {"upper_rim", Dimension::angle},
                              {"rim_setback", Dimension::angle},
+                             {"edge_radius", Dimension::length},
+                             {"edge_angle", Dimension::angle},
+                             {"report_distance", Dimension::angle},
                              {"axis"}}),
           table_key("relief", {{"kind"},
                                {"depth", Dimension::length},
