@@ -7,14 +7,13 @@ namespace contact {
 
 /// How a seat is made at its rims, and how near to them pressures are reported.
 struct SeatEdge {
-  /// Radius of the rounding along the meridian, or of a chamfer blend, m; 0:
-  /// sharp.
+  /// Radius of the rounding along the meridian, or of a chamfer's blend, m; 0
+  /// if sharp.
   double radius = 0;
-  /// Angle in the seat body between its surface and the side face, rad, (0,
-  /// pi); that of SeatZone::side_angle() if left out.
+  /// Angle between the surface and the side face, in the seat's body, rad,
+  /// (0, pi); that of SeatZone::side_angle() if left out.
   std::optional<double> angle = {};
-  /// From every rim, over the ball's radius, for peak pressures and p v, (0,
-  /// 1).
+  /// Distance of peak pressures and p v from every rim, over the radius, (0, 1).
   double report_distance = 0.02;
 
   friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
