@@ -13,7 +13,7 @@ struct SeatEdge {
   /// Angle between the surface and the side face, in the seat's body, rad,
   /// (0, pi); that of SeatZone::side_angle() if left out.
   std::optional<double> angle = {};
-  /// Distance of peak pressures and p v from every rim, over the radius, (0, 1).
+  /// Distance of peak pressures and p v from rims, over the radius, (0, 1).
   double report_distance = 0.02;
 
   friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
