@@ -13,7 +13,8 @@
 #   hosts     adapters to simulators (apps/hosts) build, and their tests pass
 #   fmu       descriptions of FMUs fit the schemas of FMI, in $FMI_SCHEMAS
 #   libcxx    the library builds by clang++ 19 with libc++, and its tests pass
-#             with every set of instructions
+#             with every set of instructions; programs compile
+#   libcxx_apps  the last of these alone
 #   libcxx_quick  the same without tests: sources are read alone
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
 #   page      the page to calculate on has the programs' numbers and manners
@@ -23,7 +24,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,20s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,21s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -182,6 +183,17 @@ check_libcxx() {
     CONTACT_INSTRUCTION_SET=$set ctest --preset libcxx --no-tests=error \
       --parallel "$(nproc)"
   done
+  check_libcxx_apps
+}
+
+# The distribution's libraries that programs link are for libstdc++: objects
+# alone are made. (SUNDIALS asks for OpenMP, which the preset says is there.)
+check_libcxx_apps() {
+  install packages-libcxx.txt
+  cmake --preset libcxx_apps
+  ninja -C build-libcxx-apps -t targets all |
+    sed -n 's/^\(apps\/.*\.o\): .*/\1/p' |
+    xargs ninja -C build-libcxx-apps
 }
 
 # Without optimisation kernels would share functions, with it the gate would
