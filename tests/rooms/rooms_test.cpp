@@ -257,6 +257,16 @@ TEST(PublicFace, IsTheOneThatIsWrittenDown) {
       << text;
 }
 
+// Its bits depend on where a vector lies: magnitude() is there instead.
+TEST(Rooms, NoSourceUsesTheStableNormOfEigen) {
+  for (const std::string folder : {"libcontact", "apps"}) {
+    for (const std::string& file : sources(folder)) {
+      EXPECT_EQ(text_of(root / file).find(".stableNorm("), std::string::npos)
+          << file;
+    }
+  }
+}
+
 // More and a folder no longer shows what is in it.
 TEST(Rooms, FoldersHaveAtMostThirtySources) {
   std::map<std::string, int> count;
