@@ -8,6 +8,7 @@
 #   clang     clang++ builds everything, warnings are errors; all tests pass
 #   tidy      clang-tidy finds nothing (an hour)
 #   sanitize  no test has errors of memory or undefined behaviour (an hour)
+#   threads   studies, tables and Python's threads have no data race
 #   fuzz      every fuzz program runs for a minute, or CONTACT_FUZZ_SECONDS
 #   packages  Debian packages of build/ install, work and go in a clean root
 #   hosts     adapters to simulators (apps/hosts) build, and their tests pass
@@ -24,7 +25,7 @@ set -euo pipefail
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,21s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,22s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -101,6 +102,18 @@ check_sanitize() {
   cmake --preset asan
   cmake --build --preset asan
   ctest --preset asan --no-tests=error --parallel "$(nproc)"
+}
+
+# Python is not instrumented, so that the sanitizer is loaded before it.
+check_threads() {
+  cmake --preset tsan
+  cmake --build --preset tsan --target hinge-study hinge-table hinge-joint \
+    contact_python half_angle_exact_test programs_threads_test \
+    programs_study_hinge_study_test separation_run_object_test study_study_test
+  ctest --preset tsan --no-tests=error --parallel "$(nproc)" \
+    -R 'Threads|AnyThread|^Study|^BallStudy|^HingeStudy|Runs\.|ManyThreads'
+  LD_PRELOAD=$(g++ -print-file-name=libtsan.so) ctest --preset tsan \
+    --no-tests=error -R '^Python\.(joints?|motion|run|study|misuse|manners)$'
 }
 
 fuzz() { # NAME FOLDER...: from the corpus of that name and files there
@@ -232,7 +245,7 @@ check_page() {
 
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize fuzz packages hosts fmu libcxx aarch64 page)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize threads fuzz packages hosts fmu libcxx aarch64 page)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done
