@@ -4,6 +4,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -25,6 +28,7 @@
 #include "cli/joint/laws.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"
+#include "cli/picture/axis.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/csv.hpp"
@@ -794,6 +798,26 @@ TEST(OrderedBlocks, ErrorsComeOut) {
                      },
                      [](const int&) {}),
                  Error);
+  }
+}
+
+TEST(Axis, CoversItsDataAndHasPlacesOnIt) {
+  for (const char* unit : {"", "N", "deg"}) {
+    for (double span = 1e-10; span < 1e12; span *= 3) {
+      for (const double low : {0.0, -span / 3, 1e3}) {
+        for (const bool whole : {false, true}) {
+          const cli::Extent data{low, low + span};
+          const cli::Ticks ticks =
+              cli::ticks_of({"x", unit}, data, cli::Run::up, 20, whole);
+          SCOPED_TRACE(fmt::format("{} {} {} {}", unit, span, low, whole));
+          const double rounding = 1e-12 * std::max(std::abs(low), span);
+          EXPECT_LE(ticks.range.low, data.low + rounding);
+          EXPECT_GE(ticks.range.high, data.high - rounding);
+          EXPECT_FALSE(ticks.places.empty());
+          EXPECT_LE(ticks.places.size(), 12u);
+        }
+      }
+    }
   }
 }
 

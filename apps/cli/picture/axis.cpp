@@ -91,7 +91,9 @@ Ticks linear_ticks(const Axis& axis, const Extent& extent, Run run, double room,
   for (const double n : {1., 2., 5., 10., 20., 50., 100., 200.}) {
     steps.push_back(n * power);
   }
-  if (axis.unit == "deg" && span > 100) steps = {10, 15, 20, 30, 60, 90, 180};
+  if (axis.unit == "deg" && span > 100 && span <= 180 * most) {
+    steps = {10, 15, 20, 30, 60, 90, 180};
+  }
   Ticks ticks;
   for (const double step : steps) {
     if (step * most < span) continue;

@@ -61,7 +61,7 @@ std::string label_of(const Axis& axis, const Prefix& prefix);
 
 /// Numbers at places of an axis, as many as there is room for.
 struct Ticks {
-  Extent range;  ///< from end to end of the axis
+  Extent range = {0, 1};  ///< from end to end of the axis
   std::vector<double> places = {};
   std::vector<std::string> labels = {};
 

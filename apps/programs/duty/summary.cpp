@@ -128,9 +128,11 @@ void add_seat(const contact::SeatCycle& seat, Report& to) {
   for (const auto& column : columns_of(contact::seat_cycle_quantities())) {
     const auto* row = std::ranges::find(rows, column.quantity->key,
                                         [](const auto& r) { return r.first; });
+    const auto exists = column.quantity->exists;
+    if (exists && !exists(seat)) continue;
     if (row == std::end(rows)) {
       to.add(column.name, column(seat), column.meaning);
-    } else if (row->second) {
+    } else {
       const auto* at = row->second;
       if (row->first == "largest_pv") {
         to.add(column.name, column(seat),
