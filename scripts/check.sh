@@ -14,7 +14,7 @@
 #   hosts     adapters to simulators (apps/hosts) build, and their tests pass
 #   fmu       descriptions of FMUs fit the schemas of FMI, in $FMI_SCHEMAS
 #   libcxx    the library builds by clang++ 19 with libc++, and its tests pass
-#             with every set of instructions; programs compile
+#             with every set of instructions; programs are read
 #   libcxx_apps  the last of these alone
 #   libcxx_quick  the same without tests: sources are read alone
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
@@ -199,29 +199,32 @@ check_libcxx() {
   check_libcxx_apps
 }
 
-# The distribution's libraries that programs link are for libstdc++: objects
-# alone are made. (SUNDIALS asks for OpenMP, which the preset says is there.)
-check_libcxx_apps() {
+# Sources of the library, or with "apps" of the programs, as clang reads them.
+read_by_libcxx() { # BUILD WHOSE [-D OPTION=VALUE]...
   install packages-libcxx.txt
-  cmake --preset libcxx_apps
-  ninja -C build-libcxx-apps -t targets all |
-    sed -n 's/^\(apps\/.*\.o\): .*/\1/p' |
-    xargs ninja -C build-libcxx-apps
+  cmake --preset libcxx -B "$1" -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
+    -D CMAKE_EXPORT_COMPILE_COMMANDS=ON -D CONTACT_BUILD_TESTS=OFF "${@:3}"
+  cmake --build "$1" --target libcontact/friction_rules.cpp
+  python3 -c 'import json, sys
+for one in json.load(sys.stdin):
+    if "/" + sys.argv[1] + "/" in one["file"]:
+        print("cd", one["directory"], "&&", one["command"], "-fsyntax-only")' \
+    "$2" <"$1/compile_commands.json" |
+    xargs -P "$(nproc)" -d '\n' -n 1 bash -c
+}
+
+# The distribution's libraries that programs link are for libstdc++, so that
+# they are read alone. SUNDIALS asks for OpenMP, and does not need it.
+check_libcxx_apps() {
+  read_by_libcxx build-libcxx-apps apps -D CONTACT_BUILD_APPS=ON \
+    -D CONTACT_BUILD_PYTHON=ON -D OpenMP_CXX_FLAGS=-fopenmp \
+    -D OpenMP_CXX_LIB_NAMES=gomp -D OpenMP_gomp_LIBRARY=gomp
 }
 
 # Without optimisation kernels would share functions, with it the gate would
 # take ten minutes more: sources are read, and nothing is run.
 check_libcxx_quick() {
-  install packages-libcxx.txt
-  local build=build-libcxx-quick
-  cmake --preset libcxx -B $build -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
-    -D CMAKE_EXPORT_COMPILE_COMMANDS=ON -D CONTACT_BUILD_TESTS=OFF
-  cmake --build $build --target libcontact/friction_rules.cpp
-  python3 -c 'import json, sys
-for one in json.load(sys.stdin):
-    print("cd", one["directory"], "&&", one["command"], "-fsyntax-only")' \
-    <$build/compile_commands.json |
-    xargs -P "$(nproc)" -d '\n' -n 1 bash -c
+  read_by_libcxx build-libcxx-quick libcontact
 }
 
 check_aarch64() {

@@ -240,7 +240,10 @@ test('who turns with a body sees it at rest and the others from it', async () =>
   const [begin, ...others] = [0.9, 2.5, 10.3].map(
       (time) => rowAt(rows, time));
   await withPage(file('a.html'), {}, async (page, said) => {
-    const seen = (row, points) => page.evaluate(([time, of]) => {
+    // What was shown or hidden before changes the picture's size a frame later.
+    const seen = (row, points) => page.evaluate(async ([time, of]) => {
+      await new Promise((done) => requestAnimationFrame(
+          () => requestAnimationFrame(done)));
       replay.go(time);
       replay.update();
       return of.map(([body, point]) => replay.offset(body, point)).flat();
