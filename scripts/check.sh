@@ -15,8 +15,8 @@
 #   fmu       descriptions of FMUs fit the schemas of FMI, in $FMI_SCHEMAS
 #   libcxx    the library builds by clang++ 19 with libc++, and its tests pass
 #             with every set of instructions; programs are read
-#   libcxx_apps  the last of these alone
-#   libcxx_quick  the same without tests: sources are read alone
+#   libcxx_quick  sources of the library are read by clang++ 19 with libc++
+#   libcxx_apps  those of the programs are
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
 #   page      the page to calculate on has the programs' numbers and manners
 #   all       all of them
@@ -199,8 +199,8 @@ check_libcxx() {
   check_libcxx_apps
 }
 
-# Sources of the library, or with "apps" of the programs, as clang reads them.
-read_by_libcxx() { # BUILD WHOSE [-D OPTION=VALUE]...
+# Clang reads the sources in a folder.
+read_by_libcxx() { # BUILD FOLDER [-D OPTION=VALUE]...
   install packages-libcxx.txt
   cmake --preset libcxx -B "$1" -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     -D CMAKE_EXPORT_COMPILE_COMMANDS=ON -D CONTACT_BUILD_TESTS=OFF "${@:3}"

@@ -83,7 +83,7 @@ typedef struct contact_seat_solution {
 
   double shift[3];         /* shift of the ball's centre from concentric, m */
   double pressure_at_load; /* pressure where F pierces the seat, Pa */
-  double peak_pressure;    /* largest p at 0.02 radii or more from rims, Pa */
+  double peak_pressure;    /* largest p report_distance off rims, Pa */
   double peak_polar_angle; /* its place, rad */
   double peak_longitude;
   double lower_end; /* ends of the contact in the plane of the load, rad */
@@ -139,8 +139,8 @@ contact_status contact_seat_pressure(const contact_seat* seat,
 /* p v over the contact of a solution, and where it is largest. */
 typedef struct contact_seat_rating {
   double pv_total; /* integral of p v over the contact, W */
-  double pv_max;   /* the largest at 0.02 radii or more from rims, W/m^2: at a
-                      rim itself p v is infinite, what wears there is unknown */
+  double pv_max;   /* the largest report_distance off rims, W/m^2: at a rim
+                      itself p v is infinite, what wears there is unknown */
   double pv_max_place[3]; /* unit vector from the ball's centre to it */
 } contact_seat_rating;
 /* p v of a solution for this slip, to 1e-3 and 5e-3; of a contact that reaches

@@ -1,5 +1,4 @@
 #include "libcontact/duty/sliding_contact.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -8,6 +7,7 @@
 #include <optional>
 
 #include "libcontact/base/highest.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/expanded.hpp"
 #include "libcontact/pressure/profile.hpp"

@@ -1,5 +1,4 @@
 #include "libcontact/identify/equivalent.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
 

@@ -1,11 +1,11 @@
 #include "libcontact/identify/identify.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/identify/statistics.hpp"
 #include "libcontact/joint/joint.hpp"

@@ -1,11 +1,11 @@
 #include "libcontact/identify/moment_model.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <utility>
 
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/slip_equation.hpp"
 

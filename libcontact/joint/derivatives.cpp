@@ -1,11 +1,12 @@
 #include "libcontact/joint/derivatives.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "libcontact/base/magnitude.hpp"
 
 namespace contact {
 namespace {

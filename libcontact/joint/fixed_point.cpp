@@ -1,9 +1,9 @@
 #include "libcontact/joint/fixed_point.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/taken_force.hpp"
 
 namespace contact {

@@ -26,8 +26,7 @@ struct Polar {
   Vector3d direction;
 
   explicit Polar(const Vector3d& v) : length(magnitude(v)) {
-    constexpr double safe = 1e140;
-    direction = length > 1 / safe && length < safe
+    direction = detail::has_square(length)
                     ? Vector3d(v / length)
                     : (v / v.cwiseAbs().maxCoeff()).normalized();
   }
@@ -245,6 +244,12 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
   return s;
+}
+
+double JointSolution::moment_coefficient() const {
+  if (normal_force == 0) return 0;
+  return std::hypot(sliding_coefficient, spinning_coefficient) *
+         (normal_force / magnitude(reaction));
 }
 
 }  // namespace contact

@@ -153,12 +153,7 @@ struct JointSolution {
   /// f_M = |M_t|/(rho R): what catalogues call the coefficient of friction;
   /// to 1e-14 over cos a of the vectors, which lose digits towards spinning
   /// (joint/ball_joint_test.cpp, joint/pin_joint_test.cpp).
-  double moment_coefficient() const {
-    if (normal_force == 0) return 0;
-    return std::hypot(sliding_coefficient, spinning_coefficient) *
-           (normal_force /
-            std::hypot(reaction.x(), reaction.y(), reaction.z()));
-  }
+  double moment_coefficient() const;
   /// Heat of friction over the contact's area, W/m^2; 0 at rest and without a
   /// contact. To 1e-15 (joint/ball_joint_test.cpp).
   double mean_heat_flux() const {

@@ -18,6 +18,7 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr const char* rim_names[] = {"lower", "upper"};
 
 JointContact exact_contact(JointSpec joint) {
   if (joint.geometry.kind() != JointKind::ball) {
@@ -327,8 +328,7 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
         "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
         "deg to the seat, is free in truth: pressures in the middle are larger "
         "by {}, the approach by up to {} %, pressures at the rim smaller",
-        is_reached ? "is at" : "ends beside", rim == 0 ? "lower" : "upper",
-        angle,
+        is_reached ? "is at" : "ends beside", rim_names[rim], angle,
         is_acute     ? is_reached ? "9 to 16 %" : "up to 3 %"
         : is_reached ? "1 to 6 %"
                      : "up to 1 %",
@@ -344,10 +344,9 @@ void SeatContact::add_rounding_notes(const SeatState& state, int rim,
                                      std::vector<std::string>& all) const {
   const SeatRim& of = state.rims[rim];
   if (std::isnan(of.peak_pressure)) return;
-  const char* const name = rim == 0 ? "lower" : "upper";
   for (const auto& note : contact_.limits().notes({0, of.peak_pressure})) {
-    all.push_back(
-        detail::message("on the rounding of its {} rim: {}", name, note));
+    all.push_back(detail::message("on the rounding of its {} rim: {}",
+                                  rim_names[rim], note));
   }
   constexpr double millimetre = 1e-3;
   // The punch's edge is that of a half-space, and a small part of the contact.
@@ -356,10 +355,10 @@ void SeatContact::add_rounding_notes(const SeatState& state, int rim,
   if (of.reach <= largest_share * std::min(width, surface_layer_)) return;
   all.push_back(detail::message(
       "the contact goes {:.3g} mm on over the rounding of its {} rim, more "
-      "than "
-      "a tenth of {:.3g} mm, {}: the pressure there is that of a rounding much "
-      "smaller",
-      of.reach / millimetre, name, std::min(width, surface_layer_) / millimetre,
+      "than a tenth of {:.3g} mm, {}: the pressure there is that of a rounding "
+      "much smaller",
+      of.reach / millimetre, rim_names[rim],
+      std::min(width, surface_layer_) / millimetre,
       surface_layer_ < width ? "the surface layer" : "its width"));
 }
 

@@ -1,10 +1,9 @@
 // Plumbing of the programs: sweeps, numbers, CSV, tables, files, threads.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
-
-#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>

@@ -300,11 +300,10 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
   }
   const CsvTable rounded =
       folder.table(run + "100kN --direction 70 --set seat.edge_radius_mm=0.5");
-  const double intensity =
-      std::max(table.at(4, "K_low"), table.at(4, "K_high"));
-  EXPECT_EQ(std::max(rounded.at(1, "K_low"), rounded.at(1, "K_high")),
-            intensity);
-  EXPECT_EQ(std::max(rounded.at(1, "p_rim_low_Pa"), 0.0),
+  const double intensity = table.at(4, "K_low");
+  ASSERT_GT(intensity, 0);
+  EXPECT_EQ(rounded.at(1, "K_low"), intensity);
+  EXPECT_EQ(rounded.at(1, "p_rim_low_Pa"),
             seat.rounded_rim(intensity, 0.5e-3).peak_pressure);
   // Without end the same load presses less (docs/seats.md).
   const auto open = folder.run_well(run + "100kN --summary");

@@ -118,7 +118,7 @@ class Rows {
         }
         begin();
         for (const PinColumn& column : table_.columns) {
-          row.number(column.of(pin_, s) + 0.0);  // no -0
+          row.number(column.of(pin_, s));
         }
         row.end();
       }
@@ -170,7 +170,7 @@ std::vector<PinColumn> pin_columns(const std::vector<std::string_view>& keys) {
     for (const auto& column : all) {
       columns.push_back({column.name, [column](const FinitePin& /*pin*/,
                                                const FinitePinSolution& s) {
-                           return column(s);
+                           return column(s) + 0.0;  // no -0
                          }});
     }
   };

@@ -132,7 +132,7 @@ void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
                  to.number(i.state.reaction.x());
                  to.number(i.state.reaction.y());
                  for (const cli::PinColumn& column : columns) {
-                   to.number(column.of(duty.pin->pin(), i.solution) + 0.0);
+                   to.number(column.of(duty.pin->pin(), i.solution));
                  }
                  to.number(i.largest_pv());
                  to.end();

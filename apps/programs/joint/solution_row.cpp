@@ -1,10 +1,11 @@
 #include "programs/joint/solution_row.hpp"
-#include "libcontact/base/magnitude.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <limits>
+
+#include "libcontact/base/magnitude.hpp"
 
 namespace hinge_joint {
 namespace {

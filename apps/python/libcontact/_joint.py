@@ -297,7 +297,7 @@ class SeatCycle(_Made, _core.SeatCycle):
     @with_known_keywords
     def wear(self, body: str = "body", points: int = 2000) -> Wear:
         """Wear map of one of the bodies, by the contacts of the rows. Nearer to
-        a rim than 0.02 radii the pressure is that at this distance: what a rim
+        a rim than report_distance the pressure is that at it: what a rim
         wears beyond is not known.
 
         body: "body" or "carrier".
