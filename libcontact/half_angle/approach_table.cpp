@@ -44,7 +44,11 @@ void ApproachTable::tabulate(int count, const Solver& solver) {
     const double sine = std::sin(phi / 2);
     const auto [half_angle, rest] =
         variable_.half_angle(cosine * cosine, sine * sine);
-    const ContactApproach solved = solver(half_angle);
+    const ForcePoint solved = solver(half_angle);
+    // The approach is made that of the other table's load: near the limit both
+    // loads are small differences, whose roundings are not each other's.
+    const double same_load = solved.reciprocal_load *
+                             load_.load_parameter(half_angle).load_parameter;
     const double complement = load_.reaches_limit() ? rest : 1;
     const double unit = square(half_angle);
     const double l = logarithm(half_angle);
@@ -52,8 +56,8 @@ void ApproachTable::tabulate(int count, const Solver& solver) {
       return std::log(complement * (value / unit - l));
     };
     // The growth and the stiffness are each other's reciprocal.
-    const double approach = h(solved.approach);
-    const double growth = h(stiffness(half_angle, solved.stiffness));
+    const double approach = h(same_load * solved.approach.approach);
+    const double growth = h(stiffness(half_angle, solved.approach.stiffness));
     for (int k = 0; k < count; ++k) {
       const double factor = 2.0 / count * std::cos(k * phi);
       approach_[k] += factor * approach;

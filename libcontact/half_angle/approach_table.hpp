@@ -3,6 +3,7 @@
 #include <functional>
 #include <vector>
 
+#include "libcontact/conforming/force_point.hpp"
 #include "libcontact/half_angle/table.hpp"
 #include "libcontact/pair/inner_loading.hpp"
 
@@ -21,7 +22,7 @@ namespace contact::detail {
 /// variable sqrt(theta0) hides from the series.
 class ApproachTable {
  public:
-  using Solver = std::function<ContactApproach(double)>;
+  using Solver = std::function<ForcePoint(double)>;
 
   /// @param load    of the same contact; kept by reference
   /// @param solver  at theta0 in (0, load.largest()); called here only

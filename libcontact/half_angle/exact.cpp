@@ -97,7 +97,7 @@ ExactRelation relation_of(JointKind kind, const Contact& contact,
   return {{kind,
            [&contact](double theta) { return contact.reciprocal_load(theta); },
            limit.half_angle, limit.status == Status::ok, thickness},
-          [contact](double theta) { return contact.approach(theta); }};
+          [contact](double theta) { return contact.force_point(theta); }};
 }
 
 template <class Pair>
@@ -260,7 +260,7 @@ ContactApproach ExactLaw::approach(double half_angle) const {
     const HalfAngleTable& load = relation_->load;
     const ApproachTable::Solver& solver = relation_->approach;
     // A contact has an approach at all half-angles or at none.
-    if (std::isnan(solver(load.largest() / 2).approach)) return;
+    if (std::isnan(solver(load.largest() / 2).approach.approach)) return;
     approach_ =
         std::make_unique<const ApproachTable>(joint_kind(), load, solver);
   });

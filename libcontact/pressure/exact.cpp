@@ -268,10 +268,11 @@ void ExactPressure::tabulate_expansion() {
     const std::span b = std::span(value).subspan(terms_, logarithms);
     std::array<double, terms> a{};
     std::copy_n(value.begin(), expansion_size_, a.begin());
-    auto c = detail::edge_polynomial(a);
+    auto t = detail::edge_chebyshev(a);
     detail::to_plain_logarithm(
         WideEdge(chebyshev_half_angle(i, count)).cosine(), b,
-        std::span(c).first(expansion_size_));
+        std::span(t).first(expansion_size_));
+    const auto c = detail::edge_polynomial(t);
     auto row = values.row(i);
     for (int k = 0; k < logarithms; ++k) row(k) = b[k];
     for (int k = 0; k < expansion_size_; ++k) row(logarithms + k) = c[k];

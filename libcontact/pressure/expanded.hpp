@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 
 #include "libcontact/pressure/cosine.hpp"
@@ -45,17 +46,10 @@ class ExpandedPressure {
     const double square = wide * ratio;
     const double square_slope =
         wide_slope * ratio * (v + 1 - 2 * sine_ * sine_) / turn;
-    // sum c_k y^k and its derivative, by Horner.
-    const double y = 2 * square - 1;
-    double series = 0;
-    double change = 0;
-    for (int k = expansion_.size - 1; k >= 0; --k) {
-      change = change * y + series;
-      series = series * y + expansion_.coefficient[k];
-    }
+    const auto [series, change] = series_at(square);
     const double x = std::sqrt(square);
     sum.pressure += x * series;
-    sum.slope += (series / (2 * x) + x * 2 * change) * square_slope;
+    sum.slope += (series / (2 * x) + x * change) * square_slope;
     if (!expansion_.has_logarithm()) return sum;
     const auto& b = expansion_.logarithmic;
     const double cube = square * x;
@@ -71,6 +65,32 @@ class ExpandedPressure {
   }
 
  private:
+  struct Series {
+    double value;   // sum c_k B_k
+    double change;  // its derivative by x^2
+  };
+  // Four series side by side, by Horner.
+  Series series_at(double square) const {
+    const double y = 2 * square - 1;
+    const double y2 = y * y;
+    const double z = y2 * y2 - y2;
+    std::array<double, 4> value{};
+    std::array<double, 4> change{};
+    for (int k = (expansion_.size + 3) / 4 * 4 - 4; k >= 0; k -= 4) {
+      for (int i = 0; i < 4; ++i) {
+        change[i] = change[i] * z + value[i];
+        value[i] = value[i] * z + expansion_.coefficient[k + i];
+      }
+    }
+    const auto sum = [&](const std::array<double, 4>& p) {
+      return (p[3] * y + p[2]) * y2 + (p[1] * y + p[0]);
+    };
+    // dz/dy = 4 y^3 - 2 y, dy = 2 d(x^2)
+    return {sum(value), 4 * (y * (2 * y2 - 1) * sum(change) +
+                             y * (value[3] * y + value[2])) +
+                            2 * (value[3] * y2 + value[1])};
+  }
+
   PressureExpansion expansion_;
   double half_angle_;
   double cosine_peak_;

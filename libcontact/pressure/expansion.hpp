@@ -2,7 +2,6 @@
 
 #include <array>
 #include <cstddef>
-#include <span>
 
 #include "libcontact/pressure/law.hpp"
 
@@ -11,16 +10,18 @@ namespace contact {
 /// A pressure as the sum of the cosine pressure and one that starts like a
 /// square root from the edge,
 ///
-///     p = cosine_share p[cosine] + edge_pressure + x sum_k c_k (2 x^2 - 1)^k
+///     p = cosine_share p[cosine] + edge_pressure + x sum_k c_k B_k
 ///         + x^3 ln X sum_k b_k x^(2k),
 ///     X^2 = (cos theta - cos theta0)/(1 - cos theta0),
 ///     x^2 = X^2 (1 + v)/(v + cos theta),
+///     B_k = y^r (y^4 - y^2)^j,  y = 2 x^2 - 1,  k = r + 4 j,  r < 4,
 ///
 /// to which the friction integrals have short ways. x and X are 0 at the edge
 /// and 1 at the centre for every v; with v = 1, x is the edge variable of
 /// PressureLaw. ln X and not ln x: along a great circle X is a constant times
-/// a cosine. Which of the parts there are at all, a law says for all
-/// half-angles at once; NaN for theta0 that it is not defined for.
+/// a cosine. The B_k cost what powers of y do, which would multiply roundings
+/// by 2.4^k; these do by 2.4^(k/2). Which of the parts there are at all, a law
+/// says for all half-angles at once; NaN for theta0 that it is not defined for.
 struct PressureExpansion {
   static constexpr int max_terms = 32;
   double cosine_share = 0;
@@ -31,9 +32,8 @@ struct PressureExpansion {
   std::array<double, max_terms> coefficient = {};
   std::array<double, 3> logarithmic = {};  ///< b_k, likewise
 
-  std::span<const double> coefficients() const {
-    return std::span(coefficient).first(static_cast<std::size_t>(size));
-  }
+  /// B_k at the centre: 1, and from here on 0.
+  static constexpr int powers = 4;
   /// Nothing: the law has no expansion.
   bool is_empty() const {
     return cosine_share == 0 && edge_pressure == 0 && size == 0 &&

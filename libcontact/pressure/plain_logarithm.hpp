@@ -11,7 +11,7 @@ namespace contact::detail {
 
 /// From x^3 ln x sum b_k x^(2k) to x^3 ln X sum b_k x^(2k), x and X as in
 /// PressureExpansion with v = 1 + 2 c, c = cos(theta0/2): adds the difference
-/// to the coefficients of x y^k, y = 2 x^2 - 1. It is x times x^2 sum b_k
+/// to the coefficients of x T_m(y), y = 2 x^2 - 1. It is x times x^2 sum b_k
 /// x^(2k) times
 ///
 ///     ln(x/X) = ln((1 + w)/(2 w)) - sum r^m T_m(y)/m,  m = 1, 2, ...,
@@ -49,23 +49,7 @@ inline void to_plain_logarithm(double c, std::span<const double> b,
     }
     sum[2] += last[1] / 4;  // y T_0 = T_1
   }
-  // T_m as powers of y.
-  static constexpr auto powers = [] {
-    std::array<std::array<double, most>, most> t{};
-    t[0][0] = 1;
-    t[1][1] = 1;
-    for (std::size_t m = 2; m < most; ++m) {
-      for (std::size_t k = 0; k < most; ++k) {
-        t[m][k] = (k > 0 ? 2 * t[m - 1][k - 1] : 0) - t[m - 2][k];
-      }
-    }
-    return t;
-  }();
-  for (std::size_t m = 0; m < size; ++m) {
-    for (std::size_t k = m % 2; k <= m; k += 2) {
-      coefficient[k] += sum[m + 1] * powers[m][k];
-    }
-  }
+  for (std::size_t m = 0; m < size; ++m) coefficient[m] += sum[m + 1];
 }
 
 }  // namespace contact::detail

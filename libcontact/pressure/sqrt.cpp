@@ -155,7 +155,7 @@ class CircleExpansion {
         a[k] += 2 * y / points * std::sin((2 * k + 1) * phi);
       }
     }
-    return detail::edge_polynomial(a);
+    return detail::edge_polynomial(detail::edge_chebyshev(a));
   }
 
   Coefficients evaluate(double half_angle) const {

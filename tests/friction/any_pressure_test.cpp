@@ -508,7 +508,7 @@ TEST(FrictionPressure, LogarithmsAreResolved) {
   }
 }
 
-// A law without a term of the kind x (2 x^2 - 1)^k: the cosine pressure or a
+// A law without a term of the kind x B_k: the cosine pressure or a
 // part of it.
 class OnlyCosine final : public PressureLaw {
  public:

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
@@ -141,6 +142,35 @@ TEST(WalledExactPressure, FreeRingsCostNotMuchMore) {
     });
   };
   EXPECT_LT(friction(of_ring), 40 * friction(of_liner));
+}
+
+// The 32 terms of a thin wall's pressure are summed in a form that does not
+// multiply roundings, which differ between instruction sets: powers of the edge
+// variable would make 1e-12 of them.
+TEST(WalledExactPressure, FrictionKeepsItsDigits) {
+  AccuracyReport report("between instruction sets", 4e-15);
+  for (const Wall& wall : walls) {
+    const ExactPressure law(JointKind::ball, wall.pair());
+    for (const double theta0_deg : {5.0, 45.0, 65.0, 80.0}) {
+      for (const double axis_deg : {1e-4, 30.0, 60.0, 85.0}) {
+        const SlipAxis axis = SlipAxis::from_degrees(axis_deg);
+        const auto by = [&](InstructionSet set) {
+          const detail::WithInstructionSet with(set);
+          return friction_integrals(law, theta0_deg * degree, axis).coefficient;
+        };
+        const FrictionTriple expected = by(InstructionSet::baseline);
+        for (const auto set : {InstructionSet::avx2, InstructionSet::avx512}) {
+          if (!is_supported(set)) continue;
+          const FrictionTriple computed = by(set);
+          const std::string label =
+              wall.label() + ", theta0_deg " + std::to_string(theta0_deg);
+          report.add(computed.force, expected.force, label);
+          report.add(computed.sliding, expected.sliding, label);
+          report.add(computed.spinning, expected.spinning, label);
+        }
+      }
+    }
+  }
 }
 
 TEST(WalledExactPressure, Friction) {

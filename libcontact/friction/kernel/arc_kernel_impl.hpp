@@ -246,7 +246,9 @@ class TabulatedPressure {
               table_.arc_terms);
         });
     Lanes peak = cosine_share_ * (one_minus_c / r.normal);
-    for (int k = 0; k < table_.size; ++k) peak += coefficient_[k];
+    for (int k = 0; k < std::min(table_.size, PressureExpansion::powers); ++k) {
+      peak += coefficient_[k];
+    }
     r.force = root.force + cosine_share_ * r.force;
     r.sliding = root.sliding + cosine_share_ * r.sliding;
     r.spinning = root.spinning + cosine_share_ * r.spinning;

@@ -35,8 +35,7 @@ struct RootPressure {
 
   /// p/x
   [[gnu::always_inline]] V over_x(const V& x2, const V& log_X2) const {
-    const V y = 2.0 * x2 - 1.0;
-    V p = polynomial(y);
+    V p = polynomial(x2);
     if constexpr (with_logarithm) {
       p += ((V(logarithmic[2]) * x2 + logarithmic[1]) * x2 + logarithmic[0]) *
            (0.5 * x2 * log_X2);
@@ -44,12 +43,13 @@ struct RootPressure {
     return p;
   }
 
-  /// The powers by their remainder modulo 4, side by side.
-  [[gnu::always_inline]] V polynomial(const V& y) const {
+  /// sum c_k B_k: four series side by side.
+  [[gnu::always_inline]] V polynomial(const V& x2) const {
     if constexpr (terms == 1) return coefficient[0];
     static_assert(terms == 1 || terms % 4 == 0);
+    const V y = 2.0 * x2 - 1.0;
     const V y2 = y * y;
-    const V y4 = y2 * y2;
+    const V z = y2 * y2 - y2;
     constexpr int last = terms - 4;
     V p0 = coefficient[last];
     V p1 = coefficient[last + 1];
@@ -57,10 +57,10 @@ struct RootPressure {
     V p3 = coefficient[last + 3];
 #pragma GCC unroll 4
     for (int k = last - 4; k >= 0; k -= 4) {
-      p0 = p0 * y4 + coefficient[k];
-      p1 = p1 * y4 + coefficient[k + 1];
-      p2 = p2 * y4 + coefficient[k + 2];
-      p3 = p3 * y4 + coefficient[k + 3];
+      p0 = p0 * z + coefficient[k];
+      p1 = p1 * z + coefficient[k + 1];
+      p2 = p2 * z + coefficient[k + 2];
+      p3 = p3 * z + coefficient[k + 3];
     }
     return (p3 * y + p2) * y2 + (p1 * y + p0);
   }
