@@ -108,7 +108,7 @@ check_sanitize() {
 check_threads() {
   cmake --preset tsan
   cmake --build --preset tsan --target hinge-study hinge-table hinge-joint \
-    contact_python half_angle_exact_test programs_threads_test \
+    hinge-separation contact_python half_angle_exact_test programs_threads_test \
     programs_study_hinge_study_test separation_run_object_test study_study_test
   ctest --preset tsan --no-tests=error --parallel "$(nproc)" \
     -R 'Threads|AnyThread|^Study|^BallStudy|^HingeStudy|Runs\.|ManyThreads'
