@@ -79,8 +79,8 @@ FrictionIntegrals one_point(const PressureLaw& law, double half_angle,
   const double one_minus_c = c < 0 ? 1 - c : s * s / (1 + c);
   const double share = p.cosine_share;
   double at_centre = share == 0 ? 0 : share * (one_minus_c / r.normal);
-  for (int k = 0; k < std::min(p.size, p.powers); ++k) {
-    at_centre += p.coefficient[k];
+  for (int i = 0; i < std::min(p.size, p.powers); ++i) {
+    at_centre += p.coefficient[i];
   }
   at_centre += p.edge_pressure;
   const PressureSums<double> root =
