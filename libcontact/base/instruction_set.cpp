@@ -29,7 +29,7 @@ bool is_supported(InstructionSet set) {
 }
 
 const std::vector<InstructionSet>& supported_instruction_sets() {
-  static const std::vector<InstructionSet> sets = [] {
+  static const auto& sets = *new auto([] {
     std::vector<InstructionSet> all;
     for (const InstructionSet set :
          {InstructionSet::baseline, InstructionSet::avx2,
@@ -37,7 +37,7 @@ const std::vector<InstructionSet>& supported_instruction_sets() {
       if (is_supported(set)) all.push_back(set);
     }
     return all;
-  }();
+  }());
   return sets;
 }
 

@@ -109,7 +109,8 @@ contact_status contact_finite_pin_solve(const contact_finite_pin* pin,
 }
 
 const contact_quantity* contact_finite_pin_quantity(std::size_t i) {
-  static const auto all = contact::c::listed(contact::finite_pin_quantities());
+  static const auto& all =
+      *new auto(contact::c::listed(contact::finite_pin_quantities()));
   return contact::c::at(all, i);
 }
 

@@ -15,11 +15,11 @@ namespace contact::c {
 /// A table as C has it.
 template <class T>
 std::vector<contact_quantity> listed(std::span<const Quantity<T>> table) {
-  static const std::vector<std::string> units = [table] {
+  static const auto& units = *new auto([table] {
     std::vector<std::string> all;
     for (const auto& q : table) all.push_back(unit_text(q.dimension));
     return all;
-  }();
+  }());
   std::vector<contact_quantity> all;
   for (const auto& q : table) {
     all.push_back({q.key.data(), q.symbol.data(), units[all.size()].c_str(),

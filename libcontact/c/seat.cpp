@@ -297,7 +297,8 @@ contact_status contact_seat_notes(const contact_seat* seat,
 }
 
 const contact_quantity* contact_seat_solution_quantity(std::size_t i) {
-  static const auto all = contact::c::listed(contact::seat_joint_quantities());
+  static const auto& all =
+      *new auto(contact::c::listed(contact::seat_joint_quantities()));
   return contact::c::at(all, i);
 }
 

@@ -361,8 +361,8 @@ ContactPressure BallContact::pressure(double half_angle,
   // f^2 = t^2 + (theta0^2 - t^2) s^2 the integrand is smooth in s on [0, 1],
   // but for a logarithm at s = 1, which s = 1 - u^2 takes away.
   // As h has twice the unknowns for its degree, 32 nodes take 32 of them.
-  static const EdgeRule usual(32);
-  static const EdgeRule fine(2 * most_unknowns);
+  static const EdgeRule& usual = *new EdgeRule(32);
+  static const EdgeRule& fine = *new EdgeRule(2 * most_unknowns);
   const EdgeRule& rule = unknowns_ > max_unknowns ? fine : usual;
   const detail::EdgeFit& fit =
       detail::EdgeFit::table(terms == 0 ? this->terms() : terms);

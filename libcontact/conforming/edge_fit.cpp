@@ -15,14 +15,14 @@ constexpr int fitted = ContactPressure::logarithms - 1;
 
 const EdgeFit& EdgeFit::table(int terms) {
   if (terms <= usual_terms) {
-    static const EdgeFit usual(usual_terms);
+    static const EdgeFit& usual = *new EdgeFit(usual_terms);
     return usual;
   }
   if (terms <= wide_terms) {
-    static const EdgeFit wide(wide_terms);
+    static const EdgeFit& wide = *new EdgeFit(wide_terms);
     return wide;
   }
-  static const EdgeFit thin(thin_terms);
+  static const EdgeFit& thin = *new EdgeFit(thin_terms);
   return thin;
 }
 

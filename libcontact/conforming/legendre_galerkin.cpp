@@ -14,7 +14,8 @@ const LegendreGalerkin& LegendreGalerkin::table(int unknowns, Parity parity) {
   using Tables =
       std::array<std::unique_ptr<LegendreGalerkin>, max_unknowns + 1>;
   static std::mutex mutex;
-  static Tables even, odd;
+  static Tables& even = *new Tables;
+  static Tables& odd = *new Tables;
   const std::lock_guard lock(mutex);
   auto& entry = (parity == Parity::odd ? odd : even)[unknowns];
   if (!entry) entry = std::make_unique<LegendreGalerkin>(unknowns, parity);

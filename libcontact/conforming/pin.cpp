@@ -303,8 +303,8 @@ namespace {
 // sum (beta n + 1)/(n (n^2 - 1)) cos nx, which is smooth but for x = 0.
 double average_without_walls(double half_angle, double beta,
                              const Unknowns& y) {
-  static const detail::GaussLegendre usual(56);
-  static const detail::GaussLegendre fine(96);
+  static const detail::GaussLegendre& usual = *new detail::GaussLegendre(56);
+  static const detail::GaussLegendre& fine = *new detail::GaussLegendre(96);
   const detail::GaussLegendre& rule =
       y.size() > PinContact::default_unknowns ? fine : usual;
   // Points in psi, sin(t/2) = sin(theta0/2) cos psi.

@@ -1,13 +1,13 @@
 #include "libcontact/duty/duty_cycle.hpp"
 
 #include <algorithm>
-#include <boost/math/quadrature/gauss.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/duty/periodic_spline.hpp"
 
@@ -232,18 +232,13 @@ std::vector<DutyCycle::GaussPoint> DutyCycle::gauss_points(bool is_pin) const {
     }
   }
   std::sort(ends.begin(), ends.end());
-  using Four = boost::math::quadrature::gauss<double, 4>;
-  using Eight = boost::math::quadrature::gauss<double, 8>;
-  const auto& places = is_pin ? Four::abscissa() : Eight::abscissa();
-  const auto& weights = is_pin ? Four::weights() : Eight::weights();
+  const detail::GaussLegendre rule(is_pin ? 4 : 8);
   std::vector<GaussPoint> points;
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double middle = (ends[i] + ends[i - 1]) / 2;
     const double half = (ends[i] - ends[i - 1]) / 2;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-      for (const double side : {-half, half}) {
-        points.push_back({middle + side * places[k], half * weights[k]});
-      }
+    for (int k = 0; k < rule.node.size(); ++k) {
+      points.push_back({middle + half * rule.node(k), half * rule.weight(k)});
     }
   }
   return points;

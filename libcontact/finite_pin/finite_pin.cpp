@@ -133,7 +133,7 @@ std::vector<double> FinitePin::summits(
 
 // Substituted so that contact may end at both ends of an interval.
 FinitePin::Sums FinitePin::sums(const Vector4d& place) const noexcept {
-  static const detail::GaussLegendre rule(nodes);
+  static const detail::GaussLegendre& rule = *new detail::GaussLegendre(nodes);
   const double rho = joint_.geometry.radius();
   Sums sums;
   if (!place.allFinite()) {

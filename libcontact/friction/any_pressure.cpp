@@ -120,7 +120,7 @@ double second_moment(const PressureLaw& law, double half_angle) {
   // x = u^2 for the logarithm of an exact pressure; as many nodes as the 64
   // sines of thin walls need.
   constexpr int size = 128;
-  static const detail::GaussLegendre gauss(size);
+  static const detail::GaussLegendre& gauss = *new detail::GaussLegendre(size);
   std::array<double, size> x, slope;
   for (int i = 0; i < size; ++i) {
     const double u = (1 + gauss.node(i)) / 2;

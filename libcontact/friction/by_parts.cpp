@@ -18,8 +18,8 @@ constexpr int usual_nodes = 56;
 constexpr int walled_nodes = 128;
 
 const GaussLegendre& rule_for(const PressureLaw& law) {
-  static const GaussLegendre usual(usual_nodes);
-  static const GaussLegendre walled(walled_nodes);
+  static const GaussLegendre& usual = *new GaussLegendre(usual_nodes);
+  static const GaussLegendre& walled = *new GaussLegendre(walled_nodes);
   const auto* exact = dynamic_cast<const ExactPressure*>(&law);
   return exact && exact->has_walls() ? walled : usual;
 }

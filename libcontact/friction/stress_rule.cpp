@@ -34,7 +34,7 @@ class RulesOf {
     if (points != usual_stress_points) own_.emplace(points);
   }
   const Rules& operator*() const {
-    static const Rules usual(usual_stress_points);
+    static const Rules& usual = *new Rules(usual_stress_points);
     return own_ ? *own_ : usual;
   }
 

@@ -44,8 +44,8 @@ void HalfAngleLaw::require_closing_load() const {
 }
 
 const std::vector<std::string>& half_angle_law_names() {
-  static const std::vector<std::string> names = detail::names_of(
-      detail::half_angle_entries(), [](const auto&) { return true; });
+  static const auto& names = *new auto(detail::names_of(
+      detail::half_angle_entries(), [](const auto&) { return true; }));
   return names;
 }
 

@@ -19,7 +19,7 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // W(largest) - W(largest - rest), near the largest not as a difference.
 double energy_to_turn(const ForceLaw& law, double largest, double rest) {
-  static const detail::GaussLegendre rule(12);
+  static const detail::GaussLegendre& rule = *new detail::GaussLegendre(12);
   if (rest > 0.05 * largest) {
     return law.energy(largest) - law.energy(largest - rest);
   }

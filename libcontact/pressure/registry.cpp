@@ -31,8 +31,8 @@ const PressureEntry* find_pressure_entry(std::string_view name) {
 }  // namespace detail
 
 const std::vector<std::string>& pressure_law_names() {
-  static const std::vector<std::string> names = detail::names_of(
-      detail::pressure_entries(), [](const auto&) { return true; });
+  static const auto& names = *new auto(detail::names_of(
+      detail::pressure_entries(), [](const auto&) { return true; }));
   return names;
 }
 

@@ -38,7 +38,7 @@ struct Place {
 };
 
 const detail::GaussLegendre& gauss() {
-  static const detail::GaussLegendre rule(points);
+  static const detail::GaussLegendre& rule = *new detail::GaussLegendre(points);
   return rule;
 }
 

@@ -12,9 +12,9 @@ ForceKind motor();
 ForceKind aerodynamic();
 
 const std::vector<ForceKind>& force_kinds() {
-  static const std::vector<ForceKind> kinds = {applied(),    thrust(), spring(),
-                                               damper(),     pusher(), motor(),
-                                               aerodynamic()};
+  static const auto& kinds =
+      *new std::vector<ForceKind>{applied(), thrust(), spring(),     damper(),
+                                  pusher(),  motor(),  aerodynamic()};
   return kinds;
 }
 

@@ -194,7 +194,7 @@ double BallGap::centre(const GapField& field) const {
 double BallGap::pressure(const GapField& field, double theta) const {
   // f = t' sin u makes the integral of phi'(f)/sqrt(2 (cos f - cos t'))
   // smooth up to the edge.
-  static const GaussLegendre gauss(64);
+  static const GaussLegendre& gauss = *new GaussLegendre(64);
   const double psi = field.opening;
   const double opposite = pi - theta;
   if (!(opposite > psi)) return opposite <= psi ? 0 : opposite;

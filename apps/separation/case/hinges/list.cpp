@@ -10,7 +10,8 @@ HingeType ball_hinge();
 HingeType axis_hinge();
 
 const std::vector<HingeType>& hinge_types() {
-  static const std::vector<HingeType> types = {ball_hinge(), axis_hinge()};
+  static const auto& types =
+      *new std::vector<HingeType>{ball_hinge(), axis_hinge()};
   return types;
 }
 
