@@ -212,11 +212,12 @@ check_libcxx() {
 }
 
 # The distribution's libraries that programs link are for libstdc++, so that
-# they are compiled and not linked, and without what needs no compiler's back
-# end. SUNDIALS asks for OpenMP, and does not need it.
+# they are compiled and not linked. SUNDIALS asks for OpenMP, and does not need
+# it. Some sources are always optimised, which precompiled headers then are not.
 check_libcxx_apps() {
   install packages-libcxx.txt
   cmake --preset libcxx -B build-libcxx-apps -D CONTACT_BUILD_TESTS=OFF \
+    -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON \
     -D CMAKE_BUILD_TYPE=Debug -D CMAKE_CXX_FLAGS_DEBUG=-O0 \
     -D CONTACT_BUILD_APPS=ON -D CONTACT_BUILD_PYTHON=ON \
     -D OpenMP_CXX_FLAGS=-fopenmp -D OpenMP_CXX_LIB_NAMES=gomp \

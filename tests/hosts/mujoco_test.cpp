@@ -259,8 +259,9 @@ TEST(HostMujoco, DampingDoesNotCreep) {
     mjcb_passive = nullptr;
     RecordProperty("rests_s", std::to_string(rests));
     // First order: 45.68, 45.05, 44.71 s by implicit steps of 1, 0.5 and
-    // 0.25 ms, 44.09, 44.19, 44.25 s by Euler's; 44.37 s is right. The roundings
-    // of other instruction sets and compilers make 45.80 s of the first.
+    // 0.25 ms, 44.09, 44.19, 44.25 s by Euler's; 44.37 s is right. The
+    // roundings of other instruction sets and compilers make 45.80 s of the
+    // first.
     EXPECT_NEAR(rests, 44.37, 1.6);
     EXPECT_LT(before.angularDistance(after), 1e-9);
   }
