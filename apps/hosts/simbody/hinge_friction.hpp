@@ -23,8 +23,9 @@ struct Options {
   /// Error of the moments over the largest. Not above what the integrator
   /// resolves.
   double tolerance = 1e-8;
-  /// A ball below it has come to rest, rad/s. Not below what the integrator
-  /// resolves.
+  /// A ball below it has come to rest, rad/s. Several times the integrator's
+  /// accuracy: with less its last motion may drown in errors of that size, so
+  /// that it creeps on in steps of microseconds.
   double stop_speed = 1e-7;
 };
 
