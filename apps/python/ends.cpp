@@ -195,8 +195,9 @@ places: unit vectors from the ball's centre, (..., 3).)")
            R"(pv(self, solution, angular_velocity)
 --
 
-p v of one row: a SeatRating, total to 1e-3, largest to 5e-3
-report_distance (0.02 radii) or more from rims, where it is infinite. A contact at a rim is found anew.
+p v of one row: a SeatRating, total to 1e-3, largest to 5e-3 at report_distance
+(0.02 radii) or more from rims, where it is infinite. A contact at a rim is found
+anew.
 
 solution: a single SeatSolution.
 angular_velocity: Dw of that solution, rad/s, (..., 3).)")

@@ -109,9 +109,7 @@ contact_status contact_finite_pin_solve(const contact_finite_pin* pin,
 }
 
 const contact_quantity* contact_finite_pin_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::finite_pin_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::finite_pin_quantities>(i);
 }
 
 contact_status contact_finite_pin_get(

@@ -11,27 +11,19 @@ using contact::c::given;
 using contact::c::row_of;
 
 const contact_quantity* contact_solution_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::solution_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::solution_quantities>(i);
 }
 
 const contact_quantity* contact_rest_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::rest_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::rest_quantities>(i);
 }
 
 const contact_quantity* contact_patch_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::patch_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::patch_quantities>(i);
 }
 
 const contact_quantity* contact_rating_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::rating_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::rating_quantities>(i);
 }
 
 contact_status contact_solution_get(const contact_solution* solution,

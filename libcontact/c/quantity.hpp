@@ -12,26 +12,24 @@
 /// Tables of quantities for C.
 namespace contact::c {
 
-/// A table as C has it.
-template <class T>
-std::vector<contact_quantity> listed(std::span<const Quantity<T>> table) {
-  static const auto& units = *new auto([table] {
+/// Row i of the quantities that `table` returns as C has it; null behind the
+/// last one.
+template <auto table>
+const contact_quantity* row(std::size_t i) {
+  static const auto& units = *new auto([] {
     std::vector<std::string> all;
-    for (const auto& q : table) all.push_back(unit_text(q.dimension));
+    for (const auto& q : table()) all.push_back(unit_text(q.dimension));
     return all;
   }());
-  std::vector<contact_quantity> all;
-  for (const auto& q : table) {
-    all.push_back({q.key.data(), q.symbol.data(), units[all.size()].c_str(),
-                   q.meaning.data(), q.is_vector() ? 3U : 1U});
-  }
-  return all;
-}
-
-/// Row i; null behind the last one.
-inline const contact_quantity* at(const std::vector<contact_quantity>& all,
-                                  std::size_t i) {
-  return i < all.size() ? &all[i] : nullptr;
+  static const auto& rows = *new auto([] {
+    std::vector<contact_quantity> all;
+    for (const auto& q : table()) {
+      all.push_back({q.key.data(), q.symbol.data(), units[all.size()].c_str(),
+                     q.meaning.data(), q.is_vector() ? 3U : 1U});
+    }
+    return all;
+  }());
+  return i < rows.size() ? &rows[i] : nullptr;
 }
 
 /// @throws Error for an unknown key

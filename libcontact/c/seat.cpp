@@ -297,9 +297,7 @@ contact_status contact_seat_notes(const contact_seat* seat,
 }
 
 const contact_quantity* contact_seat_solution_quantity(std::size_t i) {
-  static const auto& all =
-      *new auto(contact::c::listed(contact::seat_joint_quantities()));
-  return contact::c::at(all, i);
+  return contact::c::row<contact::seat_joint_quantities>(i);
 }
 
 contact_status contact_seat_solution_get(const contact_seat_solution* solution,
