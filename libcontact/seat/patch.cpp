@@ -171,6 +171,7 @@ void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
       farthest *= 2;
     }
     shift += step;
+    if (!step.allFinite()) break;
     // So that something stays in contact.
     while (!(overlap(shift) > 0)) {
       step /= 2;

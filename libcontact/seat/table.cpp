@@ -1,6 +1,7 @@
 #include "libcontact/seat/table.hpp"
 
 #include <algorithm>
+#include <boost/crc.hpp>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -28,13 +29,20 @@ Eigen::Array4d cubic(double x) {
   return {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};
 }
 
-constexpr std::string_view title = "libcontact table of a seat 1\n";
+constexpr std::string_view title = "libcontact table of a seat 2\n";
 
 // Friction and name are not in the table.
 std::string head_of(JointSpec joint) {
   joint.name = "";
   joint.friction = {};
   return std::string(title) + joint.canonical_text() + '\n';
+}
+
+using CheckSum = std::uint32_t;
+CheckSum check_sum(std::string_view bytes) {
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
 }
 
 struct Writer {
@@ -114,13 +122,45 @@ SeatTable::SeatTable(const SeatContact& contact, const JointSpec& joint,
   const std::string head = head_of(joint);
   if (!bytes.starts_with(title)) throw Error("not a table of a seat");
   if (!bytes.starts_with(head)) throw Error("a table of another joint");
-  bytes.remove_prefix(head.size());
-  pass(*this, Reader{bytes});
+  if (bytes.size() < head.size() + sizeof(CheckSum)) {
+    throw Error("a table that is cut off");
+  }
+  const std::string_view all = bytes.substr(0, bytes.size() - sizeof(CheckSum));
+  CheckSum sum = 0;
+  std::memcpy(&sum, bytes.data() + all.size(), sizeof sum);
+  if (sum != check_sum(all)) throw Error("a table that is damaged or cut off");
+  Reader reader{all.substr(head.size())};
+  pass(*this, reader);
+  if (!reader.rest.empty() || !is_whole())
+    throw Error("a table that is damaged");
+}
+
+// Places are looked for in squares that are there, and end in one without
+// halves: they stand behind the square that they are of.
+bool SeatTable::is_whole() const {
+  const auto size = static_cast<std::int64_t>(squares_.size());
+  const std::int64_t largest = std::int64_t{count_(0)} * count_(1);
+  if (!((count_ > 0).all() && (low_ < high_).all() && largest <= size)) {
+    return false;
+  }
+  for (std::int64_t i = 0; i < size; ++i) {
+    const Square& square = squares_[i];
+    const bool ends = square.halves < 0;
+    if (!ends && (square.halves <= i || square.halves + 4 > size)) return false;
+    if (square.size <= 0) return false;
+    if (!ends || !square.is_used) continue;
+    for (const int node : square.nodes) {
+      if (node < 0 || std::size_t(node) >= nodes_.size()) return false;
+    }
+  }
+  return true;
 }
 
 std::string SeatTable::bytes(const JointSpec& joint) const {
   std::string text = head_of(joint);
   pass(*this, Writer{text});
+  const CheckSum sum = check_sum(text);
+  Writer{text}(&sum, 1);
   return text;
 }
 

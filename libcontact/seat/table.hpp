@@ -94,6 +94,7 @@ class SeatTable {
   void make(const Options& options);
   template <class Table, class Stream>
   static void pass(Table& table, Stream&& stream);
+  bool is_whole() const;
   Place place(const Eigen::Vector3d& force) const;
   double load_place(double load) const;
   double shift_unit(double load) const;

@@ -3,7 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <boost/crc.hpp>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <memory>
 #include <string>
 
@@ -286,8 +289,34 @@ TEST(SeatTable, IsReadAgain) {
   other.geometry = other.geometry.with_clearance(2.6e-5);
   EXPECT_EQ(message(other, bytes), "a table of another joint");
   EXPECT_EQ(message(spec, bytes.substr(0, bytes.size() - 1)),
-            "a table that is cut off");
+            "a table that is damaged or cut off");
+  EXPECT_EQ(message(spec, bytes + '1'), "a table that is damaged or cut off");
   EXPECT_EQ(message(spec, "name = 1"), "not a table of a seat");
+  // One bit anywhere; and places of squares and states, with their check sum.
+  for (std::size_t i = 800; i < bytes.size(); i += bytes.size() / 7) {
+    std::string flipped = bytes;
+    flipped[i] = static_cast<char>(flipped[i] ^ 0x40);
+    EXPECT_EQ(message(spec, flipped), "a table that is damaged or cut off");
+  }
+  // The number of squares, and where the parts of the first one are, wrong but
+  // with a check sum of their own.
+  JointSpec bare = spec;
+  bare.friction = {};
+  bare.name = "";
+  const std::size_t head =
+      bytes.find('\n') + 1 + bare.canonical_text().size() + 1;
+  const std::size_t squares = head + 76;
+  for (const std::size_t place : {head + 32, squares + 19 * 4}) {
+    for (const int number : {1 << 30, 0}) {
+      std::string forged = bytes.substr(0, bytes.size() - 4);
+      std::memcpy(forged.data() + place, &number, 4);
+      boost::crc_32_type crc;
+      crc.process_bytes(forged.data(), forged.size());
+      const std::uint32_t sum = crc.checksum();
+      forged.append(reinterpret_cast<const char*>(&sum), 4);
+      EXPECT_EQ(message(spec, forged), "a table that is damaged") << place;
+    }
+  }
   EXPECT_TRUE(has_text(error_message([&] {
                          SeatTable(joint.contact(),
                                    {.least_load = 2, .most_load = 1});
