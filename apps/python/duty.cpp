@@ -111,6 +111,11 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
+  for (const std::string& note :
+       cycle->on().cycle().notes(cycle->on().contact().geometry().kind() ==
+                                 contact::JointKind::pin)) {
+    warn_of(note, frames_of_maker);
+  }
   return cycle;
 }
 

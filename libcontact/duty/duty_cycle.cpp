@@ -3,16 +3,20 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/base/units.hpp"
 #include "libcontact/duty/periodic_spline.hpp"
 
 namespace contact {
 namespace {
+
+constexpr double pi = std::numbers::pi;
 
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
@@ -115,7 +119,20 @@ struct DutyCycle::Splines {
 DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame, TurnSequence sequence)
     : splines_(std::make_shared<const Splines>(rows)),
       frame_(frame),
-      sequence_(std::move(sequence)) {}
+      sequence_(std::move(sequence)) {
+  const std::size_t count = rows.times.size();
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::size_t next = (i + 1) % count;
+    const double jump =
+        (rows.motion[next] - rows.motion[i]).cwiseAbs().maxCoeff();
+    if (!(jump > pi)) continue;
+    throw Error(detail::must_be(
+        detail::message("change of angles of {:.4g} deg from {:g} s to {:g} s",
+                        jump / degree, rows.times[i], rows.times[next]),
+        "at most 180 deg: angles go on without a jump after a turn, and whole "
+        "turns in a period need angular velocities"));
+  }
+}
 
 DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame)
     : splines_(std::make_shared<const Splines>(rows)), frame_(frame) {
@@ -134,6 +151,69 @@ const std::vector<double>& DutyCycle::times() const {
 }
 
 double DutyCycle::period() const { return splines_->motion.period(); }
+
+namespace {
+
+// How far a spline goes beyond its rows, over their range.
+double overshoot(const PeriodicSpline& spline) {
+  constexpr int parts = 16;
+  const std::vector<double>& times = spline.times();
+  Eigen::Array3d low = spline.value(times[0]);
+  Eigen::Array3d high = low;
+  Eigen::Array3d lowest = low;
+  Eigen::Array3d highest = low;
+  for (std::size_t i = 0; i < times.size(); ++i) {
+    const double next =
+        i + 1 < times.size() ? times[i + 1] : times[0] + spline.period();
+    for (int k = 0; k < parts; ++k) {
+      const Eigen::Array3d value =
+          spline.value(times[i] + k * (next - times[i]) / parts);
+      lowest = lowest.min(value);
+      highest = highest.max(value);
+      if (k > 0) continue;
+      low = low.min(value);
+      high = high.max(value);
+    }
+  }
+  const double range = (high - low).maxCoeff();
+  const double beyond = (low - lowest).max(highest - high).maxCoeff();
+  return range > 0 ? beyond / range : 0;
+}
+
+}  // namespace
+
+std::vector<std::string> DutyCycle::notes(bool is_pin) const {
+  std::vector<std::string> notes;
+  const auto add_overshoot = [&](const char* what, const PeriodicSpline& of) {
+    constexpr double negligible = 0.01;
+    const double beyond = overshoot(of);
+    if (!(beyond > negligible)) return;
+    notes.push_back(detail::message(
+        "between the rows the {} goes {:.3g} % of its range beyond them: a "
+        "spline overshoots where rows jump, and more rows there hold it",
+        what, 100 * beyond));
+  };
+  add_overshoot("force", splines_->forces);
+  add_overshoot(sequence_ ? "angle" : "angular velocity", splines_->motion);
+  if (closure_ > 0.1 * degree) {
+    notes.push_back(detail::message(
+        "the rates turn the body by {:.3g} deg more or less than whole turns: "
+        "its wear map and forces in its axes are not those of a cycle",
+        closure_ / degree));
+  }
+  if (!is_pin) return notes;
+  double axial = 0;
+  for (const double time : times()) {
+    axial = std::max(axial, std::abs(at(time).reaction.z()));
+  }
+  if (axial > 0) {
+    notes.push_back(detail::message(
+        "a pin takes no force along its axis: R_z of up to {:.4g} N is left "
+        "out",
+        axial));
+  }
+  return notes;
+}
 
 // Q' = [Dw] Q.
 Quaterniond DutyCycle::turned(Quaterniond turn, double from, double to) const {

@@ -67,21 +67,28 @@ class DutyCycle {
     Eigen::Quaterniond turn;  ///< from the body's axes to the carrier's
   };
 
-  /// By angles.
+  /// Makes a cycle from angles.
   /// @param rows  with their period, three or more
-  /// @throws Error if they are not so.
+  /// @throws Error if they are not so, or if an angle changes by more than 180
+  ///         deg from row to row, the last to the first too: one that jumps
+  ///         back after a turn would be turned back by the spline.
   DutyCycle(const Rows& rows, ForceFrame frame, TurnSequence sequence);
-  /// By angular velocities. The turn, from the axes of the carrier at the first
-  /// time, is integrated by Magnus' method of fourth order, four steps from
-  /// each time to the next.
+  /// Makes a cycle from angular velocities. The turn, from the axes of the
+  /// carrier at the first time, is integrated by Magnus' method of fourth
+  /// order, four steps from each time to the next.
   DutyCycle(const Rows& rows, ForceFrame frame);
 
   State at(double time) const;
   const std::vector<double>& times() const;
   double period() const;
-  /// By what angle the turn after a period differs from the one before it, rad;
-  /// 0 of angles.
+  /// Angle between the turns at the beginning and the end of a period, rad; 0
+  /// if the cycle is given by angles.
   double closure() const { return closure_; }
+
+  /// Notes for the user, sentences without a full stop: on splines that go
+  /// beyond the rows by more than 1 % of their range, on turns that do not
+  /// close, and on a force along the axis of a pin.
+  std::vector<std::string> notes(bool is_pin) const;
 
   /// Gauss's rule of eight points in each interval of the times, of a pin four
   /// in each quarter. Intervals are divided where |Dw| has a kink, for it is 0,

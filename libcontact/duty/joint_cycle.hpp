@@ -30,7 +30,7 @@ class JointCycle {
 
   const DutyCycle& cycle() const { return cycle_; }
   const JointContact& contact() const { return joint_.contact(); }
-  /// At the times of the cycle; of no weight.
+  /// Instants at the times of the cycle; their weight is 0.
   const std::vector<Instant>& rows() const { return rows_; }
   const std::vector<Instant>& gauss_points() const { return gauss_points_; }
   /// Its solution has the status out_of_range where the laws have no value.
@@ -43,15 +43,16 @@ class JointCycle {
   SlidingContact sliding(const Instant&) const&& = delete;
 
   using Quantity = std::function<double(const Instant&)>;
-  /// Over one period; to 1e-9 for smooth cycles of 100 times
+  /// Integral over one period, within 1e-9 for smooth cycles of 100 times
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// The largest value, to 1e-8: the largest of the rows, improved between its
   /// neighbours.
   Instant largest(const Quantity& quantity) const;
-  /// For ContactLimits; both as largest().
+  /// Largest half-angle and peak pressure of the cycle, for ContactLimits;
+  /// each found as by largest().
   LargestContact largest_contact() const;
-  /// From carrier axes to those of the body that has the seat or hole.
+  /// Turn from carrier axes to those of the body that has the seat or hole.
   Eigen::Quaterniond to_seat(const Instant& instant) const;
   /// How far the contact wanders over the seat or hole in a cycle: root mean
   /// square of the angle between its centre and the middle of its places, in

@@ -55,13 +55,14 @@ class PinCycle {
 
   const DutyCycle& cycle() const { return cycle_; }
   const FinitePin& pin() const { return pin_; }
-  /// At the times of the cycle; of no weight.
+  /// Instants at the times of the cycle; their weight is 0.
   const std::vector<Instant>& rows() const { return rows_; }
   const std::vector<Instant>& gauss_points() const { return gauss_points_; }
   Instant at(double time) const noexcept;
 
   using Quantity = std::function<double(const Instant&)>;
-  /// Over one period, to 1e-8 of smooth cycles (duty/pin_cycle_test.cpp).
+  /// Integral over one period, within 1e-8 for smooth cycles
+  /// (duty/pin_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// As JointCycle::largest().
   Instant largest(const Quantity& quantity) const;

@@ -33,15 +33,15 @@ class SlidingContact {
   };
   /// The numbers alone, without what they refer to.
   struct Rating {
-    Peak pv;
-    Peak heat_flux;
-    double pv_mean;
-    double pv_nominal;
-    double nominal_area;  ///< projected: pi rho^2 or 2 rho l, m^2
-    double pv_total;
-    double heat;
-    double slip_coefficient;
-    bool slides;  ///< else angles and places have no meaning
+    Peak pv;                  ///< largest p |v|, W/m^2
+    Peak heat_flux;           ///< largest, W/m^2
+    double pv_mean;           ///< W/m^2
+    double pv_nominal;        ///< W/m^2
+    double nominal_area;      ///< projected: pi rho^2 or 2 rho l, m^2
+    double pv_total;          ///< integral of p |v|, W
+    double heat;              ///< W
+    double slip_coefficient;  ///< L
+    bool slides;              ///< else angles and places have no meaning
   };
 
   /// @param solution  of a joint with this contact
@@ -59,7 +59,7 @@ class SlidingContact {
   Eigen::Vector3d slip(const Eigen::Vector3d& place) const noexcept;
   /// p |v|, W/m^2.
   double pv(const Eigen::Vector3d& place) const noexcept;
-  /// W/m^2; 0 outside of the contact.
+  /// Heat that friction makes on unit area, W/m^2; 0 outside of the contact.
   double heat_flux(const Eigen::Vector3d& place) const noexcept;
 
   /// Both lie in the plane of n and Dw, on the side turned away from Dw, and
@@ -67,7 +67,7 @@ class SlidingContact {
   /// the pressure does not fall from the centre to the edge and for the heat
   /// flux of a FrictionStress, which is taken to grow with the slip
   /// (duty/sliding_contact_test.cpp, against closed forms).
-  /// Each call searches; who wants both asks for both.
+  /// Each call searches; peaks() finds both at once.
   Peak largest_pv() const noexcept { return search(true, false).pv; }
   Peak largest_heat_flux() const noexcept {
     return search(false, true).heat_flux;
@@ -92,7 +92,7 @@ class SlidingContact {
   /// (duty/sliding_contact_test.cpp).
   double heat() const { return heat_; }
 
-  /// All of it.
+  /// All numbers at once; searches for both peaks.
   Rating rating() const noexcept;
 
  private:

@@ -18,10 +18,10 @@ struct WearCoefficients {
 
 /// Wear of a seat or hole, as it is passed on from run to run.
 struct WornSeat {
-  /// m: of a hole at even points of the circle from X towards Y, in the axes of
-  /// the body that has it; none: nothing is gone.
-  /// Of a seat at the cells of a grid about a pole in these axes, latitude
-  /// after latitude of one longitude after the other.
+  /// Depths of wear, m; empty if nothing has worn. Those of a hole stand at
+  /// even points of the circle from X towards Y, in the axes of the body that
+  /// has it; those of a seat at the cells of a grid about a pole in these axes,
+  /// latitude after latitude of one longitude after the other.
   std::vector<double> depths = {};
   Eigen::Vector3d pole = {0, 0, 1};
   double reach = 0;   ///< reach of the grid from its pole, rad

@@ -36,7 +36,7 @@ class WearMap {
     /// along one line, 1/2 without a direction; NaN where there is no wear.
     double cross_shear;
   };
-  /// To 1e-5 of the largest p v of a cycle of 100 times
+  /// Wear at a point, within 1e-5 of the largest p v of a cycle of 100 times
   /// (duty/joint_cycle_test.cpp).
   Wear at(const Eigen::Vector3d& point) const;
 
@@ -61,7 +61,7 @@ class WearMap {
   /// @param coefficient  k, m^2/N
   /// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
   ///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published
-  ///         (docs/bearing_design.md).
+  ///         (docs/bearing_wear.md).
   static std::string coefficient_note(double coefficient);
   /// @param depth  of the wear, m
   /// @return a sentence if it is above a tenth of the radius, where seat and

@@ -19,6 +19,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
 namespace contact::test {
@@ -291,6 +292,43 @@ TEST(DutyCycle, OfRates) {
         (duty.at(time).turn * first).angularDistance(angles.at(time).turn),
         1e-5);
   }
+}
+
+// A sine in 20 rows passes; loads that jump, turns that do not close, and a
+// force along a pin are said. Angles that jump back after a turn are refused.
+TEST(DutyCycle, SaysWhatTheRowsDoNotHold) {
+  DutyCycle::Rows rows{{}, {}, {}, 1.0};
+  for (int i = 0; i < 20; ++i) {
+    const double turn = 2 * std::numbers::pi * i / 20;
+    rows.times.push_back(i / 20.0);
+    rows.forces.emplace_back(100 * std::sin(turn), 500, 0);
+    rows.motion.emplace_back(0.3 * std::sin(turn), 0, 0);
+  }
+  const DutyCycle::TurnSequence z("z");
+  EXPECT_TRUE(DutyCycle(rows, {}, z).notes(true).empty());
+  EXPECT_TRUE(DutyCycle(rows, {}, z).notes(false).empty());
+  DutyCycle::Rows jumps = rows;
+  for (int i = 0; i < 20; ++i) jumps.forces[i].x() = i < 10 ? 100 : 1e4;
+  const auto said = DutyCycle(jumps, {}, z).notes(true);
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].substr(0, 39), "between the rows the force goes 10.8 % ");
+  DutyCycle::Rows axial = rows;
+  axial.forces[3].z() = 7;
+  EXPECT_EQ(DutyCycle(axial, {}, z).notes(false).size(), 0u);
+  ASSERT_EQ(DutyCycle(axial, {}, z).notes(true).size(), 1u);
+  EXPECT_NE(DutyCycle(axial, {}, z).notes(true)[0].find("up to 7 N"),
+            std::string::npos);
+  DutyCycle::Rows open = rows;
+  for (Vector3d& rate : open.motion) rate += Vector3d(0, 0, 1);
+  ASSERT_EQ(DutyCycle(open, {}).notes(false).size(), 1u);
+  EXPECT_NE(DutyCycle(open, {}).notes(false)[0].find("than whole turns"),
+            std::string::npos);
+  DutyCycle::Rows turns = rows;
+  for (int i = 0; i < 20; ++i) turns.motion[i].x() = 18 * i * degree;
+  EXPECT_ERROR(DutyCycle(turns, {}, z),
+               "change of angles of 342 deg from 0.95 s to 0 s must be at most "
+               "180 deg: angles go on without a jump after a turn, and whole "
+               "turns in a period need angular velocities");
 }
 
 // The same forces as the carrier's instruments would have them.

@@ -65,6 +65,14 @@ void check_files(const Options& options) {
     if (*file == "-") cli::refuse(option, *file, "the name of a file");
     names.add(option, *file);
   }
+  if (!options.seat_table.empty()) {
+    // Read as well, if it is there.
+    if (options.seat_table == "-") {
+      cli::refuse("--seat-table", options.seat_table, "the name of a file");
+    }
+    cli::Output::check(options.seat_table);
+    names.keep("--seat-table", options.seat_table);
+  }
   if (!options.worn_out.empty() && options.worn == options.worn_out) {
     cli::refuse("--worn-out", options.worn_out,
                 "another file than that of --worn");
@@ -173,24 +181,11 @@ void wear(const Options& options, std::vector<JointDuty>& duties) {
 
 // Warns of properties of the cycle that all joints share.
 void warn_of_cycle(const JointCycle& cycle) {
-  const double closure = cycle.cycle().closure() / degree;
-  if (closure > 0.1) {
-    cli::warn("hinge-duty",
-              fmt::format("the rates turn the body by {:.3g} deg more or less "
-                          "than whole turns: its wear map and forces in its "
-                          "axes are not those of a cycle",
-                          closure));
+  const bool is_pin =
+      cycle.contact().geometry().kind() == contact::JointKind::pin;
+  for (const std::string& note : cycle.cycle().notes(is_pin)) {
+    cli::warn("hinge-duty", note);
   }
-  if (cycle.contact().geometry().kind() != contact::JointKind::pin) return;
-  double axial = 0;
-  for (const Instant& row : cycle.rows()) {
-    axial = std::max(axial, std::abs(row.state.reaction.z()));
-  }
-  if (axial == 0) return;
-  cli::warn("hinge-duty",
-            fmt::format("a pin takes no force along its axis: R_z of up to "
-                        "{:.4g} N is left out",
-                        axial));
 }
 
 void warn_of_contact(const JointDuty& duty) {

@@ -25,8 +25,6 @@ class SeatPath {
   Eigen::Vector3d middle() const;
   /// The largest angle from there to a place, rad.
   double reach(const Eigen::Vector3d& middle) const;
-  /// Whether load and axis are alike at all times.
-  bool stands_still() const { return stands_still_; }
   /// Whether the load always points to the same place, however large it is.
   bool keeps_direction() const { return keeps_direction_; }
   /// Places of the same distance each, in the order of the cycle; one if they
