@@ -20,7 +20,7 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
-// Letters as in docs/conforming.md: h(f) is the Abel transform of the
+// Letters as in docs/conforming_methods.md: h(f) is the Abel transform of the
 // pressure, H_n its moment with cos((n + 1/2) f).
 namespace contact {
 namespace {

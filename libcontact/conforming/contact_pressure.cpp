@@ -110,8 +110,8 @@ double ContactPressure::slope(double theta) const noexcept {
 double ContactPressure::peak() const noexcept { return pressure(peak_angle()); }
 
 // Places from the centre to the edge, ever closer towards it, where a free ring
-// presses on a narrow strip: fine enough for the one maximum on either side of
-// the centre.
+// presses on a narrow strip: fine enough to see each maximum, if not
+// how high it is.
 double ContactPressure::scan_angle(int i) const noexcept {
   static const auto shares = [] {
     using std::numbers::pi;
@@ -138,21 +138,21 @@ bool ContactPressure::falls_outwards() const noexcept {
 }
 
 double ContactPressure::peak_angle() const noexcept {
-  int largest = 0;
-  double at_largest = pressure(0);
+  std::array<double, scan_steps + 1> p{};
+  for (int i = 0; i < scan_steps; ++i) p[i] = pressure(scan_angle(i));
+  double place = 0;
+  double largest = p[0];
   for (int i = 1; i < scan_steps; ++i) {
-    const double p = pressure(scan_angle(i));
-    if (p > at_largest) {
-      largest = i;
-      at_largest = p;
-    }
+    if (!(p[i] > p[i - 1] && p[i] >= p[i + 1])) continue;
+    // Half the digits of a double: a maximum has no more.
+    const auto [theta, least] = boost::math::tools::brent_find_minima(
+        [this](double at) { return -pressure(at); }, scan_angle(i - 1),
+        scan_angle(i + 1), 26);
+    if (-least <= largest) continue;
+    place = theta;
+    largest = -least;
   }
-  if (largest == 0) return 0;
-  // Half the digits of a double: a maximum has no more.
-  return boost::math::tools::brent_find_minima(
-             [this](double theta) { return -pressure(theta); },
-             scan_angle(largest - 1), scan_angle(largest + 1), 26)
-      .first;
+  return place;
 }
 
 }  // namespace contact

@@ -7,7 +7,7 @@
 
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 
-// Letters as in docs/conforming.md, "Walls". The state of a harmonic is
+// Letters as in docs/walls.md. The state of a harmonic is
 // y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
 namespace contact::detail {
 namespace {

@@ -19,7 +19,8 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
-// Letters as in docs/conforming.md: b = tan(theta0/2), q = tan(theta0/4).
+// Letters as in docs/conforming_methods.md: b = tan(theta0/2), q =
+// tan(theta0/4).
 namespace contact {
 namespace {
 

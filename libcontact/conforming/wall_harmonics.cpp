@@ -28,7 +28,7 @@ double conditioning(JointKind kind, const LayeredPair& pair) {
 // Thin layers that hardly yield, because they can neither be compressed nor
 // squeezed sideways, between bodies that do not yield either.
 void require_conditioning(JointKind kind, const LayeredPair& pair) {
-  // Measured: docs/walls.md, "Limits". The ball's kernel is a table.
+  // Measured: docs/walls_matter.md. The ball's kernel is a table.
   const double least = kind == JointKind::ball ? 1.7e-10 : 5e-12;
   const auto is_good = [&](const LayeredPair& p) {
     return conditioning(kind, p) >= least;
@@ -96,6 +96,41 @@ int walled_unknowns(const LayeredPair& pair) {
   if (thickness > 0.025) return 24;
   if (thickness > 0.009) return 32;
   return thickness > 0.0045 ? 48 : 64;
+}
+
+std::string unresolved_note(const LayeredPair& pair) {
+  // Beyond what the most unknowns resolve. Of rings: walls.md, "The edge"; of
+  // stiff skins peaks were compared with finite grids: 0.1 % too high at 2e-4
+  // radii and a ratio of moduli of 30, 1 % at 2.5e-4 and 200, 4 % at 5e-4 and
+  // 25 % at 2.5e-4 and 4000.
+  constexpr double thinnest_ring = 0.005;
+  constexpr double thinnest_skin = 1e-3;
+  constexpr double softer = 50;
+  if (const double ring = free_ring_thickness(pair); ring < thinnest_ring) {
+    return message(
+        "a free ring of {:.3g} radii is below {:g}: it presses on "
+        "strips that are not resolved, and its pressures may be "
+        "wrong by any amount",
+        ring, thinnest_ring);
+  }
+  for (const LayeredBody* body : {&pair.inner(), &pair.outer()}) {
+    double depth = 0;
+    for (std::size_t i = 0; i < body->layers.size(); ++i) {
+      depth += body->layers[i].thickness / pair.radius();
+      const Material& below = i + 1 < body->layers.size()
+                                  ? body->layers[i + 1].material
+                                  : body->backing.material();
+      const double ratio =
+          body->layers[i].material.youngs_modulus / below.youngs_modulus;
+      if (!(depth < thinnest_skin && ratio > softer)) continue;
+      return message(
+          "a skin of {:.3g} radii on a body {:.3g} times softer: "
+          "below {:g} radii its peak pressure is not resolved, some "
+          "1 to 30 % too high; the half-angle holds",
+          depth, ratio, thinnest_skin);
+    }
+  }
+  return {};
 }
 
 int gap_unknowns(const LayeredPair& pair) {

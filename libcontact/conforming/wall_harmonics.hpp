@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "libcontact/pair/inner_loading.hpp"
@@ -31,6 +32,10 @@ double free_ring_thickness(const LayeredPair& pair);
 /// the edge of the contact has a layer as wide as the wall is thick, under a
 /// ring that is free outside a fifth of that.
 int walled_unknowns(const LayeredPair& pair);
+
+/// Says where walls are too thin for the most unknowns to resolve their
+/// pressure; "" otherwise.
+std::string unresolved_note(const LayeredPair& pair);
 
 /// Unknowns that the solutions by the gap (PinGap, BallGap) need for 1e-9.
 int gap_unknowns(const LayeredPair& pair);

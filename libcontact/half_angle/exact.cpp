@@ -269,11 +269,16 @@ ContactApproach ExactLaw::approach(double half_angle) const {
 }
 
 std::vector<std::string> ExactLaw::validity_notes(const ElasticPair&) const {
-  if (!relation_ || relation_->load.reaches_limit() || closing()) return {};
-  return {
-      detail::message("the exact solution ends at {:.4g} deg, before the limit "
-                      "half-angle of this pair",
-                      relation_->load.largest() / degree)};
+  std::vector<std::string> notes;
+  if (relation_ && !relation_->load.reaches_limit() && !closing()) {
+    notes.push_back(
+        detail::message("the exact solution ends at {:.4g} deg, before the "
+                        "limit half-angle of this pair",
+                        relation_->load.largest() / degree));
+  }
+  std::string thin = walls_ ? detail::unresolved_note(*walls_) : "";
+  if (!thin.empty()) notes.push_back(std::move(thin));
+  return notes;
 }
 
 namespace detail {

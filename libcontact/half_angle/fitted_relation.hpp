@@ -7,7 +7,7 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 
-/// The fitted laws' relation between load and half-angle (docs/half_angle.md):
+/// The fitted laws' relation between load and half-angle (docs/fitted_laws.md):
 /// a closed form, exact for some elastic pairs, and a polynomial in
 /// r = sin(theta0/2) whose coefficients are sums over the features of the
 /// pair,

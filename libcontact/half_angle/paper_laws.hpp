@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "libcontact/half_angle/law.hpp"
@@ -117,7 +118,7 @@ class ArctanLaw final : public SaturatingLaw {
  public:
   /// @throws Error if initial_slope is not positive and finite.
   ArctanLaw(JointKind kind, LimitHalfAngle limit, double initial_slope = 1)
-      : SaturatingLaw(kind, limit, initial_slope) {}
+      : SaturatingLaw(kind, std::move(limit), initial_slope) {}
   std::string name() const override { return "arctan"; }
 
  private:
@@ -135,7 +136,7 @@ class TanhLaw final : public SaturatingLaw {
  public:
   /// @throws Error if initial_slope is not positive and finite.
   TanhLaw(JointKind kind, LimitHalfAngle limit, double initial_slope = 1)
-      : SaturatingLaw(kind, limit, initial_slope) {}
+      : SaturatingLaw(kind, std::move(limit), initial_slope) {}
   std::string name() const override { return "tanh"; }
 
  private:

@@ -1,6 +1,5 @@
 #include "libcontact/half_angle/table.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>

@@ -145,7 +145,7 @@ class JointContact {
   double load_parameter(double normal_force) const noexcept {
     if (!(normal_force >= 0)) return std::numeric_limits<double>::quiet_NaN();
     return unit_force_ == 0 ? std::numeric_limits<double>::infinity()
-                            : normal_force / unit_force_;
+                            : (normal_force + 0.0) / unit_force_;  // no -0
   }
   /// theta0 of the half-angle law.
   HalfAngleResult half_angle(double normal_force) const noexcept {

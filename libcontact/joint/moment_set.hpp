@@ -15,10 +15,11 @@ namespace contact {
 ///
 /// Its support function is the friction power
 ///
-///     Phi(Dw) = rho |Dw| (f0 R_n A0/I_n + A rho^2 Afun)
+///     Phi(Dw) = rho |Dw| { f0 R_n (sigma_Y cos a + sigma_Z sin a)
+///                           + A rho^2 (J[1] cos a + K[1] sin a) }
 ///             = max over M in C of M . Dw,   M_t = -dPhi/dDw
 ///
-/// (A0, Afun: docs/friction.md). This potential exists at fixed n, R_n and
+/// (sigma, J, K: docs/friction.md). This potential exists at fixed n, R_n and
 /// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
 /// potential, and what a resting joint holds is
 /// Joint::at_rest(), not this set with n = R/|R|.

@@ -143,9 +143,11 @@ struct JointSolution {
   double load_parameter = 0;
   /// theta0, rad.
   double half_angle = 0;
-  /// Pa.
+  /// Largest contact pressure by the joint's pressure law, Pa; 0 without a
+  /// contact.
   double peak_pressure = 0;
-  /// m^2.
+  /// Area of the contact, m^2: 4 pi rho^2 sin^2(theta0/2), of a pin
+  /// 2 rho l theta0.
   double contact_area = 0;
 
   Memory memory;

@@ -3,7 +3,6 @@
 #include <cmath>
 #include <initializer_list>
 #include <iterator>
-#include <limits>
 #include <span>
 #include <string>
 #include <string_view>

@@ -3,7 +3,6 @@
 #include <functional>
 #include <limits>
 #include <memory>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -25,11 +24,11 @@ class FrictionStress {
     falls,
   };
 
-  /// Pa, of p in Pa and v in m/s, both >= 0 and finite: >= 0, 0 or more at
-  /// p = 0. Does not throw, and may be called by several threads.
+  /// Stress in Pa from p in Pa and v in m/s, both >= 0 and finite: >= 0, 0 or
+  /// more at p = 0. Does not throw, and may be called by several threads.
   using Function = std::function<double(double pressure, double speed)>;
 
-  /// One's own.
+  /// Makes a stress from a function of the caller's.
   FrictionStress(Function stress, OverSpeed over_speed);
 
   /// p (fc + (fs - fc) exp(-v/vs)): from fs at rest to fc when sliding.

@@ -7,7 +7,7 @@
 namespace contact {
 
 /// Point at which the force that presses the inner body (ball, pin) into the
-/// outer one acts. The half-angle depends on it (docs/conforming.md).
+/// outer one acts. The half-angle depends on it (docs/loading.md).
 class InnerLoading {
  public:
   /// A force at the centre, or weight and inertia spread over the body: a pin
@@ -45,8 +45,8 @@ struct ContactApproach {
   /// are eps + delta apart. Of the inner body's mean over its volume, or of
   /// its rigid core; relative to what holds the outer body.
   double approach;
-  /// Force over approach, exact at this load: dR_n/d delta in units of rho E
-  /// (ball), dP/d delta in units of E (pin).
+  /// Tangent stiffness at this load: dR_n/d delta in units of rho E (ball),
+  /// dP/d delta in units of E (pin).
   double stiffness;
 };
 

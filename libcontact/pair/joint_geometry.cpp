@@ -12,9 +12,10 @@
 namespace contact {
 namespace {
 
-// The theory is of first order in eps/rho1; beyond this its error is no
-// longer small beside that of the half-angle laws (2 to 10 %).
-constexpr double largest_relative_clearance = 0.05;
+// The theory is of first order in ebar = eps/rho: by Hertz' theory, which knows
+// both radii, peaks of small contacts are (1 + ebar)^(2/3) too high, a ball's
+// by 1 % here.
+constexpr double largest_relative_clearance = 0.015;
 // Limit of press fits: strains of a percent, beyond which metals yield.
 constexpr double largest_relative_interference = 0.01;
 // 0.25 um in a radius of 25 mm: errors of form and roughness of the best ground
@@ -79,7 +80,8 @@ std::vector<std::string> JointGeometry::validity_notes() const {
   if (relative > largest_relative_clearance) {
     notes.push_back(
         detail::message("relative clearance {:.3g} exceeds {}: the theory is "
-                        "of first order in it",
+                        "of first order in it, and pressures are too high by "
+                        "up to two thirds of it",
                         relative, largest_relative_clearance));
   }
   // A clearance of 0 is a model's own, which says that it is small.

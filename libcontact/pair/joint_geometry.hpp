@@ -101,7 +101,7 @@ class JointGeometry {
 
   /// Notes where the joint leaves the range of the theory, one sentence each;
   /// empty inside it. The theory is of first order in eps/rho1: a note above
-  /// 0.05, below -0.01 and near 0 (1e-5); the effects of interference beside
+  /// 0.015, below -0.01 and near 0 (1e-5); the effects of interference beside
   /// the contact; for a ball without clearance, that its seat has to retain it.
   std::vector<std::string> validity_notes() const;
 
@@ -141,7 +141,9 @@ class LoadScale {
   LoadScale(const JointGeometry& geometry, const ElasticPair& pair);
 
   /// @param load  R_n, N, or P, N/m
-  double load_parameter(double load) const { return load / unit_load_; }
+  double load_parameter(double load) const {
+    return (load + 0.0) / unit_load_;  // no -0: its sign is the clearance's
+  }
   /// @param load_parameter  mu or lambda
   double load(double load_parameter) const {
     return load_parameter * unit_load_;

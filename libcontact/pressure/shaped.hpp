@@ -2,7 +2,6 @@
 
 #include <span>
 #include <string>
-#include <utility>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/law.hpp"

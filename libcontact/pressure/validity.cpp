@@ -15,6 +15,15 @@ namespace {
 
 constexpr double megapascal = 1e6;
 
+// Only the law `exact` is of joints with walls.
+const LayeredPair* walls_of(const HalfAngleLaw& law) {
+  if (const auto* worn = dynamic_cast<const WornHalfAngle*>(&law)) {
+    return walls_of(worn->law());
+  }
+  const auto* exact = dynamic_cast<const ExactLaw*>(&law);
+  return exact && exact->walls() ? &*exact->walls() : nullptr;
+}
+
 double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
   const bool is_its_own = dynamic_cast<const ExactLaw*>(&law) != nullptr ||
                           dynamic_cast<const WornHalfAngle*>(&law) != nullptr;
@@ -26,12 +35,14 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
 
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
   add_pressures(pair);
+  if (const LayeredPair* walls = walls_of(law)) add_layers(*walls);
   add_half_angle(law, pair);
 }
 
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                              const JointGeometry& geometry) {
   add_pressures(pair);
+  if (const LayeredPair* walls = walls_of(law)) add_layers(*walls);
   if (const auto& seat = geometry.seat()) {
     limits_.push_back(
         {&LargestContact::half_angle, seat->reach(), degree, "half-angle",
@@ -44,13 +55,16 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
   if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
 }
 
+void ContactLimits::add_pressure(double limit, const std::string& what,
+                                 double least_half_angle) {
+  limits_.push_back(
+      {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
+       " {:.4g} MPa is",
+       detail::message(" above {:.4g} MPa, {}", limit / megapascal, what),
+       least_half_angle});
+}
+
 void ContactLimits::add_pressures(const ElasticPair& pair) {
-  const auto add_pressure = [this](double limit, const std::string& what) {
-    limits_.push_back(
-        {&LargestContact::peak_pressure, limit, megapascal, "peak pressure",
-         " {:.4g} MPa is",
-         detail::message(" above {:.4g} MPa, {}", limit / megapascal, what)});
-  };
   add_pressure(largest_pressure_share * std::min(pair.inner().youngs_modulus,
                                                  pair.outer().youngs_modulus),
                detail::message("{:g} % of the smaller Young's modulus: linear "
@@ -62,6 +76,33 @@ void ContactLimits::add_pressures(const ElasticPair& pair) {
         material->limit_pressure,
         detail::message("the limit pressure of the {} body{}", body,
                         material->name.empty() ? "" : ", " + material->name));
+  }
+}
+
+void ContactLimits::add_layers(const LayeredPair& walls) {
+  const auto add = [&](const Material& material, const char* body,
+                       double depth) {
+    const std::string place = detail::message(
+        "{} body {:.3g} mm under the contact{}: less comes down to it, how "
+        "much is not computed",
+        body, 1e3 * depth, material.name.empty() ? "" : ", " + material.name);
+    const double from = depth / walls.radius();
+    add_pressure(material.limit_pressure, "the limit pressure of the " + place,
+                 from);
+    add_pressure(largest_pressure_share * material.youngs_modulus,
+                 detail::message("{:g} % of Young's modulus of the {}",
+                                 100 * largest_pressure_share, place),
+                 from);
+  };
+  for (const auto& [of, body] : {std::pair{&walls.inner(), "inner"},
+                                 std::pair{&walls.outer(), "outer"}}) {
+    double depth = 0;
+    for (std::size_t i = 0; i < of->layers.size(); ++i) {
+      if (i > 0) add(of->layers[i].material, body, depth);
+      depth += of->layers[i].thickness;
+    }
+    const bool is_elastic = of->backing.kind() == Backing::Kind::medium;
+    if (depth > 0 && is_elastic) add(of->backing.material(), body, depth);
   }
 }
 
@@ -79,7 +120,8 @@ void ContactLimits::add_half_angle(const HalfAngleLaw& law,
 double ContactLimits::peak_pressure() const {
   double least = std::numeric_limits<double>::infinity();
   for (const Limit& limit : limits_) {
-    if (limit.of == &LargestContact::peak_pressure) {
+    if (limit.of == &LargestContact::peak_pressure &&
+        limit.least_half_angle == 0) {
       least = std::min(least, limit.value);
     }
   }

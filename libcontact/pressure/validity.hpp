@@ -5,6 +5,7 @@
 
 #include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
+#include "libcontact/pair/layers.hpp"
 
 namespace contact {
 
@@ -29,6 +30,9 @@ struct LargestContact {
 /// what its materials bear:
 /// - a peak of 5 % of the smaller Young's modulus,
 /// - a peak of the limit_pressure of a material,
+/// - both of the layers under the surface, and of what is behind them, once the
+///   contact is as wide on each side as they are deep: the pressure that comes
+///   down to them is less than the peak, and not computed,
 /// - the half-angle that the joint has at infinite load. Laws of the paper may
 ///   give more. The laws `exact` and `worn` know that of their own walls and
 ///   loading; all others are for infinite bodies under a force at the centre,
@@ -49,7 +53,7 @@ class ContactLimits {
   ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                 const JointGeometry& geometry);
 
-  /// The smallest limit of the peak pressure, Pa.
+  /// The smallest limit of the peak pressure that the surfaces have, Pa.
   double peak_pressure() const;
 
   /// A sentence for each limit that a contact has passed: "peak pressure 30 MPa
@@ -71,13 +75,18 @@ class ContactLimits {
     const char* what;    ///< "peak pressure"
     const char* number;  ///< " {:.4g} MPa is"
     std::string beyond;  ///< " above 20 MPa, the limit pressure of ..."
+    /// Half-angle from which it counts, rad.
+    double least_half_angle = 0;
 
     bool is_passed(const LargestContact& largest) const {
-      return largest.*of > value;
+      return largest.*of > value && largest.half_angle >= least_half_angle;
     }
   };
 
   void add_pressures(const ElasticPair& pair);
+  void add_layers(const LayeredPair& walls);
+  void add_pressure(double limit, const std::string& what,
+                    double least_half_angle = 0);
   void add_half_angle(const HalfAngleLaw& law, const ElasticPair& pair);
 
   std::vector<Limit> limits_;

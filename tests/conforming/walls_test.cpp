@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <type_traits>
@@ -457,6 +458,28 @@ TYPED_TEST(Walled, ThinFreeWallsHaveTheirPeakOffTheCentre) {
   // In a rigid shell the peak is at the centre.
   const TypeParam backed(single(0.1, 0.3, Backing::rigid()));
   EXPECT_EQ(backed.pressure(theta0).peak_angle(), 0);
+}
+
+// The strip beside the edge of a thin ring narrows, and its peak stands between
+// the places of the scan: nothing of the profile is above peak().
+TEST(WalledPin, TheStripOfAThinRingIsFound) {
+  const PinContact contact(single(0.005, 0.3, Backing::held()));
+  double before = 0;
+  for (double angle = 140; angle < 152; angle += 0.25) {
+    const double theta0 = angle * degree;
+    const ContactPressure p = contact.pressure(theta0);
+    double largest = 0;
+    for (int i = 0; i <= 2000; ++i) {
+      const double square = std::pow(i / 2000.0, 2);
+      largest = std::max(largest, p.pressure(theta0 * (1 - square)));
+    }
+    EXPECT_LE(largest, p.peak() * (1 + 1e-9)) << angle;
+    EXPECT_LE(p.peak(), largest * 1.001) << angle;
+    if (before > 0) {
+      EXPECT_NEAR(p.peak() / before, 1, 0.25) << angle;
+    }
+    before = p.peak();
+  }
 }
 
 // A plate on a soft bed bends as a ring does.

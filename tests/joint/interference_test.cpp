@@ -163,6 +163,22 @@ TEST(InterferenceJoint, TorqueHasAPlateau) {
   }
 }
 
+// The sign of a load of 0 says nothing: that of the load parameter is the
+// clearance's.
+TEST(InterferenceJoint, NoLoadHasNoSign) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    for (const double clearance : {20e-6, -20e-6}) {
+      JointSpec spec = spec_of(kind, clearance);
+      spec.half_angle_law = "exact";
+      const JointContact contact = spec.contact();
+      for (const double none : {0.0, -0.0}) {
+        EXPECT_EQ(contact.half_angle(none).half_angle,
+                  clearance > 0 ? 0 : std::numbers::pi);
+      }
+    }
+  }
+}
+
 // Torque is continuous where the contact lifts off, and where the clearance
 // changes its sign.
 TEST(InterferenceJoint, NothingJumps) {

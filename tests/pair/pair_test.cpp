@@ -167,13 +167,14 @@ TEST(JointGeometry, KeepsWhatItIsGiven) {
 }
 
 TEST(JointGeometry, NotesAClearanceThatIsNotSmall) {
-  EXPECT_TRUE(JointGeometry::ball(1, 0.05).validity_notes().empty());
+  EXPECT_TRUE(JointGeometry::ball(1, 0.015).validity_notes().empty());
   const auto notes =
-      JointGeometry::ball(1, std::nextafter(0.05, 1.0)).validity_notes();
+      JointGeometry::ball(1, std::nextafter(0.015, 1.0)).validity_notes();
   ASSERT_EQ(notes.size(), 1u);
   EXPECT_EQ(notes[0],
-            "relative clearance 0.05 exceeds 0.05: the theory is of first "
-            "order in it");
+            "relative clearance 0.015 exceeds 0.015: the theory is of first "
+            "order in it, and pressures are too high by up to two thirds of "
+            "it");
   EXPECT_TRUE(JointGeometry::ball(1, 1e-5).validity_notes().empty());
   const auto small =
       JointGeometry::pin(1, std::nextafter(1e-5, 0.0), 1).validity_notes();

@@ -771,6 +771,62 @@ TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
             std::string::npos);
 }
 
+// Layers under the surface have limits too, once the contact is as wide as they
+// are deep; the half-angle is then that of the exact law.
+TEST(ContactNotes, SayWhatTheLayersBelowBear) {
+  const Material steel{2.1e11, 0.3, "steel"};
+  Material polymer{1e9, 0.4, "polymer"};
+  polymer.limit_pressure = 2e7;
+  const ElasticPair pair(steel, steel);
+  const auto notes = [&](const LayeredPair& walls, double half_angle,
+                         double peak) {
+    const ExactLaw law(JointKind::ball, walls);
+    return ContactLimits(law, pair).notes({half_angle, peak});
+  };
+  const LayeredPair inlay(0.02, {{}, Backing::medium(steel)},
+                          {{{1e-3, steel}, {8e-3, polymer}}, Backing::rigid()});
+  EXPECT_TRUE(notes(inlay, 0.049, 3e7).empty());
+  EXPECT_TRUE(notes(inlay, 0.051, 2e7).empty());
+  const auto passed = notes(inlay, 0.051, 6e7);
+  ASSERT_EQ(passed.size(), 2u);
+  EXPECT_EQ(passed[0],
+            "peak pressure 60 MPa is above 20 MPa, the limit pressure of the "
+            "outer body 1 mm under the contact, polymer: less comes down to "
+            "it, how much is not computed");
+  EXPECT_EQ(
+      passed[1].substr(0, 68),
+      "peak pressure 60 MPa is above 50 MPa, 5 % of Young's modulus of the ");
+  // A backing, and the core under a coating.
+  const LayeredPair backed(0.02, {{}, Backing::medium(steel)},
+                           {{{1e-3, steel}}, Backing::medium(polymer)});
+  EXPECT_EQ(notes(backed, 0.051, 3e7).size(), 1u);
+  const LayeredPair coated(0.02, {{{1e-3, steel}}, Backing::medium(polymer)},
+                           {{}, Backing::medium(steel)});
+  ASSERT_EQ(notes(coated, 0.051, 3e7).size(), 1u);
+  EXPECT_NE(notes(coated, 0.051, 3e7)[0].find("the inner body 1 mm under"),
+            std::string::npos);
+}
+
+// Walls whose pressure the unknowns do not resolve.
+TEST(ContactNotes, SayWhereWallsAreTooThin) {
+  const Material steel{2.1e11, 0.3};
+  const Material rubber{5e7, 0.49};
+  const auto notes = [&](double thickness, const Backing& backing) {
+    const LayeredPair walls(0.02, {{}, Backing::medium(steel)},
+                            {{{thickness * 0.02, steel}}, backing});
+    return ExactLaw(JointKind::pin, walls).validity_notes({steel, steel});
+  };
+  EXPECT_TRUE(notes(0.0051, Backing::held()).empty());
+  ASSERT_EQ(notes(0.0049, Backing::held()).size(), 1u);
+  EXPECT_EQ(notes(0.0049, Backing::held())[0].substr(0, 21),
+            "a free ring of 0.0049");
+  EXPECT_TRUE(notes(0.0011, Backing::medium(rubber)).empty());
+  ASSERT_EQ(notes(0.0009, Backing::medium(rubber)).size(), 1u);
+  EXPECT_NE(notes(0.0009, Backing::medium(rubber))[0].find("4.2e+03 times"),
+            std::string::npos);
+  EXPECT_TRUE(notes(0.0009, Backing::medium({5e9, 0.3})).empty());
+}
+
 // A law that knows its joint does not leave it: walls, loading and wear widen
 // contacts beyond those of infinite bodies.
 TEST(ContactNotes, ALawThatKnowsItsJointHasItsLimit) {

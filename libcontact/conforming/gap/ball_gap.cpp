@@ -1,7 +1,6 @@
 #include "libcontact/conforming/gap/ball_gap.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
 
