@@ -53,7 +53,7 @@ typedef struct contact_impact {
   double elastic_force;    /* there, N */
   double peak_force;       /* with damping, N */
   double half_angle;       /* at the largest penetration, rad */
-  double peak_pressure;    /* there, Pa */
+  double peak_pressure;    /* the largest, with damping, Pa */
   double compression_time; /* s */
   double restitution_time; /* s */
 } contact_impact;

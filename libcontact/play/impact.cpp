@@ -76,24 +76,34 @@ Impact JointImpact::operator()(const HuntCrossley& damping, double mass,
     return {e, nan, nan, nan, nan, nan, nan, nan};
   }
   const ForceState turn = law_.at(penetration);
-  const auto pull = [&](double delta) {
+  // Force and pressure are both 1 + a v times the elastic ones.
+  const auto damped = [&](double delta) {
     const double rest = energy_to_turn(law_, penetration, penetration - delta);
-    return -law_.force(delta) *
-           (1 + damping.damping() * damping.speed_inwards(rest / mass));
+    return 1 + damping.damping() * damping.speed_inwards(rest / mass);
   };
-  const double largest =
-      -boost::math::tools::brent_find_minima(pull, 0.0, penetration, 26).second;
   const JointGeometry& geometry = joint_.geometry;
-  return {.restitution = e,
-          .penetration = penetration,
-          .elastic_force = turn.force,
-          .peak_force = std::max(largest, turn.force),
-          .half_angle = turn.half_angle,
-          .peak_pressure =
-              pressure_->peak(turn.half_angle) *
-              geometry.pressure_unit(geometry.load_from_force(turn.force)),
-          .compression_time = time(damping, mass, penetration, true),
-          .restitution_time = time(damping, mass, penetration, false)};
+  const auto elastic_peak = [&](const ForceState& at) {
+    return pressure_->peak(at.half_angle) *
+           geometry.pressure_unit(geometry.load_from_force(at.force));
+  };
+  const auto largest = [&](const auto& of) {
+    return -boost::math::tools::brent_find_minima(
+                [&](double delta) { return -of(delta) * damped(delta); }, 0.0,
+                penetration, 26)
+                .second;
+  };
+  return {
+      .restitution = e,
+      .penetration = penetration,
+      .elastic_force = turn.force,
+      .peak_force = std::max(
+          largest([&](double delta) { return law_.force(delta); }), turn.force),
+      .half_angle = turn.half_angle,
+      .peak_pressure = std::max(
+          largest([&](double at) { return elastic_peak(law_.at(at)); }),
+          elastic_peak(turn)),
+      .compression_time = time(damping, mass, penetration, true),
+      .restitution_time = time(damping, mass, penetration, false)};
 }
 
 std::vector<std::string> JointImpact::notes(const Impact& impact,

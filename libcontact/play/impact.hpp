@@ -16,7 +16,7 @@ struct Impact {
   double elastic_force;     ///< F there, N
   double peak_force;        ///< largest F (1 + a v), N: earlier
   double half_angle;        ///< at the largest penetration, rad
-  double peak_pressure;     ///< there, Pa
+  double peak_pressure;     ///< largest of the impact, Pa: p (1 + a v)
   double compression_time;  ///< from touch to the largest penetration, s
   double restitution_time;  ///< from there to parting, s
 

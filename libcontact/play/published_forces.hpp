@@ -26,7 +26,8 @@ struct PublishedForceLaw {
   std::function<PublishedApproach(double force)> at;
 };
 
-/// For a pin eight laws, for a ball Hertz' one: docs/play.md. First sources are
+/// Returns the eight published laws for a pin, Hertz' for a ball:
+/// docs/published_forces.md. First sources are
 /// named; the formulas as collected in `docs/references.md#pereira-2011`.
 std::vector<PublishedForceLaw> published_force_laws(
     const JointGeometry& geometry, const ElasticPair& pair);

@@ -31,7 +31,7 @@ constexpr Quantity<I> of_impact[] = {
      "half-angle at the largest penetration",
      [](const I& i) { return i.half_angle; }},
     {"peak_pressure", "p_peak", Dimension::stress,
-     "peak pressure at the largest penetration",
+     "largest pressure with damping",
      [](const I& i) { return i.peak_pressure; }},
     {"compression_time", "", Dimension::time,
      "from touch to the largest penetration",

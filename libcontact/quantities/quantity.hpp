@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <concepts>
 #include <limits>
 #include <span>
 #include <string>

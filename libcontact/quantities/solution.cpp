@@ -31,7 +31,7 @@ constexpr Quantity<S> of_solution[] = {
     {"friction_angle", "g", Dimension::angle, "friction angle, tan g = R_t/R_n",
      [](const S& s) { return s.friction_angle(); }},
     {"slip_axis_angle", "a", Dimension::angle,
-     "slip axis angle: 0 sliding, 90 spinning",
+     "slip axis angle: 0 sliding, a quarter turn spinning",
      [](const S& s) { return s.slip_axis_angle(); }, "", slides},
     {"normal_force", "R_n", Dimension::force, "normal force",
      [](const S& s) { return s.normal_force; }},

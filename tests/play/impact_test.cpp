@@ -113,8 +113,19 @@ TEST(ImpactAccuracy, IsTheReference) {
     add_time(is.compression_time, "time_compression");
     add_time(is.restitution_time, "time_restitution");
     EXPECT_GE(is.peak_force, is.elastic_force) << label;
+    // Pressures grow more slowly than the force that makes them.
+    const double elastic =
+        joint.make_pressure_law()->peak(is.half_angle) *
+        joint.geometry.pressure_unit(
+            joint.geometry.load_from_force(is.elastic_force));
+    EXPECT_GE(is.peak_pressure, elastic) << label;
+    EXPECT_LE(is.peak_pressure / elastic, is.peak_force / is.elastic_force *
+                                              (1 + 1e-9) *
+                                              (1 + of.damping() * speed))
+        << label;
     if (row.value("e") == 1) {
       EXPECT_EQ(is.peak_force, is.elastic_force) << label;
+      EXPECT_NEAR(is.peak_pressure / elastic, 1, 1e-9) << label;
       EXPECT_NEAR(is.compression_time / is.restitution_time, 1, 1e-12);
     }
   }
