@@ -8,9 +8,12 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <charconv>
 #include <csignal>
 #include <cstring>
 #include <mutex>
+#include <string_view>
+#include <system_error>
 
 #include "cli/files_in_use.hpp"
 #include "cli/stream/quoting.hpp"
@@ -79,10 +82,35 @@ bool can_write(int descriptor) {
   return (flags & O_ACCMODE) != O_RDONLY;
 }
 
+// The descriptor of this process that a name stands for; -1 of other names. A
+// file behind it must not be replaced: others write there too.
+int descriptor_of(std::string_view name) {
+  if (name == "/dev/stdout") return STDOUT_FILENO;
+  if (name == "/dev/stderr") return STDERR_FILENO;
+  for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
+    if (!name.starts_with(folder)) continue;
+    const char* const end = name.data() + name.size();
+    int number = -1;
+    const auto [rest, error] =
+        std::from_chars(name.data() + folder.size(), end, number);
+    if (error == std::errc() && rest == end) return number;
+  }
+  return -1;
+}
+
 }  // namespace
 
 Output::Output(const std::string& path) {
+  if (const int open = descriptor_of(path); open >= 0) {
+    path_ = path;
+    check_unread(path_);
+    descriptor_ = fcntl(open, F_DUPFD_CLOEXEC, 0);
+    if (descriptor_ < 0) fail("cannot open");
+    if (!can_write(descriptor_)) fail("cannot write");
+    return;
+  }
   if (path.empty() || path == "-") {
+    check_unread("/dev/stdout");
     descriptor_ = STDOUT_FILENO;
     if (!can_write(descriptor_)) fail("cannot write");
     return;

@@ -15,8 +15,13 @@ namespace fs = std::filesystem;
 
 // The place of a file, "" if it may have several writers.
 std::string place_of(const std::string& name) {
-  if (name == "-") return name;
   std::error_code ignored;
+  if (name == "-") {
+    constexpr const char* standard = "/dev/stdout";
+    return fs::is_regular_file(standard, ignored)
+               ? destination(standard).string()
+               : name;
+  }
   if (fs::exists(name, ignored) && !fs::is_regular_file(name, ignored)) {
     return {};
   }

@@ -246,6 +246,30 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   EXPECT_EQ(folder.read("e.csv"), whole.read("e.csv"));
 }
 
+// The file behind standard output belongs to whoever opened it, too.
+TEST(StandardOutput, IsNotReplacedAndNotAnother) {
+  const ProgramFolder folder;
+  const std::string table = "hinge-table --theta0 1 --alpha 5";
+  for (const std::string name : {"/dev/stdout", "/dev/fd/1", "-"}) {
+    folder.run_well("echo head >l; " + table + " --output " + name +
+                    " >>l; echo end >>l");
+    EXPECT_EQ(folder.read("l"), "head\n" + folder.run_well(table).out + "end\n")
+        << name;
+  }
+  const std::string said = " must be another file than that of --output\n";
+  folder.run_ill(
+      "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle "
+      "data/duty/hip_cycle.csv --euler zxy --states v >v",
+      2, "hinge-duty: --states v" + said);
+  folder.run_ill(
+      "hinge-study data/studies/lined_bearing.toml --runs 5 --journal j >j", 2,
+      "hinge-study: --journal j" + said);
+  folder.run_ill(
+      "hinge-separation data/cases/door.toml --end-time 0.1 --checkpoint k "
+      "--checkpoint-every 0.1 >k",
+      2, "hinge-separation: --checkpoint k" + said);
+}
+
 TEST(FullDisk, ReplaysAreWholeOrNotThere) {
   const std::string run = "hinge-separation data/cases/soyuz.toml ";
   const ProgramResult expected = ProgramFolder().run(run);
