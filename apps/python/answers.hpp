@@ -313,6 +313,15 @@ py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
                     const py::array_t<std::size_t, py::array::c_style>& which) {
              return detail::taken(a, fields, which);
            })
+      // As protocol 2 does, at all: 0 and 1 would make the base class, which
+      // nothing can.
+      .def("__reduce__",
+           [](const py::object& self) {
+             return py::make_tuple(
+                 py::module_::import("copyreg").attr("__newobj__"),
+                 py::make_tuple(py::type::of(self)),
+                 self.attr("__getstate__")());
+           })
       .def(py::pickle(
           [fields](const Answers<Row>& a) {
             return detail::arrays_of(a, fields);

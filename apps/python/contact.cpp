@@ -1,8 +1,6 @@
 // Functions of a normal force, and those of the laws alone.
 #include <pybind11/stl.h>
 
-#include <limits>
-
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/tables.hpp"

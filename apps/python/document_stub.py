@@ -27,10 +27,10 @@ def definitions(body: list[ast.stmt], of: object) -> Iterator[tuple[Definition, 
             value = getattr(libcontact, node.name, None)
         doc = value and getattr(value, "__doc__", None)
         is_special = node.name.startswith("_")
-        if doc and node.name != before and not is_special:
+        if doc and node.name != before and not is_special and value is not dict:
             yield node, inspect.cleandoc(doc)
         before = node.name
-        if isinstance(node, ast.ClassDef) and value is not None:
+        if isinstance(node, ast.ClassDef) and value is not None and value is not dict:
             yield from definitions(node.body, value)
 
 

@@ -189,9 +189,7 @@ std::unique_ptr<CaseRun> make_run(const FileCase& file, bool clearance) {
 
 std::vector<std::string> mode_words() {
   std::vector<std::string> words;
-  for (const auto mode :
-       {multibody::HingeMode::sliding, multibody::HingeMode::resting,
-        multibody::HingeMode::locked, multibody::HingeMode::released}) {
+  for (const auto mode : multibody::hinge_modes) {
     words.emplace_back(to_string(mode));
   }
   return words;

@@ -60,7 +60,12 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
                         const std::optional<Numbers>& axis,
                         const Answers<JointStep>* last) {
   std::vector<const contact::Joint*> all;
-  for (const FileJoint* joint : joints) all.push_back(&joint->joint());
+  for (const FileJoint* joint : joints) {  // null: None
+    if (!joint) {
+      throw contact::Error(contact::detail::must_be("joints", "all of Joint"));
+    }
+    all.push_back(&joint->joint());
+  }
   const Rows rows({{"reaction", reaction, 3},
                    {"angular_velocity", angular_velocity, 3},
                    {"free", free, 3},

@@ -127,8 +127,15 @@ const contact::KnownKey& inside(const contact::KnownKeys& keys,
 std::string tables() {
   const contact::KnownKeys keys = contact::joint_keys();
   const auto material = inside(inside(keys, "materials").inside, "inner");
-  std::string text = "class Material(TypedDict, total=False):\n";
-  std::string layer = "class Layer(Material, total=False):\n";
+  std::string text =
+      "class Material(TypedDict, total=False):\n"
+      "    \"\"\"The material of a body: its elasticity, and what else is "
+      "known "
+      "of it.\"\"\"\n";
+  std::string layer =
+      "class Layer(Material, total=False):\n"
+      "    \"\"\"A layer of a wall, or a coating: its material and "
+      "thickness.\"\"\"\n";
   for (const auto& key : material.inside) {
     for (const auto& name : spellings(key))
       text += "    " + name + (key.key == "name" ? ": str\n" : ": float\n");
@@ -142,6 +149,8 @@ std::string tables() {
   }
   return text + '\n' + layer +
          "\nclass Wall(TypedDict, total=False):\n"
+         "    \"\"\"Layers of the seat or hole, from the contact outwards, and "
+         "what is behind them.\"\"\"\n"
          "    backing: str | Material\n    layer: Sequence[Layer]\n";
 }
 

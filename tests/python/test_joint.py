@@ -348,8 +348,8 @@ class Files(unittest.TestCase):
             lambda force: soft.pressure(0.1, [1, force]),
             lambda force: soft.half_angle([force, 1]),
             lambda force: soft.cycle(
-                [0, 1, 2, 3], [[0, 0, 10 + force * i] for i in (0, 1, 0, 0.5)],
-                rates=[[1, 0, 1]] * 4),
+                [0, 1, 2, 3], [[0, 0, 10 + force * i] for i in (0, 1, 0, 1)],
+                rates=[[np.pi / 8**0.5, 0, np.pi / 8**0.5]] * 4),  # one turn
             lambda force: libcontact.identify(
                 soft, [[0, 0, 10], [0, 0, 30], [0, 0, force]], [1, 0, 0],
                 [0.01, 0.03, 0.001 * force]),

@@ -103,6 +103,12 @@ class Pickled(unittest.TestCase):
         del state["power"]
         self.assertEqual(refusal(), of_four)
 
+    def test_of_old_protocols_are_read(self):
+        for protocol in 0, 1:
+            again = pickle.loads(pickle.dumps(answers["Solution"], protocol))
+            np.testing.assert_array_equal(again.power, answers["Solution"].power)
+        self.assertEqual(answers["Solution"].__reduce__()[1][0], type(answers["Solution"]))
+
     def test_in_any_order_of_memory_are_taken(self):
         state = answers["Solution"].__getstate__()
         state["normal"] = np.asfortranarray(state["normal"])

@@ -104,6 +104,7 @@ class Together(unittest.TestCase):
         rows = np.ones((2, 3))
         for joints, arguments, said in (
             ([hip], (rows, rows, rows, inertia), "a row for each joint"),
+            ([None], (rows[:1], rows[:1], rows[:1], inertia), "must be all of Joint"),
             ([hip, pin], (rows, rows, rows, np.eye(4)), "pin 1 requires axis"),
             ([hip, hip], (rows, rows, rows, np.eye(4)), "must be 6 by 6"),
             ([hip, hip], (rows, rows, rows, 1), "inertia must be a matrix"),
