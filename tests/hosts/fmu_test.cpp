@@ -303,6 +303,8 @@ TEST_P(Versions, SayWhatIsWrong) {
   void* const none = nullptr;
   EXPECT_EQ(it.call("SetFMUstate", none), 3);
   EXPECT_EQ(last_message(), "state must be other than null");
+  std::size_t size = 0;
+  EXPECT_EQ(it.call("SerializedFMUstateSize", none, &size), 3);
   EXPECT_EQ(it.call("Reset"), 0);
   EXPECT_EQ(it.get("geometry.radius_mm"), 20);
   // Files of another FMU, as those that somebody has edited are.

@@ -129,11 +129,14 @@ inline Status get_state(void* instance, void** state) noexcept {
     *static_cast<std::string*>(*state) = std::move(bytes);
   });
 }
+/// @throws std::runtime_error if it is null
+inline const std::string& bytes_of(void* state) {
+  if (!state) throw std::runtime_error("state must be other than null");
+  return *static_cast<std::string*>(state);
+}
 inline Status set_state(void* instance, void* state) noexcept {
-  return guarded(instance, [=](Instance& i) {
-    if (!state) throw std::runtime_error("state must be other than null");
-    i.model->restore(*static_cast<std::string*>(state));
-  });
+  return guarded(instance,
+                 [=](Instance& i) { i.model->restore(bytes_of(state)); });
 }
 inline Status free_state(void** state) noexcept {
   if (!state) return ok;
@@ -143,14 +146,12 @@ inline Status free_state(void** state) noexcept {
 }
 inline Status serialized_size(void* instance, void* state,
                               std::size_t* size) noexcept {
-  return guarded(instance, [=](Instance&) {
-    *size = static_cast<std::string*>(state)->size();
-  });
+  return guarded(instance, [=](Instance&) { *size = bytes_of(state).size(); });
 }
 inline Status serialize(void* instance, void* state, void* bytes,
                         std::size_t size) noexcept {
   return guarded(instance, [=](Instance&) {
-    const auto& text = *static_cast<std::string*>(state);
+    const std::string& text = bytes_of(state);
     if (size < text.size()) throw std::runtime_error("size is too small");
     text.copy(static_cast<char*>(bytes), text.size());
   });

@@ -91,6 +91,7 @@ struct State {
   int rests;          // model exchange
   int released;       // let go at the last event, and not yet under way
   int has_started;    // co-simulation: the initialization is over
+  double widest = NAN, most = NAN;  // half-angle and pressure so far
 };
 
 class JointModel : public Model {
@@ -139,8 +140,8 @@ class JointModel : public Model {
       (all += note) += '\n';
     }
     return all + text_of([this](char* text, std::size_t size) {
-             return contact_joint_contact_notes(joint_.get(), widest_, most_,
-                                                text, size);
+             return contact_joint_contact_notes(joint_.get(), state_.widest,
+                                                state_.most, text, size);
            });
   }
 
@@ -253,8 +254,8 @@ class JointModel : public Model {
     values_[utilisation] = now.rest.utilisation;
     values_[half_angle] = now.solution.half_angle;
     values_[peak_pressure] = now.solution.peak_pressure;
-    widest_ = std::fmax(widest_, now.solution.half_angle);
-    most_ = std::fmax(most_, now.solution.peak_pressure);
+    state_.widest = std::fmax(state_.widest, now.solution.half_angle);
+    state_.most = std::fmax(state_.most, now.solution.peak_pressure);
     values_[heat] = -dot(now.moment, now.angular_velocity);
     values_[wear] = wear_rate();
   }
@@ -308,7 +309,6 @@ class JointModel : public Model {
   bool is_ball_ = true;
   bool can_rest_ = true;
   State state_{};
-  double widest_ = NAN, most_ = NAN;  // half-angle and pressure so far
 };
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <cstring>
 #include <fstream>
+#include <locale>
 #include <utility>
 
 namespace contact_hosts::fmu {
@@ -29,8 +30,14 @@ Model::Model(const std::string& resources, std::vector<Variable> variables)
     throw std::runtime_error(resources + keys_file + ": cannot be read");
   }
   Variable key{"", Role::parameter, "", "key of the file, in its own unit"};
+  keys.imbue(std::locale::classic());  // the host may have another
   while (keys >> key.start && std::getline(keys >> std::ws, key.name)) {
     variables_.push_back(key);
+  }
+  if (!keys.eof()) {
+    throw std::runtime_error(resources + keys_file +
+                             ": must be numbers, each "
+                             "with the name of its key");
   }
   for (const Variable& v : variables_) values_.push_back(v.start);
 }

@@ -1,7 +1,6 @@
 #include "hosts/ode/hinge_friction.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
 
 namespace contact_hosts::ode {
 namespace {
