@@ -115,14 +115,7 @@ const contact_quantity* contact_finite_pin_quantity(std::size_t i) {
 contact_status contact_finite_pin_get(
     const contact_finite_pin_solution* solution, const char* key,
     double* value) {
-  return call_for(
-      [=] {
-        const auto& s = given(solution, "contact_finite_pin_get: solution");
-        const auto& q =
-            contact::c::row_of(contact::finite_pin_quantities(),
-                               &given(key, "contact_finite_pin_get: key"));
-        return contact::c::get(q, contact::c::cpp_solution(s),
-                               &given(value, "contact_finite_pin_get: value"));
-      },
-      value);
+  return contact::c::get_of<contact::finite_pin_quantities>(
+      "contact_finite_pin_get", "solution", solution, contact::c::cpp_solution,
+      key, value);
 }

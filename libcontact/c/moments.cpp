@@ -1,6 +1,5 @@
 #include "libcontact/c/moments.h"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>

@@ -1,8 +1,6 @@
 #include "libcontact/c/play.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"

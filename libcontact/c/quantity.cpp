@@ -28,28 +28,15 @@ const contact_quantity* contact_rating_quantity(std::size_t i) {
 
 contact_status contact_solution_get(const contact_solution* solution,
                                     const char* key, double* value) {
-  return call_for(
-      [=] {
-        const auto& s = given(solution, "contact_solution_get: solution");
-        const auto& q = row_of(contact::solution_quantities(),
-                               &given(key, "contact_solution_get: key"));
-        return get(q, contact::c::solution_of(s),
-                   &given(value, "contact_solution_get: value"));
-      },
-      value);
+  return contact::c::get_of<contact::solution_quantities>(
+      "contact_solution_get", "solution", solution, contact::c::solution_of,
+      key, value);
 }
 
 contact_status contact_rest_get(const contact_rest* rest, const char* key,
                                 double* value) {
-  return call_for(
-      [=] {
-        const auto& s = given(rest, "contact_rest_get: rest");
-        const auto& q = row_of(contact::rest_quantities(),
-                               &given(key, "contact_rest_get: key"));
-        return get(q, contact::c::rest_of(s),
-                   &given(value, "contact_rest_get: value"));
-      },
-      value);
+  return contact::c::get_of<contact::rest_quantities>(
+      "contact_rest_get", "rest", rest, contact::c::rest_of, key, value);
 }
 
 contact_status contact_patch_get(const contact_joint* joint,

@@ -52,4 +52,21 @@ contact_status get(const Quantity<T>& q, const T& of, double* value) {
   return CONTACT_OK;
 }
 
+/// The function `function` of C: puts the quantity `key` of `result`, an
+/// argument called `name`, into `value`.
+/// @param to_cpp  converts the result to that of `table`
+template <auto table, class Result, class ToCpp>
+contact_status get_of(const std::string& function, const char* name,
+                      const Result* result, const ToCpp& to_cpp,
+                      const char* key, double* value) {
+  return call_for(
+      [&] {
+        const auto place = [&](const char* of) { return function + ": " + of; };
+        const auto& from = given(result, place(name).c_str());
+        const auto& q = row_of(table(), &given(key, place("key").c_str()));
+        return get(q, to_cpp(from), &given(value, place("value").c_str()));
+      },
+      value);
+}
+
 }  // namespace contact::c

@@ -81,6 +81,12 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   }
 }
 
+// The enumerations of C and C++ are cast into each other.
+static_assert(CONTACT_SEAT_OK == int(SeatStatus::ok));
+static_assert(CONTACT_SEAT_NOT_CONVERGED == int(SeatStatus::not_converged));
+static_assert(CONTACT_SEAT_OUT_OF_SEAT == int(SeatStatus::out_of_seat));
+static_assert(CONTACT_SEAT_NO_LOAD == int(SeatStatus::no_load));
+
 void put(contact_seat_solution& to, const SeatJointSolution& s) {
   to.status = static_cast<contact_seat_status>(s.contact.status);
   to.is_free = s.contact.is_free ? 1 : 0;
@@ -302,15 +308,7 @@ const contact_quantity* contact_seat_solution_quantity(std::size_t i) {
 
 contact_status contact_seat_solution_get(const contact_seat_solution* solution,
                                          const char* key, double* value) {
-  return call_for(
-      [=] {
-        const auto& s = given(solution, "contact_seat_solution_get: solution");
-        const auto& q =
-            contact::c::row_of(contact::seat_joint_quantities(),
-                               &given(key, "contact_seat_solution_get: key"));
-        return contact::c::get(
-            q, cpp_solution(s),
-            &given(value, "contact_seat_solution_get: value"));
-      },
+  return contact::c::get_of<contact::seat_joint_quantities>(
+      "contact_seat_solution_get", "solution", solution, cpp_solution, key,
       value);
 }

@@ -122,7 +122,7 @@ typedef struct contact_seat_rest {
   contact_seat_solution slip;
 } contact_seat_rest;
 /* Decides whether the joint rests under R while holding M. Viscous friction
- * holds nothing: NaN. */
+ * holds nothing: utilisation is infinite. NaN where no direction was found. */
 contact_status contact_seat_at_rest(const contact_seat* seat,
                                     const contact_hold* hold,
                                     contact_seat_rest* rest);

@@ -1,9 +1,7 @@
 #include "libcontact/c/slip.hpp"
 
-#include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <limits>
 #include <string>
 #include <type_traits>
 

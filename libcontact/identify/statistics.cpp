@@ -114,7 +114,7 @@ MatrixXd inverse_of_square(const MatrixXd& slopes) {
 double scaled_condition(const MatrixXd& slopes) {
   if (slopes.cols() == 0) return 1;
   const VectorXd values =
-      slopes.colwise().normalized().bdcSvd().singularValues();
+      slopes.colwise().normalized().jacobiSvd().singularValues();
   return values[0] / values[values.size() - 1];
 }
 
