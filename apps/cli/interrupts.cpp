@@ -38,4 +38,9 @@ Interrupts::~Interrupts() {
 
 int Interrupts::signal() const { return came; }
 
+ExitStatus Interrupts::status(ExitStatus status) const {
+  if (came == 0) return status;
+  return came == SIGINT ? interrupted : terminated;
+}
+
 }  // namespace cli

@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "cli/program.hpp"
+
 namespace cli {
 
 /// While it lives SIGINT and SIGTERM do not end the program but are
@@ -19,6 +21,8 @@ class Interrupts {
 
   /// SIGINT or SIGTERM if it has come, else 0.
   int signal() const;
+  /// `status`, but that of the signal if one has come.
+  ExitStatus status(ExitStatus status) const;
 
  private:
   static constexpr std::array<int, 2> signals = {SIGINT, SIGTERM};

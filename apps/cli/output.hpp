@@ -34,9 +34,6 @@ class Output {
   /// if what has that name has been read since.
   void commit();
 
-  /// File with the text until `commit`: for other programs that write it.
-  const std::filesystem::path& temporary() const { return temporary_; }
-
  private:
   /// Whether the descriptor is to be closed.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }

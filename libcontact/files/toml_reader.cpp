@@ -4,8 +4,6 @@
 #include <cmath>
 #include <map>
 #include <mutex>
-#include <set>
-#include <span>
 #include <sstream>
 #include <stdexcept>
 #include <utility>

@@ -1,7 +1,6 @@
 #include "libcontact/finite_pin/finite_pin.hpp"
 
 #include <Eigen/Dense>
-#include <algorithm>
 #include <cmath>
 #include <limits>
 

@@ -1,7 +1,6 @@
 // A pin of finite length under known loads.
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 
 #include "libcontact/finite_pin/sums.hpp"
 

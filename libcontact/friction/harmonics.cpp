@@ -1,7 +1,6 @@
 #include "libcontact/friction/harmonics.hpp"
 
 #include <array>
-#include <cmath>
 #include <numbers>
 
 namespace contact::detail {

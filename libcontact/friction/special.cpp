@@ -1,6 +1,5 @@
 #include "libcontact/friction/special.hpp"
 
-#include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
 #include <limits>

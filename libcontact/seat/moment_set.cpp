@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
-#include <cmath>
 #include <limits>
 
 #include "libcontact/joint/motion_left.hpp"

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <map>
-#include <numbers>
 #include <queue>
 #include <random>
 #include <utility>

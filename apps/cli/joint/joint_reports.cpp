@@ -1,7 +1,5 @@
 #include "cli/joint/joint_reports.hpp"
 
-#include <algorithm>
-
 #include "libcontact/base/complaint.hpp"
 
 namespace cli {

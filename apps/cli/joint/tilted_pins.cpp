@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "cli/joint/joint_reports.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/report.hpp"

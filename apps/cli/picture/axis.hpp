@@ -76,8 +76,7 @@ inline constexpr std::string_view tick_style =
     "set tics scale 0.5\nset xtics offset 0,0.65\n";
 /// From y to the ends of its numbers, em.
 inline constexpr double beside_axis = 1.4;
-/// From x to the middle of its numbers, and to the end of its label, em.
-inline constexpr double to_numbers = 0.9;
+/// From x to the end of its label, em.
 inline constexpr double under_axis = 2.9;
 
 enum class Run { across, up };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <variant>
 #include <vector>
@@ -51,6 +52,11 @@ enum class HingeMode {
   locked,    ///< held by a lock
   released,  ///< there is no hinge (any more)
 };
+
+/// All of them, in order.
+inline constexpr std::array hinge_modes = {
+    HingeMode::sliding, HingeMode::resting, HingeMode::locked,
+    HingeMode::released};
 
 /// "sliding", ...
 const char* to_string(HingeMode mode);

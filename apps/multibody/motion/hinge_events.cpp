@@ -4,7 +4,6 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <tuple>
 
 #include "multibody/system/eigen_conversion.hpp"

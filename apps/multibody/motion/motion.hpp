@@ -3,7 +3,6 @@
 #include <functional>
 #include <memory>
 #include <optional>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -42,7 +41,7 @@ struct MotionChange {
 /// The hinges' rest and slip are found on the way: a resting hinge has relative
 /// velocity exactly 0 and stays where it is to the last bit.
 ///
-/// Accuracy (README.md of this folder, multibody/motion_test.cpp): stops,
+/// Accuracy (apps/multibody/accuracy.md, multibody/motion_test.cpp): stops,
 /// onsets of sliding and energies meet closed forms to 1e-9 or the chosen
 /// tolerance.
 class Motion {

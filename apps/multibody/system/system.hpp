@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-/// Carrier with hinged bodies (README.md of this folder): what the bodies and
+/// Carrier with hinged bodies (apps/multibody/README.md): what the bodies and
 /// hinges are, validated once.
 ///
 /// Frames. Carrier axes: fixed to the carrier, origin at its centre of mass.

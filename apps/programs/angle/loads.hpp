@@ -25,8 +25,6 @@ class Loads {
 
   /// Whether `load` is one of them.
   bool have_load() const { return scale_.has_value(); }
-  /// Whether `load` is per length.
-  bool per_length() const { return per_length_; }
   /// "load_N" or "load_N_per_m"; of a law "load_LAW_N".
   std::string column(const std::string& law = "") const;
   /// "N" or "N/m"

@@ -1,5 +1,4 @@
 // hinge-angle: half-angle of the contact against load.
-#include <string>
 
 #include "cli/program.hpp"
 #include "help/help.hpp"

@@ -30,7 +30,8 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
         "force of a joint with play over the penetration", "",
         "--law --limit-angle --inverse --load-parameter --x --jobs"},
        {"--penetration", &o.penetration, "VALUES",
-        "m from first touch; without it and --load 400 in equal ratios",
+        "penetrations from first touch, m; without it and --load 400 in equal "
+        "ratios",
         "--force-law", "--load"},
        {"--impact", &o.impact, "", "touch of a joint with play, and parting",
         "--mass; --speed; --restitution",

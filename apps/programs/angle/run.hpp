@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 #include "programs/angle/input.hpp"

@@ -2,10 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <cmath>
-#include <string_view>
-#include <utility>
 #include <vector>
 
 #include "cli/quantity.hpp"

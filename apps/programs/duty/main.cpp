@@ -1,6 +1,5 @@
 // hinge-duty: heat, p v and wear of one ball or pin joint on a duty cycle.
 #include <array>
-#include <string>
 
 #include "cli/program.hpp"
 #include "help/help.hpp"
@@ -86,7 +85,8 @@ int main(int argc, char** argv) {
       {{"--states", &options.states, "FILE",
         "CSV file of the states at the rows of the cycle"},
        {"--in-seat", &options.in_seat, "FILE",
-        "the same of a contact that is confined to the [seat] of its ball"},
+        "CSV file of the states at the rows, the contact confined to the "
+        "[seat]"},
        {"--seat-table", &options.seat_table, "FILE",
         "table of contacts that --in-seat makes where many reach a rim: read "
         "if it is there, else made and written",

@@ -1,5 +1,4 @@
 // hinge-identify: friction parameters of a joint from measured moments.
-#include <string>
 
 #include "cli/program.hpp"
 #include "help/help.hpp"

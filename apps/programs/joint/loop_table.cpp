@@ -7,7 +7,7 @@
 #include <limits>
 #include <span>
 
-#include "cli/output.hpp"
+#include "cli/stream/report.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/units.hpp"
@@ -29,55 +29,32 @@ constexpr int round_limit = 200;
 // Change of M from round to round, relative.
 constexpr double outer_tolerance = 1e-12;
 
-// A table of numbers of one joint whose rows come one by one.
-class NumberTable {
- public:
-  NumberTable(const NamedJoint& joint, std::vector<std::string> columns,
-              const Beside& beside, const cli::OutputOptions& options)
-      : joint_(joint),
-        columns_(std::move(columns)),
-        beside_(beside),
-        output_(options.output),
-        table_(options, names()),
-        writer_(output_, table_),
-        row_(table_, text_) {}
-
-  // The first `counts` values are whole numbers.
-  void row(std::span<const double> values, std::size_t counts) {
-    ++count_;
-    row_.text(joint_.law);
-    row_.text(joint_.pressure);
-    for (std::size_t i = 0; i < counts; ++i) {
-      row_.count(static_cast<std::size_t>(values[i]));
-    }
-    for (std::size_t i = counts; i < columns_.size(); ++i) {
-      write_number(row_, values[i], columns_[i], count_, beside_);
-    }
-    row_.end();
-  }
-  void finish() {
-    writer_.write(text_.view());
-    writer_.finish();
-    output_.commit();
-  }
-
- private:
-  std::vector<std::string> names() const {
-    std::vector<std::string> all = with_beside(columns_, beside_);
-    all.insert(all.begin(), {"law", "pressure"});
-    return all;
-  }
-
-  const NamedJoint& joint_;
-  std::vector<std::string> columns_;
-  const Beside& beside_;
-  cli::Output output_;
-  cli::Table table_;
-  cli::TableWriter writer_;
-  cli::Text text_;
-  cli::RowWriter row_;
-  std::size_t count_ = 0;
-};
+// Writes a table of numbers of one joint.
+// @param write  of what writes a row: its values, and how many of them, from
+//               the first, are whole numbers
+template <class Rows>
+void write_numbers(const NamedJoint& joint,
+                   const std::vector<std::string>& columns,
+                   const Beside& beside, const cli::OutputOptions& options,
+                   const Rows& write) {
+  std::vector<std::string> names = with_beside(columns, beside);
+  names.insert(names.begin(), {"law", "pressure"});
+  cli::write_table(options, names, [&](cli::RowWriter& row) {
+    std::size_t number = 0;
+    write([&](std::span<const double> values, std::size_t counts) {
+      ++number;
+      row.text(joint.law);
+      row.text(joint.pressure);
+      for (std::size_t i = 0; i < counts; ++i) {
+        row.count(static_cast<std::size_t>(values[i]));
+      }
+      for (std::size_t i = counts; i < columns.size(); ++i) {
+        write_number(row, values[i], columns[i], number, beside);
+      }
+      row.end();
+    });
+  });
+}
 
 // The keys of what both loops say of a contact, in order.
 constexpr const char* contact_keys[] = {"friction_angle", "slip_axis_angle",
@@ -221,9 +198,9 @@ cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
   const auto result =
       contact::fixed_point(joint.joint, {input.force, input.turn}, steps,
                            {.step_limit = step_limit});
-  NumberTable table(joint, step_columns(), beside, options);
-  for (int i = 0; i < result.steps; ++i) table.row(step_values(steps[i]), 1);
-  table.finish();
+  write_numbers(joint, step_columns(), beside, options, [&](const auto& row) {
+    for (int i = 0; i < result.steps; ++i) row(step_values(steps[i]), 1);
+  });
   if (result.status == Status::ok) return cli::all_good;
   warn_of(result);
   return cli::some_bad;
@@ -244,23 +221,24 @@ cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
     add_columns(reaction, columns);
     add_columns(contact_keys, columns);
   }
-  NumberTable table(joint, columns, beside, options.output);
   OuterLoop loop(joint, input, options);
   contact::FixedPointResult result = {Status::ok, 0, 0};
-  for (std::size_t round = 0; round < round_limit; ++round) {
-    if (!inner) table.row(round_values(loop, round, options.braking), 1);
-    if (loop.converged()) break;
-    result = loop.next(round, inner);
-    if (inner) {
-      for (const FixedPointStep& step : loop.steps()) {
-        std::vector<double> values = step_values(step);
-        values.insert(values.begin(), static_cast<double>(round + 1));
-        table.row(values, 2);
+  const auto write = [&](const auto& row) {
+    for (std::size_t round = 0; round < round_limit; ++round) {
+      if (!inner) row(round_values(loop, round, options.braking), 1);
+      if (loop.converged()) return;
+      result = loop.next(round, inner);
+      if (inner) {
+        for (const FixedPointStep& step : loop.steps()) {
+          std::vector<double> values = step_values(step);
+          values.insert(values.begin(), static_cast<double>(round + 1));
+          row(values, 2);
+        }
       }
+      if (result.status != Status::ok) return;
     }
-    if (result.status != Status::ok) break;
-  }
-  table.finish();
+  };
+  write_numbers(joint, columns, beside, options.output, write);
   if (result.status != Status::ok) {
     warn_of(result);
     return cli::some_bad;

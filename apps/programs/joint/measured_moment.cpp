@@ -39,10 +39,10 @@ double moment_of(const contact::Joint& joint, Question question,
 
 double found_coefficient(const NamedJoint& joint, double measured,
                          Question question, const Input& input) {
-  const auto beyond = [&](double coefficient) {
-    return moment_of(with_friction(joint.joint, coefficient), question, input) -
-           measured;
+  const auto moment = [&](double coefficient) {
+    return moment_of(with_friction(joint.joint, coefficient), question, input);
   };
+  const auto beyond = [&](double f0) { return moment(f0) - measured; };
   const double low = beyond(0);
   const double high = beyond(largest_measured_friction);
   const std::string laws =
@@ -55,8 +55,8 @@ double found_coefficient(const NamedJoint& joint, double measured,
     cli::refuse(
         option, cli::number_text(measured),
         fmt::format("{:.6g} to {:.6g} N m, |M_t| for f0 from 0 to {} ({})",
-                    measured + low, measured + high, largest_measured_friction,
-                    laws));
+                    moment(0), moment(largest_measured_friction),
+                    largest_measured_friction, laws));
   }
   constexpr int all_bits = 53;
   return contact::shrink_bracket(beyond, 0, largest_measured_friction, low,

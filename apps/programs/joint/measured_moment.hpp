@@ -1,7 +1,5 @@
 #pragma once
 
-#include <string>
-
 #include "programs/joint/input.hpp"
 #include "programs/joint/setup.hpp"
 

@@ -1,6 +1,5 @@
 #include "programs/joint/point_table.hpp"
 
-#include <cstdio>
 #include <vector>
 
 #include "cli/output.hpp"

@@ -3,10 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <optional>
 #include <set>
 #include <string>
-#include <vector>
 
 #include "cli/gnuplot.hpp"
 #include "cli/output.hpp"

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <vector>
 
 #include "cli/plot.hpp"
 #include "libcontact/base/magnitude.hpp"

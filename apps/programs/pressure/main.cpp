@@ -1,5 +1,4 @@
 // hinge-pressure: contact pressure of a joint under load.
-#include <string>
 
 #include "cli/program.hpp"
 #include "help/help.hpp"

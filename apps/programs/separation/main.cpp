@@ -1,5 +1,4 @@
 // hinge-separation: a carrier and its bodies come apart.
-#include <string>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"

@@ -37,10 +37,13 @@ namespace {
 
 using contact::detail::must_be;
 
-constexpr std::array<cli::Choice<FrictionChoice>, 3> friction_choices = {
-    {{"full", FrictionChoice::full},
-     {"ideal", FrictionChoice::ideal},
-     {"traditional", FrictionChoice::traditional}}};
+constexpr std::array<cli::Choice<FrictionChoice>, 3> choices = [] {
+  std::array<cli::Choice<FrictionChoice>, 3> all;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    all[i] = {friction_choices[i], static_cast<FrictionChoice>(i)};
+  }
+  return all;
+}();
 
 // Every file that is written has a name of its own.
 cli::OutputNames names_of(const Options& o) {
@@ -105,19 +108,6 @@ void check_case(const Options& o, const Case& c) {
   }
 }
 
-// `status`, but for a run that a signal has stopped.
-cli::ExitStatus status_of(const cli::Interrupts& interrupts,
-                          cli::ExitStatus status) {
-  switch (interrupts.signal()) {
-    case SIGINT:
-      return cli::interrupted;
-    case SIGTERM:
-      return cli::terminated;
-    default:
-      return status;
-  }
-}
-
 cli::ExitStatus compare(const Case& c, const Options& o) {
   Replays replays(c, o);
   Warnings warnings;
@@ -126,7 +116,7 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
   const StopRule stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   std::vector<Outcome> outcomes;
   cli::ExitStatus status = cli::all_good;
-  for (const auto& [name, choice] : friction_choices) {
+  for (const auto& [name, choice] : choices) {
     RunOptions run;
     run.friction = choice;
     run.clearance = !o.replays.empty();
@@ -144,13 +134,13 @@ cli::ExitStatus compare(const Case& c, const Options& o) {
     status = cli::some_bad;
   }
   write_comparison(c, outcomes, o.output);
-  return status_of(interrupts, status);
+  return interrupts.status(status);
 }
 
 RunOptions run_options(const Options& o) {
   RunOptions run;
   if (!o.friction.empty()) {
-    run.friction = cli::choice("--friction", o.friction, friction_choices);
+    run.friction = cli::choice("--friction", o.friction, choices);
   }
   run.clearance = !o.no_clearance;
   return run;
@@ -224,7 +214,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
         draw_pictures(c, outcome.memory.rows, options.clearance, o.output.plot),
         status);
   }
-  return status_of(interrupts, status);
+  return interrupts.status(status);
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 // hinge-study: a thousand separations or loads of a joint, and what they say.
 #include <limits>
-#include <string>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"

@@ -191,7 +191,7 @@ cli::ExitStatus compute_missing(const Options& o, const Study& study,
   cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
                                  "command goes on",
                                  journal.size(), journal_of(o)));
-  return interrupts.signal() == SIGINT ? cli::interrupted : cli::terminated;
+  return interrupts.status(cli::all_good);
 }
 
 void write_results(const Options& o, const Study& study,

@@ -1,5 +1,4 @@
 // hinge-table: tables of friction integrals and coefficients.
-#include <string>
 
 #include "cli/program.hpp"
 #include "help/help.hpp"

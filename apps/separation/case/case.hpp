@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <algorithm>
+#include <array>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -14,7 +15,7 @@
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
 
-/// A separation as its case file describes it (README.md of this folder).
+/// A separation as its case file describes it (apps/separation/case_file.md).
 ///
 /// Body axes: the directions of the axes in which the file describes a body,
 /// origin at its centre of mass; the file's own origin is gone after reading.
@@ -120,6 +121,11 @@ struct Event {
 
 /// Friction of a run.
 enum class FrictionChoice { full, ideal, traditional };
+/// Their words, in order.
+inline constexpr std::array friction_choices = {"full", "ideal", "traditional"};
+constexpr const char* to_string(FrictionChoice choice) {
+  return friction_choices[static_cast<std::size_t>(choice)];
+}
 
 /// More rows than anyone looks at, and memory for them.
 inline constexpr double most_rows = 1e6;
@@ -163,6 +169,11 @@ struct Case {
 inline std::string column_name(std::string name) {
   std::replace(name.begin(), name.end(), ' ', '_');
   return name;
+}
+/// The distance of two bodies in columns, without its unit.
+inline std::string clearance_column(const Case& c, const Case::Pair& pair) {
+  return "clearance." + column_name(c.rigid_body(pair.a).name) + "." +
+         column_name(c.rigid_body(pair.b).name);
 }
 
 /// Laws that the command line puts in place of those of the joint files.

@@ -1,7 +1,6 @@
 #include "separation/case/shape.hpp"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <numbers>
 
 namespace separation {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <string>
 #include <vector>
 
 /// Stages, boosters and tanks as simple solids.

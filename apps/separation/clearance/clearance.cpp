@@ -41,15 +41,6 @@ double Clearance::distance(std::size_t pair,
   return nearest_of(pairs_[pair], bodies).distance;
 }
 
-std::vector<double> Clearance::distances(
-    std::span<const BodyMotion> bodies) const {
-  std::vector<double> result;
-  for (std::size_t i = 0; i < pairs_.size(); ++i) {
-    result.push_back(distance(i, bodies));
-  }
-  return result;
-}
-
 std::optional<std::pair<Vector3d, Vector3d>> Clearance::nearest_points(
     std::span<const BodyMotion> bodies, std::size_t pair) const {
   const Nearest found = nearest_of(pairs_[pair], bodies);

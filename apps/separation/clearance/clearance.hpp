@@ -30,11 +30,8 @@ class Clearance {
 
   const std::vector<Pair>& pairs() const { return pairs_; }
 
-  /// Distance of each pair, m; 0 if they overlap or touch, NaN if it could not
+  /// Distance of one pair, m; 0 if they overlap or touch, NaN if it could not
   /// be certified.
-  std::vector<double> distances(
-      std::span<const multibody::BodyMotion> bodies) const;
-  /// Distance of one pair.
   double distance(std::size_t pair,
                   std::span<const multibody::BodyMotion> bodies) const;
 

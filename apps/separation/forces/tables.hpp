@@ -2,7 +2,6 @@
 
 #include <Eigen/Core>
 #include <cstddef>
-#include <string_view>
 #include <vector>
 
 #include "separation/case/force_kind.hpp"

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -68,10 +67,8 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
          "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
   }
   if (clearance) {
-    for (const auto& [a, b] : c.clearance) {
-      columns.push_back(fmt::format("clearance.{}.{}_m",
-                                    column_name(c.rigid_body(a).name),
-                                    column_name(c.rigid_body(b).name)));
+    for (const Case::Pair& pair : c.clearance) {
+      columns.push_back(clearance_column(c, pair) + "_m");
     }
   }
   for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
@@ -81,18 +78,17 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
   return columns;
 }
 
-namespace {
-
-std::optional<Clearance> make_clearance(const Case& c, bool wanted) {
-  if (!wanted || c.clearance.empty()) return {};
+Clearance clearance_of(const Case& c) {
   std::vector<std::vector<Shape>> shapes;
   for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
     shapes.push_back(c.rigid_body(static_cast<int>(i)).shapes);
   }
   std::vector<Clearance::Pair> pairs;
   for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
-  return Clearance(shapes, pairs);
+  return {shapes, pairs};
 }
+
+namespace {
 
 // Rate of the angle: on an axis with its sign. After the release that of the
 // bodies' relative angular velocity.
@@ -159,10 +155,8 @@ bool can_be_noted(const Note& note, const Case& c) {
 }
 
 Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
-    : case_(c),
-      keep_rows_(rows),
-      refine_(refine),
-      clearance_(make_clearance(c, clearance)) {
+    : case_(c), keep_rows_(rows), refine_(refine) {
+  if (clearance && !c.clearance.empty()) clearance_ = clearance_of(c);
   memory_.rows.columns = history_columns(c, clearance);
   for (const Body& body : c.bodies) {
     memory_.bodies.emplace_back();

@@ -26,6 +26,9 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
+/// Distances of the bodies that a case watches.
+Clearance clearance_of(const Case& c);
+
 /// Columns of the rows of a case.
 /// @param clearance  distances are worked out
 std::vector<std::string> history_columns(const Case& c, bool clearance);

@@ -109,9 +109,7 @@ void check_history(const History& history, const Past& past) {
 }
 
 void check_mode(double number, const char* what) {
-  using multibody::HingeMode;
-  for (const auto mode : {HingeMode::sliding, HingeMode::resting,
-                          HingeMode::locked, HingeMode::released}) {
+  for (const auto mode : multibody::hinge_modes) {
     if (number == static_cast<int>(mode)) return;
   }
   require(false, what, number, "the number of a mode");

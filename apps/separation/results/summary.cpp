@@ -89,18 +89,6 @@ ordered_json clearance_json(const Case& c, const Outcome& outcome) {
 
 }  // namespace
 
-const char* to_string(FrictionChoice choice) {
-  switch (choice) {
-    case FrictionChoice::full:
-      return "full";
-    case FrictionChoice::ideal:
-      return "ideal";
-    case FrictionChoice::traditional:
-      break;
-  }
-  return "traditional";
-}
-
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome) {
   std::vector<Missed> result;
   for (std::size_t e = 0; e < c.events.size(); ++e) {

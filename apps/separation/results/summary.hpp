@@ -8,9 +8,6 @@
 
 namespace separation {
 
-/// "full", "ideal", "traditional"
-const char* to_string(FrictionChoice choice);
-
 /// An event and the bodies for which it has not come.
 struct Missed {
   std::string event;
@@ -18,8 +15,8 @@ struct Missed {
 };
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
-/// Summary of a run as JSON (keys: README.md of this folder). Angles in
-/// degrees, all else in SI units; infinity is the text "inf" or "-inf".
+/// Summary of a run as JSON (keys: apps/programs/separation/output.md). Angles
+/// in degrees, all else in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <set>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -111,9 +110,7 @@ void add_clearance(const Case& c, const separation::Outcome& outcome,
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const separation::PairRecord& pair = outcome.memory.pairs[i];
     if (pair.smallest == separation::History::not_yet) continue;
-    const auto name = fmt::format(
-        "clearance.{}.{}.", column_name(c.rigid_body(c.clearance[i].a).name),
-        column_name(c.rigid_body(c.clearance[i].b).name));
+    const std::string name = clearance_column(c, c.clearance[i]) + ".";
     to.emplace(name + "smallest_m", pair.smallest);
     to.emplace(name + "time_s", pair.time);
     smallest = std::min(smallest, pair.smallest);

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <vector>
-
 #include "libcontact/files/toml_reader.hpp"
 #include "libcontact/pair/material.hpp"
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cmath>
-
 #include "libcontact/base/lanes/inverse_root.hpp"
 #include "libcontact/friction/kernel/arc_polynomials.hpp"
 #include "libcontact/friction/kernel/cap_rule.hpp"

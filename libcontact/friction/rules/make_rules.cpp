@@ -1,6 +1,5 @@
 #include <cstdio>
 #include <stdexcept>
-#include <string>
 #include <utility>
 
 #include "libcontact/friction/kernel/cap_rule.hpp"

@@ -1,4 +1,4 @@
-// The hip of docs/first_steps.md with a pressure of one's own, with a flat top.
+// A hip of polyethylene without end, with a pressure of one's own: a flat top.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>

@@ -2,23 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <array>
+#include <algorithm>
+#include <iterator>
 #include <string_view>
 #include <utility>
 
 #include "cli/hdf5/columns.hpp"
 #include "cli/output.hpp"
 #include "cli/stream/file_name.hpp"
+#include "libcontact/base/dimension.hpp"
 #include "multibody/friction/hinge_friction.hpp"
 
 namespace separation {
 namespace {
 
 using multibody::HingeMode;
-
-constexpr std::array<HingeMode, 4> modes = {
-    HingeMode::sliding, HingeMode::resting, HingeMode::locked,
-    HingeMode::released};
 
 bool is_mode(const std::string& column) { return column.ends_with(".mode"); }
 
@@ -49,24 +47,14 @@ struct Place {
   std::string unit;
 };
 Place place_of(std::string column) {
-  static constexpr std::pair<std::string_view, std::string_view> units[] = {
-      {"_deg_per_s2", "deg/s^2"},
-      {"_deg_per_s", "deg/s"},
-      {"_rad_per_s", "rad/s"},
-      {"_m_per_s", "m/s"},
-      {"_N_m", "N m"},
-      {"_deg", "deg"},
-      {"_Pa", "Pa"},
-      {"_N", "N"},
-      {"_J", "J"},
-      {"_m", "m"},
-      {"_s", "s"}};
-  std::string unit;
-  for (const auto& [ending, name] : units) {
-    if (!column.ends_with(ending)) continue;
-    unit = name;
-    break;
-  }
+  static constexpr std::string_view endings[] = {
+      "_deg_per_s2", "_deg_per_s", "_rad_per_s", "_m_per_s", "_N_m", "_deg",
+      "_Pa",         "_N",         "_J",         "_m",       "_s"};
+  const auto* const ending = std::ranges::find_if(
+      endings, [&](std::string_view end) { return column.ends_with(end); });
+  std::string unit = ending == std::end(endings)
+                         ? ""
+                         : contact::unit_symbol(ending->substr(1));
   for (char& c : column) {
     if (c == '.') c = '/';
   }
@@ -75,7 +63,7 @@ Place place_of(std::string column) {
 
 std::string mode_words() {
   std::string words;
-  for (const HingeMode mode : modes) {
+  for (const HingeMode mode : multibody::hinge_modes) {
     if (!words.empty()) words += ", ";
     words += fmt::format("{} {}", static_cast<int>(mode), to_string(mode));
   }

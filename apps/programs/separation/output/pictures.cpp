@@ -105,13 +105,11 @@ bool is_wide(const std::vector<cli::Curve>& curves) {
 
 cli::LinePlot clearances(const Case& c, const Rows& rows) {
   cli::LinePlot plot = plot_of(c, {"clearance", "m"});
-  for (const auto& [a, b] : c.clearance) {
-    const std::string column =
-        fmt::format("clearance.{}.{}_m", column_name(c.rigid_body(a).name),
-                    column_name(c.rigid_body(b).name));
+  for (const Case::Pair& pair : c.clearance) {
+    const auto& [a, b] = pair;
     plot.curves.push_back(curve(
         rows, fmt::format("{}, {}", c.rigid_body(a).name, c.rigid_body(b).name),
-        column));
+        clearance_column(c, pair) + "_m"));
   }
   plot.y.logarithmic = is_wide(plot.curves);
   return plot;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <string>
 #include <vector>
 
 #include "separation/case/case.hpp"

@@ -114,20 +114,14 @@ std::vector<float> column_of(const Take& take, std::size_t column) {
 // pair, and the points in the axes of the two.
 std::string nearest_points(const Case& c, const Take& take) {
   std::vector<std::size_t> columns;
-  for (const auto& [a, b] : c.clearance) {
-    columns.push_back(take.rows->column(
-        fmt::format("clearance.{}.{}_m", column_name(c.rigid_body(a).name),
-                    column_name(c.rigid_body(b).name))));
+  for (const Case::Pair& pair : c.clearance) {
+    columns.push_back(take.rows->column(clearance_column(c, pair) + "_m"));
   }
-  std::vector<std::vector<Shape>> shapes;
   std::vector<BodyPath> paths;
   for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
-    shapes.push_back(c.rigid_body(i).shapes);
     paths.emplace_back(c, *take.rows, take.kept, i);
   }
-  std::vector<Clearance::Pair> pairs;
-  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
-  Clearance clearance(shapes, pairs);
+  const Clearance clearance = clearance_of(c);
   std::vector<multibody::BodyMotion> bodies(paths.size());
   std::vector<float> result;
   std::size_t place = 0;
@@ -146,9 +140,10 @@ std::string nearest_points(const Case& c, const Take& take) {
       bodies[i].rotation = pose.rotation.toRotationMatrix();
     }
     const auto points = clearance.nearest_points(bodies, nearest);
+    const Clearance::Pair& pair = clearance.pairs()[nearest];
     result.push_back(points ? static_cast<float>(nearest) : -1);
     for (const bool first : {true, false}) {
-      const auto& body = bodies[first ? pairs[nearest].a : pairs[nearest].b];
+      const auto& body = bodies[first ? pair.a : pair.b];
       const Vector3d point =
           !points ? Vector3d::Zero()
                   : Vector3d(body.rotation.transpose() *

@@ -128,7 +128,6 @@ std::vector<Output> outputs_of(const Study& study) {
 
 std::vector<Driven> find_drivers(const Study& study, const Journal& journal) {
   const std::vector<Output> outputs = outputs_of(study);
-  std::vector<std::vector<double>> values;
   std::vector<std::vector<double>> output_ranks;
   std::vector<Regression> regressions(outputs.size(),
                                       Regression(study.inputs()));

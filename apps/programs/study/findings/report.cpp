@@ -173,9 +173,13 @@ Part drivers_part(const Study& study, const Driven& driven) {
   Part part{
       .text = sobol ? fmt::format("What drives {} (shares of its variance):",
                                   driven.quantity)
-                    : fmt::format("What drives {} (regression explains {}):",
-                                  driven.quantity,
-                                  about(driven.regression.explained)),
+              : std::isnan(driven.regression.explained)
+                  ? fmt::format("What drives {} (runs are too few to explain "
+                                "it):",
+                                driven.quantity)
+                  : fmt::format("What drives {} (regression explains {}):",
+                                driven.quantity,
+                                about(driven.regression.explained)),
       .header = sobol ? Cells{"input", "alone", "with others"}
                       : Cells{"input", "rank correlation", "regression"}};
   for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i) {

@@ -53,7 +53,9 @@ void read_run(const TomlTable& table, Case& c) {
                               c.end_time / most_rows, most_rows));
   }
   c.friction = static_cast<FrictionChoice>(
-      table.optional_choice("friction", {"full", "ideal", "traditional"})
+      table
+          .optional_choice("friction",
+                           {friction_choices.begin(), friction_choices.end()})
           .value_or(0));
   options.integrator =
       table.optional_choice("integrator", {"adaptive", "rk4"}).value_or(0) == 0
