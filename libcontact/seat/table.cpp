@@ -29,6 +29,7 @@ Eigen::Array4d cubic(double x) {
   return {-b * c * d / 6, a * c * d / 2, -a * b * d / 2, a * b * c / 6};
 }
 
+constexpr std::string_view any_title = "libcontact table of a seat ";
 constexpr std::string_view title = "libcontact table of a seat 2\n";
 
 // Friction and name are not in the table.
@@ -120,7 +121,10 @@ SeatTable::SeatTable(const SeatContact& contact, const JointSpec& joint,
                      std::string_view bytes)
     : SeatTable(contact) {
   const std::string head = head_of(joint);
-  if (!bytes.starts_with(title)) throw Error("not a table of a seat");
+  if (!bytes.starts_with(any_title)) throw Error("not a table of a seat");
+  if (!bytes.starts_with(title)) {
+    throw Error("a table of another version, which has to be made again");
+  }
   if (!bytes.starts_with(head)) throw Error("a table of another joint");
   if (bytes.size() < head.size() + sizeof(CheckSum)) {
     throw Error("a table that is cut off");

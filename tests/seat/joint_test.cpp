@@ -292,6 +292,10 @@ TEST(SeatTable, IsReadAgain) {
             "a table that is damaged or cut off");
   EXPECT_EQ(message(spec, bytes + '1'), "a table that is damaged or cut off");
   EXPECT_EQ(message(spec, "name = 1"), "not a table of a seat");
+  std::string old = bytes;
+  old[bytes.find('2')] = '1';
+  EXPECT_EQ(message(spec, old),
+            "a table of another version, which has to be made again");
   // One bit anywhere; and places of squares and states, with their check sum.
   for (std::size_t i = 800; i < bytes.size(); i += bytes.size() / 7) {
     std::string flipped = bytes;
