@@ -50,6 +50,10 @@ std::optional<MeasuredWear> measured_wear(const Options& options) {
                       *options.measured_cycles};
 }
 
+void require_file(std::string_view option, const std::string& name) {
+  if (name == "-") cli::refuse(option, name, "the name of a file");
+}
+
 // Checks the files beside --output and --plot.
 void check_files(const Options& options) {
   cli::OutputNames names = names_of(options.output);
@@ -62,14 +66,12 @@ void check_files(const Options& options) {
                                      {"--pin-states", &options.pin_states},
                                      {"--along", &options.along},
                                      {"--along-map", &options.along_map}}) {
-    if (*file == "-") cli::refuse(option, *file, "the name of a file");
+    require_file(option, *file);
     names.add(option, *file);
   }
   if (!options.seat_table.empty()) {
     // Read as well, if it is there.
-    if (options.seat_table == "-") {
-      cli::refuse("--seat-table", options.seat_table, "the name of a file");
-    }
+    require_file("--seat-table", options.seat_table);
     cli::Output::check(options.seat_table);
     names.keep("--seat-table", options.seat_table);
   }
