@@ -309,8 +309,10 @@ FrictionTriple stress_integrals(const PressureLaw& law,
       contact.half_angle > pi / 2
           ? by_definition(contact.half_angle, used, field)
           : by_planes(contact.half_angle, used, field, *rules);
+  // A moment about n may drive the spin, where the contact's fast parts rub
+  // less than its slow ones: mirrored, not given the sign of the axis.
   return {share * sum.force, share * sum.sliding,
-          std::copysign(sum.spinning, axis.sin)};
+          std::copysign(1.0, axis.sin) * sum.spinning};
 }
 
 FrictionTriple pin_stress_integrals(const PressureLaw& law,

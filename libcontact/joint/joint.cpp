@@ -186,7 +186,7 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   s.slip_axis = {std::copysign(t.axis_sin, cos_b), t.axis_cos};
   s.force_coefficient = sin_g / t.cos_g;
   s.sliding_coefficient = root.point.sliding;
-  s.spinning_coefficient = std::copysign(root.point.spinning, cos_b);
+  s.spinning_coefficient = std::copysign(1.0, cos_b) * root.point.spinning;
   set_contact(s, contact_, root.point.normal_force,
               root.point.half_angle.half_angle, equation.strength());
   const double turn = side(contact_) * t.sin_psi;

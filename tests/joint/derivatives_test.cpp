@@ -154,6 +154,45 @@ TEST(SlipDerivatives, AtAFixedContactAreTheCurvatureOfThePower) {
   }
 }
 
+// Whatever friction does over the speed it has a potential at a fixed contact,
+// the sum of the integral of tau over the speed. Stresses are integrated to
+// some 1e-10 of the moment, differences with steps of 1e-3 leave 1e-7 of that.
+TEST(SlipDerivatives, AtAFixedContactAreSymmetricOverAnySpeed) {
+  RandomSlips random(14);
+  AccuracyReport symmetry("dM/dDw at the contact, any friction stress", 1e-6);
+  AccuracyReport differ("solve() against its own contact", 1e-9);
+  int driven = 0;
+  for (int i = 0; i < 300; ++i) {
+    const double rate = random.log_uniform(0.1, 10);
+    // Every other one falls steeply, some nine tenths of it within the contact.
+    const bool steep = i % 2 == 0;
+    const double rest = steep ? 0.4 : random.log_uniform(0.02, 0.5);
+    const double fast = steep ? 0.02 : random.log_uniform(0.01, 0.5);
+    const double speed =
+        (steep ? 0.01 : 0.05) * rate * random.log_uniform(0.2, 4);
+    const Joint ball = steel_ball(FrictionStress::stribeck(rest, fast, speed));
+    const double load = random.log_uniform(1e4, 1e6);
+    const Vector3d normal_force = load * random.direction();
+    const Vector3d turn = rate * random.direction();
+    const JointSolution at = ball.solve_contact({normal_force, turn});
+    const Joint::Slip slip = {at.reaction, turn};
+    const Matrix3d d = derivatives(ball, slip, at).at_contact;
+    const std::string label = std::to_string(rest) + " " +
+                              std::to_string(fast) + " " +
+                              std::to_string(at.slip_axis_angle());
+    symmetry.add_error((d - d.transpose()).norm() / d.norm(), label);
+    driven += at.spinning_coefficient * at.slip_axis.sin < 0;
+    const JointSolution s = ball.solve(slip);
+    const JointSolution own =
+        ball.solve_contact({s.normal_force * s.normal, turn});
+    differ.add_error((s.friction_moment - own.friction_moment).norm() /
+                         own.friction_moment.norm(),
+                     label);
+  }
+  // States whose moment about n drives the spin are among them.
+  EXPECT_GT(driven, 10);
+}
+
 // Reaction along Dw: nothing is singular there.
 TEST(SlipDerivatives, OfSpinningAreThoseOfAlmostSpinning) {
   const Joint dry = steel_ball(FrictionLaw(0.2, 1e4));

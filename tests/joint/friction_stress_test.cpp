@@ -92,6 +92,38 @@ TEST(FrictionStress, IntegralsOfReference) {
   }
 }
 
+// Where friction falls steeply the fast parts of a contact rub less than its
+// slow ones, and the moment about n drives the spin. By an independent
+// program's sum of tau over 300 x 720 pieces of the contact, right to its six
+// digits.
+TEST(FrictionStress, MayDriveTheSpin) {
+  const Joint ball(parse_joint(R"(name = "ball"
+kind = "ball"
+geometry = { radius_mm = 25, radial_clearance_um = 25 }
+[materials]
+inner = { youngs_modulus_GPa = 207, poissons_ratio = 0.3 }
+outer = { youngs_modulus_GPa = 111, poissons_ratio = 0.35 }
+[friction]
+law = "stribeck"
+static_coefficient = 0.4
+dynamic_coefficient = 0.02
+stribeck_velocity_mm_per_s = 10
+)",
+                               "ball")
+                       .contact());
+  for (const double side : {1.0, -1.0}) {  // of the spin
+    const JointSolution s =
+        ball.solve_contact({{0, 0, 2e4}, {0, std::sqrt(3), side}});
+    EXPECT_NEAR(s.friction_moment.y(), -13.88499, 2e-5);
+    EXPECT_NEAR(s.friction_moment.z(), side * 0.069197, 2e-6);
+    EXPECT_NEAR(s.power, -23.980, 1e-3);
+    // The same contact, found from its reaction.
+    const JointSolution found =
+        ball.solve({s.reaction, {0, std::sqrt(3), side}});
+    EXPECT_NEAR(found.friction_moment.z(), side * 0.069197, 2e-6);
+  }
+}
+
 // The usual number of points against four times as many: the worst of these
 // contacts, of which some have the slip axis inside, some near the edge.
 TEST(FrictionStress, UsualPoints) {
