@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <algorithm>
 #include <limits>
 
 #include "libcontact/joint/moment_set.hpp"
@@ -35,23 +36,34 @@ MomentSet::Prox motion_left(const Moment& moment, const Curvature& curvature,
   };
   Vector3d edge = moment(u);
   double gain = gain_along(u, edge);
+  constexpr double epsilon = std::numeric_limits<double>::epsilon();
   // On the edge, up to the rounding of its two parts: no motion.
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * size;
+  const double rounding = 4 * epsilon * size;
   if (gain <= rounding) return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
   double best = value(u, gain);
 
   constexpr int step_limit = 60;
   constexpr double tolerance = 1e-13;
+  double reachable = 0;
   MomentSet::Prox result{};
   for (result.iterations = 0;; ++result.iterations) {
-    const double r = gain / u.dot(inertia * u);
+    const Vector3d inert = inertia * u;
+    const double r = gain / u.dot(inert);
     result.angular_velocity = r * u;
     result.moment = edge;
     const Vector3d gradient =
         inertia * (result.angular_velocity - free) - result.moment;
     result.residual = gradient.norm() / size;
     if (result.residual <= tolerance || result.iterations == step_limit) break;
-    const Matrix3d second = inertia + curvature(u, edge) / r;
+    const Matrix3d slope = curvature(u, edge);
+    // Rounding of u moves the moment by its curvature, which small contacts
+    // have to 1e6 of W free near the pole; that of the gain moves r; and
+    // W free - W r u has the rounding of its terms.
+    reachable = (epsilon * (2 * slope.norm() + inertia.norm() * free.norm()) +
+                 rounding * inert.norm() / u.dot(inert)) /
+                size;
+    if (result.residual <= reachable) break;
+    const Matrix3d second = inertia + slope / r;
     const Vector3d step = -second.llt().solve(gradient);
     // Changes of the function below this are rounding.
     const double unseen = -2 * best * rounding / gain;
@@ -72,8 +84,9 @@ MomentSet::Prox motion_left(const Moment& moment, const Curvature& curvature,
     }
     if (!moved) break;
   }
-  // Rounding of the moments leaves less than this.
-  result.status = result.residual <= 1e-12 ? Status::ok : Status::not_converged;
+  // Moments have roundings of their own, of some 1e-13.
+  const bool is_ok = result.residual <= std::max(reachable, 1e-12);
+  result.status = is_ok ? Status::ok : Status::not_converged;
   return result;
 }
 
