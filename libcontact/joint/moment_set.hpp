@@ -75,7 +75,7 @@ class MomentSet {
   ///
   /// @param inertia  W, symmetric and positive definite
   /// @param guess    a motion near to the answer, for speed; 0: none
-  /// @return residual at most 1e-12 (joint/moment_set_test.cpp)
+  /// @return residual at most 1e-12, or what the rounding of alpha leaves
   Prox prox(
       const Eigen::Matrix3d& inertia, const Eigen::Vector3d& free,
       const Eigen::Vector3d& guess = Eigen::Vector3d::Zero()) const noexcept;

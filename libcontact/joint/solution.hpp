@@ -131,7 +131,7 @@ struct JointSolution {
   double force_coefficient = 0;
   /// Moment about the part of Dw normal to n, over -rho R_n.
   double sliding_coefficient = 0;
-  /// Moment about n, over -rho R_n; of the sign of the spin Dw . n.
+  /// Moment about n, over -rho R_n: of the sign of Dw . n unless tau(v) falls.
   double spinning_coefficient = 0;
   /// Abar = A rho^2/(f0 R_n): adhesion against pressure (viscous:
   /// k0 rho^2/(k1 R_n)); infinite without the latter.
