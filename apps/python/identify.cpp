@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/quantities/fit.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
@@ -23,9 +24,11 @@ FrictionParameter parameter_of(const std::string& text) {
   const auto all = contact::fit_parameters();
   const auto found = std::ranges::find(all, text, &contact::FitParameter::key);
   if (found != all.end()) return found->parameter;
-  throw contact::Error(contact::detail::must_be(
-      "parameters: \"" + text + "\"",
-      "\"coefficient\", \"adhesion\" or \"clearance\""));
+  std::vector<std::string> keys;
+  for (const auto& p : all) keys.push_back(std::string(p.key));
+  throw contact::Error(
+      contact::detail::must_be("parameters: \"" + text + "\"",
+                               "of " + contact::detail::joined(keys, ", ")));
 }
 
 std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
@@ -66,6 +69,10 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
         contact::identify_friction(contact, data, options));
   }
   warn_of(joint.limits(), fit->largest_contact, frames_of_maker);
+  const bool knows_sigma = sigma.size() != 1 || *sigma.data() != 1;
+  if (knows_sigma) {
+    for (const std::string& note : fit->notes()) warn_of(note, frames_of_maker);
+  }
   return fit;
 }
 

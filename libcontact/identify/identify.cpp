@@ -66,24 +66,83 @@ Measurements measurements(std::span<const MeasuredMoment> data,
   return all;
 }
 
-// Number of the datum that a measured number is of, from 1.
+// Number of the datum that a measured number is of, from 0.
 std::size_t datum_of(std::span<const MeasuredMoment> data,
                      Eigen::Index number) {
   std::size_t datum = 0;
   while (number >= data[datum].size()) number -= data[datum++].size();
-  return datum + 1;
+  return datum;
+}
+
+// What messages call a datum, from 0.
+std::string name_of(std::size_t datum, const IdentifyOptions& options) {
+  return datum < options.names.size()
+             ? options.names[datum]
+             : detail::message("measured moment {}", datum + 1);
 }
 
 // Throws Error where the laws have no value.
-void check_states(const VectorXd& moments,
-                  std::span<const MeasuredMoment> data) {
+void check_states(const VectorXd& moments, std::span<const MeasuredMoment> data,
+                  const IdentifyOptions& options) {
   for (Eigen::Index i = 0; i < moments.size(); ++i) {
     if (std::isfinite(moments[i])) continue;
     throw Error(detail::message(
-        "state {} has no solution: the half-angle law or the pressure law has "
-        "no value there",
-        datum_of(data, i)));
+        "{} has no solution: the half-angle law or the pressure law has no "
+        "value there",
+        name_of(datum_of(data, i), options)));
   }
+}
+
+// The moment that it takes to turn the joint.
+double torque_of(const MeasuredMoment& datum) {
+  if (!datum.is_vector()) return std::get<double>(datum.moment);
+  return -std::get<Eigen::Vector3d>(datum.moment)
+              .dot(datum.angular_velocity.stableNormalized());
+}
+
+// The largest |M_t|/(rho R) of a datum, whatever f0 is; NaN: not known.
+double largest_ratio(const JointContact& joint, const MeasuredMoment& datum) {
+  double largest = nan;
+  // It rises with f0 to a flat maximum or a limit; spinning has none.
+  for (const double f0 : {1.0, 2.0, 4.0, 10.0, 100.0, 1e6}) {
+    const Joint with(joint.with_friction(FrictionLaw(f0)));
+    const JointSolution s =
+        with.solve({.reaction = datum.reaction,
+                    .angular_velocity = datum.angular_velocity});
+    if (s.status == Status::ok) {
+      largest = std::fmax(largest, s.moment_coefficient());
+    }
+  }
+  return largest;
+}
+
+// Throws Error for moments that no friction has.
+void check_sizes(const JointContact& joint,
+                 std::span<const MeasuredMoment> data,
+                 const IdentifyOptions& options) {
+  const auto is_negative = [](const auto& d) { return torque_of(d) < 0; };
+  check(!std::ranges::all_of(data, is_negative), "measured moments",
+        "those that turn the joint, above 0, and all are below: is it the "
+        "other sign?");
+  if (joint.has_interference()) return;
+  constexpr double error = 1.1;  // of a measurement that is not wrong
+  for (std::size_t i = 0; i < data.size(); ++i) {
+    const double unit = joint.geometry().radius() * magnitude(data[i].reaction);
+    const double ratio = std::abs(torque_of(data[i])) / unit;
+    const double largest = largest_ratio(joint, data[i]);
+    check(
+        !(ratio > error * largest),
+        detail::message("{}: |M|/(rho R) = {:.3g}", name_of(i, options), ratio),
+        detail::message("0 to {:.3g}, as no f0 gives more: are loads in N, "
+                        "moments in N m?",
+                        largest));
+  }
+}
+
+bool turn_both_ways(std::span<const MeasuredMoment> data) {
+  return std::ranges::any_of(data, [&](const MeasuredMoment& d) {
+    return d.angular_velocity.dot(data[0].angular_velocity) < 0;
+  });
 }
 
 // One problem: what is measured and how it is fitted.
@@ -143,7 +202,7 @@ class Identification {
     point[0] = trial;
     point[1] = 0;
     const VectorXd moments = model_.moments(point);
-    check_states(moments, data_);
+    check_states(moments, data_, options_);
     const VectorXd x = moments.cwiseQuotient(measured_.sigma);
     const VectorXd y = measured_.moment.cwiseQuotient(measured_.sigma);
     point[0] = std::clamp(trial * x.dot(y) / x.squaredNorm(), 0.0, 3.0);
@@ -179,14 +238,13 @@ class Identification {
 
   // A number of a point in SI units, and its change with that of the point.
   double value(const Point& p, int number) const {
-    return number == 0   ? p[0]
-           : number == 1 ? p[1] * model_.unit()
-                         : model_.clearance(p);
+    return number == 2 ? model_.clearance(p) : p[number] * unit(p, number);
   }
   double unit(const Point& p, int number) const {
     return number == 0   ? 1
            : number == 1 ? model_.unit()
-                         : model_.clearance_slope(p);
+           : number == 2 ? model_.clearance_slope(p)
+                         : model_.moment_unit();
   }
 
   std::vector<Estimate> estimates(const Fitted& best,
@@ -341,13 +399,42 @@ FrictionFit identify_friction(const JointContact& joint,
   check(!data.empty(), "measured moments", "at least one");
   check(options.level > 0 && options.level < 1,
         detail::message("level = {}", options.level), "above 0 and below 1");
+  const auto is_fitted = [&](FrictionParameter parameter) {
+    return std::ranges::count(options.parameters, parameter) > 0;
+  };
+  const bool has_offset = is_fitted(FrictionParameter::offset);
+  const bool without_load = has_offset || is_fitted(FrictionParameter::drag);
   for (std::size_t i = 0; i < data.size(); ++i) {
-    check(is_good(data[i], joint.has_interference()),
-          detail::message("measured moment {}", i + 1),
+    check(is_good(data[i], without_load || joint.has_interference()),
+          name_of(i, options),
           "finite, with a reaction and an angular velocity other than 0 and "
           "sigma above 0");
   }
+  check(!has_offset || turn_both_ways(data), "states of a fitted offset",
+        "such that turn both ways; what does not turn round is drag");
+  check(joint.has_interference() ||
+            std::ranges::any_of(
+                data, [](const auto& d) { return !d.reaction.isZero(0); }),
+        "reactions", "other than 0 in one of the states");
+  if (!without_load) check_sizes(joint, data, options);
   return Identification(joint, data, options).fit();
+}
+
+std::vector<std::string> FrictionFit::notes() const {
+  constexpr double factor = 1.5;
+  constexpr double chance = 1e-3;
+  const bool is_large = scale > 1;
+  if (!(scale > factor || scale < 1 / factor) ||
+      detail::chance_of(scale * scale, degrees_of_freedom) > chance) {
+    return {};
+  }
+  std::string text = detail::message(
+      "residuals are {:.3g} times as large as sigma says, chi2/dof {:.3g}: ",
+      scale, chi2 / degrees_of_freedom);
+  text += is_large ? "the joint has more than this friction (a seal's drag, a "
+                     "sensor's offset: fit them too), or sigma is too small"
+                   : "sigma is too large";
+  return {text};
 }
 
 Estimate FrictionFit::predicted_moment(const Eigen::Vector3d& reaction,
@@ -359,17 +446,23 @@ Estimate FrictionFit::predicted_moment(const Eigen::Vector3d& reaction,
   const double clearance = joint->geometry().radial_clearance();
   const Point point =
       model.point(friction.coefficient(), friction.adhesion(), clearance);
-  const double unit[] = {1, model.unit(), model.clearance_slope(point)};
+  const double unit[] = {1, model.unit(), model.clearance_slope(point),
+                         model.moment_unit()};
+  double drag = 0;
   VectorXd slope = VectorXd::Zero(covariance.rows());
   MatrixXd known = covariance;
   for (Eigen::Index i = 0; i < slope.size(); ++i) {
+    const FrictionParameter parameter = parameters[i];
+    if (parameter == FrictionParameter::drag) drag = estimates[i].value;
+    // It belongs to the measurement, not to the joint.
+    if (parameter == FrictionParameter::offset) continue;
     if (std::isnan(known(i, i))) continue;
-    const int number = static_cast<int>(parameters[i]);
+    const int number = static_cast<int>(parameter);
     slope[i] = model.slopes(point, {number})(0, 0) / unit[number];
   }
   known = known.array().isNaN().select(0, known);
   Estimate found;
-  found.value = model.moments(point)[0];
+  found.value = model.moments(point)[0] + drag;
   found.standard_error = std::sqrt(slope.dot(known * slope));
   const double reach = detail::student_quantile(level, degrees_of_freedom) *
                        found.standard_error;

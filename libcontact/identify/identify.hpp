@@ -4,6 +4,7 @@
 #include <limits>
 #include <optional>
 #include <span>
+#include <string>
 #include <variant>
 #include <vector>
 
@@ -16,7 +17,7 @@ namespace contact {
 /// A friction moment that was measured while a joint slides.
 struct MeasuredMoment {
   /// R on the body, N; not 0 but of joints with interference, which turn hard
-  /// without load too.
+  /// without load too, and where drag or offset is fitted.
   Eigen::Vector3d reaction;
   Eigen::Vector3d angular_velocity;  ///< Dw, rad/s; not 0
   /// The moment that it takes to turn the joint, -M_t . Dw/|Dw|, or the vector
@@ -40,6 +41,11 @@ enum class FrictionParameter {
   /// eps, m. From a joint without clearance or with interference it is searched
   /// on both sides of 0, else above 0.
   clearance,
+  /// A moment that resists whatever the load is, as of a seal, N m.
+  drag,
+  /// A moment that does not turn round with Dw, as of a sensor, N m: added to
+  /// the moment that it takes to turn about the first datum's Dw.
+  offset,
 };
 
 struct IdentifyOptions {
@@ -51,6 +57,9 @@ struct IdentifyOptions {
   bool profile = false;
   /// Probability of the intervals, above 0 and below 1.
   double level = 0.95;
+  /// What messages call the data, as "rig.csv, line 3"; empty: "measured moment
+  /// 3".
+  std::vector<std::string> names = {};
 };
 
 /// A number that is found. NaN: there is none.
@@ -112,10 +121,15 @@ struct FrictionFit {
   /// The joint with these parameters.
   std::optional<JointContact> joint;
 
+  /// Notes for programs to print, if sigma is known: on errors 1.5 times larger
+  /// or smaller than it says, which have a probability below 0.1 %.
+  std::vector<std::string> notes() const;
+
   /// Moment predicted for another state.
   /// @param reaction, angular_velocity  as in MeasuredMoment
   /// @param level  probability of the interval
-  /// @return -M_t . Dw/|Dw|, N m, with the standard error of the fit
+  /// @return -M_t . Dw/|Dw| with the drag, without the offset, N m, with the
+  ///         standard error of the fit
   Estimate predicted_moment(const Eigen::Vector3d& reaction,
                             const Eigen::Vector3d& angular_velocity,
                             double level = 0.95) const;
@@ -129,7 +143,9 @@ struct FrictionFit {
 /// with interference to 1e-9 (identify/interference_test.cpp).
 /// @throws Error for a viscous joint, a parameter that is named twice, data
 ///         that are too few or out of range or for which the joint's laws have
-///         no value.
+///         no value, moments that are beyond those of any f0 or all negative
+///         while neither drag nor offset is fitted, and an offset of states
+///         that turn one way.
 FrictionFit identify_friction(const JointContact& joint,
                               std::span<const MeasuredMoment> data,
                               const IdentifyOptions& options = {});

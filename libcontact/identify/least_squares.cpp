@@ -94,7 +94,7 @@ Minimum least_squares(const MomentModel& model, const Measurements& measured,
   for (;;) {
     const auto below = std::ranges::min_element(
         found.inside, {}, [&](int i) { return i < 2 ? found.point[i] : 0; });
-    if (below == found.inside.end() || *below == 2 || found.point[*below] >= 0)
+    if (below == found.inside.end() || *below >= 2 || found.point[*below] >= 0)
       return found;
     std::vector<int> left = found.inside;
     std::erase(left, *below);
@@ -133,7 +133,9 @@ HuberMinimum huber(const MomentModel& model, const Measurements& measured,
         least_squares(model, measured, found.weight, found.point, free);
     if (found.status != Status::ok) return found;
     const Point change = found.point - last;
-    if (change.norm() <= tolerance * found.point.head<2>().norm()) {
+    Point numbers = found.point;
+    numbers[2] = 0;  // a logarithm
+    if (change.norm() <= tolerance * numbers.norm()) {
       return found;
     }
   }

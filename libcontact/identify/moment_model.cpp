@@ -104,9 +104,19 @@ MomentModel::MomentModel(JointContact joint,
     force += magnitude(state.reaction);
   }
   const JointGeometry& geometry = joint_.geometry();
-  unit_ =
-      geometry.nominal_pressure(force / static_cast<double>(states_.size())) +
-      joint_.interference_pressure();
+  force /= static_cast<double>(states_.size());
+  unit_ = geometry.nominal_pressure(force) + joint_.interference_pressure();
+  moment_unit_ = geometry.radius() * (unit_ / geometry.nominal_pressure(1));
+  beside_.resize(size_, 2);
+  const Vector3d first = states_[0].angular_velocity.stableNormalized();
+  Eigen::Index at = 0;
+  for (const MeasuredMoment& state : states_) {
+    const Vector3d turning = state.angular_velocity.stableNormalized();
+    put(beside_.col(0).segment(at, state.size()), state,
+        -moment_unit_ * turning);
+    put(beside_.col(1).segment(at, state.size()), state, -moment_unit_ * first);
+    at += state.size();
+  }
   if (geometry.radial_clearance() <= 0) {
     length_ = 4 * geometry.radius() * unit_ / joint_.pair().effective_modulus();
   }
@@ -115,7 +125,7 @@ MomentModel::MomentModel(JointContact joint,
 Point MomentModel::point(double coefficient, double adhesion,
                          double clearance) const {
   return {coefficient, adhesion / unit_,
-          length_ > 0 ? clearance / length_ : std::log(clearance)};
+          length_ > 0 ? clearance / length_ : std::log(clearance), 0, 0};
 }
 
 double MomentModel::clearance(const Point& p) const {
@@ -133,6 +143,7 @@ JointContact MomentModel::joint_at(const Point& p) const {
 
 std::pair<double, double> MomentModel::range(int number) const {
   if (number < 2) return {0, largest_friction};
+  if (number > 2) return {-largest_friction, largest_friction};
   const double radius = joint_.geometry().radius();
   if (length_ > 0) {
     const double largest = largest_relative_clearance * radius / length_;
@@ -144,7 +155,7 @@ std::pair<double, double> MomentModel::range(int number) const {
 
 bool MomentModel::is_usable(const Point& p) const {
   const Point size = mirrored(p);
-  for (int number = 0; number < 3; ++number) {
+  for (int number = 0; number < size.size(); ++number) {
     const auto [least, largest] = range(number);
     if (!(size[number] >= least && size[number] <= largest)) return false;
   }
@@ -167,6 +178,10 @@ VectorXd MomentModel::solved(const Point& point) const {
 
 VectorXd MomentModel::moments(const Point& point) const {
   if (!is_usable(point)) return VectorXd::Constant(size_, nan);
+  return friction(point) + beside_ * point.tail<2>();
+}
+
+VectorXd MomentModel::friction(const Point& point) const {
   if (is_inside(point)) return solved(point);
   return 2 * solved(inside(point)) - solved(mirrored(point));
 }
@@ -176,6 +191,24 @@ MatrixXd MomentModel::slopes(const Point& point,
   if (!is_usable(point)) {
     return MatrixXd::Constant(size_, numbers.size(), nan);
   }
+  std::vector<int> of_friction = numbers;
+  std::erase_if(of_friction, [](int number) { return number > 2; });
+  const MatrixXd slopes = friction_slopes(point, of_friction);
+  MatrixXd all(size_, numbers.size());
+  Eigen::Index next = 0;
+  for (Eigen::Index i = 0; i < all.cols(); ++i) {
+    const int number = numbers[i];
+    if (number > 2) {
+      all.col(i) = beside_.col(number - 3);
+    } else {
+      all.col(i) = slopes.col(next++);
+    }
+  }
+  return all;
+}
+
+MatrixXd MomentModel::friction_slopes(const Point& point,
+                                      const std::vector<int>& numbers) const {
   if (is_inside(point)) return solved_slopes(point, numbers);
   // Below 0 the first part does not depend on the number, and the second one
   // grows as it falls.
@@ -242,7 +275,7 @@ MatrixXd MomentModel::solved_slopes(const Point& point,
       moved.push_back(contact.with_friction(
           number == 0 ? FrictionLaw(1, 0) : FrictionLaw(0, unit_)));
     } else {
-      const Point step = relative_step * Point::UnitZ();
+      const Point step = relative_step * Point::Unit(number);
       moved = {joint_at(point + step), joint_at(point - step)};
     }
     Eigen::Index at = 0;

@@ -13,9 +13,10 @@
 namespace contact::detail {
 
 /// f0, A over a unit(), and the logarithm of the clearance, or, of joints
-/// without clearance or with interference, the clearance over a length: numbers
-/// of one size, in which the moments are nearly linear.
-using Point = Eigen::Vector3d;
+/// without clearance or with interference, the clearance over a length; drag
+/// and offset over a moment_unit(): numbers of one size, in which the moments
+/// are nearly linear.
+using Point = Eigen::Vector<double, 5>;
 
 /// Moments of some states, all numbers of the first one, then of the second.
 /// For one thread.
@@ -27,6 +28,9 @@ class MomentModel {
   Eigen::Index size() const { return size_; }
   /// Unit of A, Pa: a nominal pressure.
   double unit() const { return unit_; }
+  /// Unit of drag and offset, N m: rho and a mean load.
+  double moment_unit() const { return moment_unit_; }
+  /// Without drag and offset.
   Point point(double coefficient, double adhesion, double clearance) const;
   JointContact joint_at(const Point& point) const;
   /// The clearance of a point, m, and its change with the point's number.
@@ -46,6 +50,9 @@ class MomentModel {
 
  private:
   bool is_usable(const Point& point) const;
+  Eigen::VectorXd friction(const Point& point) const;
+  Eigen::MatrixXd friction_slopes(const Point& point,
+                                  const std::vector<int>& numbers) const;
   Eigen::VectorXd solved(const Point& point) const;
   Eigen::MatrixXd solved_slopes(const Point& point,
                                 const std::vector<int>& numbers) const;
@@ -57,7 +64,9 @@ class MomentModel {
   std::span<const MeasuredMoment> states_;
   Eigen::Index size_ = 0;
   double unit_ = 1;
-  double length_ = 0;  ///< scale of the clearance; 0: its logarithm
+  double moment_unit_ = 1;
+  Eigen::MatrixX2d beside_;  ///< moments of unit drag and offset
+  double length_ = 0;        ///< scale of the clearance; 0: its logarithm
   /// Last solution of each state, from which the next one starts: half the
   /// time.
   mutable std::vector<JointSolution> last_;

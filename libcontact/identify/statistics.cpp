@@ -3,6 +3,7 @@
 #include <Eigen/QR>
 #include <Eigen/SVD>
 #include <boost/math/distributions/students_t.hpp>
+#include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 #include "libcontact/base/root_finding.hpp"
@@ -98,6 +99,13 @@ double profile_end(const Excess& excess, double best, double step,
 double student_quantile(double level, int degrees_of_freedom) {
   return boost::math::quantile(boost::math::students_t(degrees_of_freedom),
                                (1 + level) / 2);
+}
+
+double chance_of(double chi2_per_degree, int degrees_of_freedom) {
+  const double half = 0.5 * degrees_of_freedom;
+  return chi2_per_degree > 1
+             ? boost::math::gamma_q(half, half * chi2_per_degree)
+             : boost::math::gamma_p(half, half * chi2_per_degree);
 }
 
 MatrixXd inverse_of_square(const MatrixXd& slopes) {
@@ -201,9 +209,9 @@ Estimate::Interval profile(const MomentModel& model,
   ends.high = profile_end(excess, value, reach, quantile, {highest, infinity});
   last = best.point;
   along = linear;
-  // The logarithm of a clearance has no bound.
+  // f0 and A end at 0.
   ends.low = profile_end(excess, value, -reach, quantile,
-                         {lowest, number == 2 ? -infinity : 0});
+                         {lowest, number < 2 ? 0 : -infinity});
   return ends;
 }
 

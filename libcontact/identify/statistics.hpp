@@ -10,6 +10,9 @@ namespace contact::detail {
 /// Quantile of Student's t for both ends of an interval of this probability.
 double student_quantile(double level, int degrees_of_freedom);
 
+/// Probability of chi2/dof at least as far from 1 on its side.
+double chance_of(double chi2_per_degree, int degrees_of_freedom);
+
 /// (J^T J)^-1 of full rank, or NaN.
 Eigen::MatrixXd inverse_of_square(const Eigen::MatrixXd& slopes);
 /// Ratio of the largest and the smallest singular value after each column is

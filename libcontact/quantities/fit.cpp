@@ -45,7 +45,11 @@ constexpr FitParameter parameters[] = {
      "friction coefficient at high pressure"},
     {FrictionParameter::adhesion, "adhesion", "A_Pa", "A", "adhesion"},
     {FrictionParameter::clearance, "clearance", "radial_clearance_m",
-     "clearance", "difference of the radii"}};
+     "clearance", "difference of the radii"},
+    {FrictionParameter::drag, "drag", "drag_N_m", "drag",
+     "moment that resists whatever the load is"},
+    {FrictionParameter::offset, "offset", "offset_N_m", "offset",
+     "moment that does not turn round with the joint"}};
 
 }  // namespace
 

@@ -390,8 +390,9 @@ TEST(Identify, AdhesionIsHeldAtZero) {
   EXPECT_NEAR(fit.estimates[0].value, fit.effective_coefficient.value, 1e-9);
   EXPECT_TRUE(std::isnan(fit.correlation(0, 1)));
   EXPECT_EQ(fit.condition, 1);
-  // Moments that drive: no friction at all.
+  // Moments that drive, but one: no friction at all.
   for (MeasuredMoment& datum : data) datum.moment = -1.0;
+  data[0].moment = 0.0;
   const FrictionFit none = identify_friction(truth, data);
   EXPECT_EQ(none.estimates[0].value, 0);
   EXPECT_EQ(none.estimates[1].value, 0);
@@ -447,6 +448,73 @@ TEST(Identify, OutliersMakeNoTrend) {
   EXPECT_LT(std::abs(fit.load_trend.value), 5);
 }
 
+// Exact data with a seal's drag and a sensor's offset, turned both ways, with
+// rows without load: the numbers that made them, as in RecoversExactData.
+TEST(Identify, RecoversDragAndOffset) {
+  constexpr double drag = 0.65;
+  constexpr double offset = -0.3;
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    const JointContact truth = steel_in_bronze(kind, FrictionLaw(0.12, 1e6));
+    for (const bool vectors : {false, true}) {
+      auto data = exact_data(truth, 500, 20, vectors);
+      data.push_back({Vector3d::Zero(), Vector3d::UnitZ(), 0.0, 1e-3});
+      if (vectors) data.back().moment = Vector3d(0, 0, 0);
+      const std::size_t count = data.size();
+      for (std::size_t i = 0; i < count; ++i) {
+        MeasuredMoment back = data[i];
+        back.reaction *= -1;
+        back.angular_velocity *= -1;
+        if (vectors) {
+          const auto m = std::get<Vector3d>(data[i].moment);
+          data[i].moment = Vector3d(m - (drag + offset) * Vector3d::UnitZ());
+          // Turned by 180 deg about Y, to which R and Dw are normal.
+          back.moment = Vector3d(-m.x(), m.y(), -m.z() + drag - offset);
+        } else {
+          const double torque = std::get<double>(data[i].moment);
+          data[i].moment = torque + drag + offset;
+          back.moment = torque + drag - offset;
+        }
+        data.push_back(back);
+      }
+      const FrictionFit fit = identify_friction(
+          truth.with_friction(FrictionLaw(0)), data,
+          {.parameters = {f0, adhesion, FrictionParameter::drag,
+                          FrictionParameter::offset}});
+      ASSERT_EQ(fit.status, Status::ok);
+      EXPECT_NEAR(fit.estimates[0].value, 0.12, 1e-10);
+      EXPECT_NEAR(fit.estimates[1].value, 1e6, 1e-3);
+      EXPECT_NEAR(fit.estimates[2].value, drag, 1e-9);
+      EXPECT_NEAR(fit.estimates[3].value, offset, 1e-9);
+      const MeasuredMoment& any = data[3];
+      EXPECT_NEAR(
+          fit.predicted_moment(any.reaction, any.angular_velocity).value,
+          drag - moment(truth, any.reaction).z(), 1e-8);
+    }
+  }
+}
+
+// Errors that are not those of sigma are said, with what else may be fitted.
+TEST(Identify, NotesOfErrorsThatSigmaDoesNotTell) {
+  const JointContact truth =
+      steel_in_bronze(JointKind::pin, FrictionLaw(0.12, 1e6));
+  auto data = exact_data(truth, 1e3, 20, false);
+  add_noise(data, 0.005);
+  const auto notes = [&](double factor, double drag) {
+    auto with = data;
+    for (MeasuredMoment& datum : with) {
+      datum.sigma *= factor;
+      datum.moment = std::get<double>(datum.moment) + drag;
+    }
+    return identify_friction(truth, with).notes();
+  };
+  EXPECT_TRUE(notes(1, 0).empty());
+  ASSERT_EQ(notes(0.1, 0).size(), 1U);
+  EXPECT_NE(notes(0.1, 0)[0].find("chi2/dof"), std::string::npos);
+  EXPECT_EQ(notes(1, 10).size(), 1U);
+  ASSERT_EQ(notes(10, 0).size(), 1U);
+  EXPECT_TRUE(notes(10, 0)[0].ends_with("sigma is too large"));
+}
+
 // A prediction at a measured state is the fit there.
 TEST(Identify, Prediction) {
   const auto data = reference_data("wide");
@@ -474,6 +542,27 @@ TEST(Identify, BadInput) {
             "parameters to fit must be at least one, each once");
   EXPECT_EQ(message(joint, {.level = 1}),
             "level = 1 must be above 0 and below 1");
+  const auto good = data;
+  for (MeasuredMoment& datum : data) datum.reaction /= 1000;
+  // Sliding by force alone: R rho and no more.
+  EXPECT_EQ(message(joint, {.names = {"kn.csv, line 3"}}),
+            "kn.csv, line 3: |M|/(rho R) = 207 must be 0 to 1, as no f0 gives "
+            "more: are loads in N, moments in N m?");
+  data = good;
+  for (MeasuredMoment& datum : data) {
+    datum.moment = -std::get<double>(datum.moment);
+  }
+  EXPECT_EQ(message(joint),
+            "measured moments must be those that turn the joint, above 0, and "
+            "all are below: is it the other sign?");
+  data = good;
+  EXPECT_EQ(message(joint, {.parameters = {FrictionParameter::offset}}),
+            "states of a fitted offset must be such that turn both ways; what "
+            "does not turn round is drag");
+  for (MeasuredMoment& datum : data) datum.reaction.setZero();
+  EXPECT_EQ(message(joint, {.parameters = {FrictionParameter::drag}}),
+            "reactions must be other than 0 in one of the states");
+  data = good;
   data[3].sigma = -1;
   EXPECT_EQ(message(joint),
             "measured moment 4 must be finite, with a reaction and an angular "

@@ -85,6 +85,24 @@ TEST(HingeIdentify, ErrorsOfTheData) {
   EXPECT_NEAR(residuals.at(3, "sigma_N_m"), std::hypot(3, 3.1), 1e-14);
 }
 
+// A seal's 0.65 N m on top of the torques of the rig: said, and found if it is
+// asked for, to two of its standard errors.
+TEST(HingeIdentify, FindsADrag) {
+  const ProgramFolder folder;
+  const std::string seal =
+      "sed '/^[0-9]/!d' data/duty/torque_rig.csv | awk -F, -v OFS=, "
+      "'BEGIN {print \"R_N,b_deg,torque_N_m,sigma_N_m\"} {$3 += 0.65; print}' "
+      "| " +
+      rig + "--data - ";
+  EXPECT_THAT(folder.run_well(seal).err,
+              HasSubstr("residuals are 1.58 times as large as sigma says, "
+                        "chi2/dof 2.51: "));
+  const ProgramResult found = folder.run_well(seal + "--fit f0,A,drag");
+  EXPECT_THAT(found.err, Not(HasSubstr("residuals")));
+  EXPECT_NEAR(cell(found, "drag_N_m"), 0.65, 2 * 0.07);
+  EXPECT_NEAR(cell(found, "f0"), 0.12, 2 * 6e-4);
+}
+
 TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
   const ProgramFolder folder;
   const auto says = [&](const std::string& command) {

@@ -96,6 +96,30 @@ class Cycles(unittest.TestCase):
                 total / cycle.pv_integral - 1, wear.volume_defect)
             self.assertEqual(wear.points.shape, (500, 3))
 
+    def test_of_columns_in_degrees_are_those_of_radians(self):
+        c = columns(source / "data/duty/hip_cycle.csv")
+        names = [n for n in c if n.endswith("_deg")]
+        force = np.stack([c[f"R_{k}_N"] for k in "xyz"], axis=1)
+        degrees = np.stack([c[n] for n in names], axis=1)
+
+        class Frame:  # as that of pandas
+            columns = names
+
+            def __array__(self, dtype=None, copy=None):
+                return degrees
+
+        hip = libcontact.Joint.from_file(
+            source / "data/joints/hip_cocr_uhmwpe.toml")
+        energy = [
+            hip.cycle(c["time_s"], force, angles=a, sequence="zxy").energy
+            for a in (Frame(), np.radians(degrees))
+        ]  # fmt: skip
+        self.assertEqual(*energy)
+        with self.assertWarnsRegex(
+            libcontact.ContactWarning, "degrees that were taken for radians"
+        ):
+            hip.cycle(c["time_s"], force, angles=degrees, sequence="zxy")
+
     def test_at_the_rows_are_those_of_the_reference(self):
         states = columns(folder / "cycle_hip_states.csv")
         cycle = hip_cycle()
@@ -294,6 +318,30 @@ class Identification(unittest.TestCase):
             fit["coefficient"].value / joint["friction.coefficient"], 1,
             delta=1e-8)  # fmt: skip
         self.assertEqual(fit.residual.shape, (3 * len(rate),))
+
+    def test_with_a_drag_and_an_offset_gives_back_what_made_them(self):
+        joint, reaction, rate, _, sigma = self.arguments()
+        truth = joint.replace(
+            {"friction.coefficient": 0.2, "friction.adhesion_MPa": 1})
+        solution = truth.solve(reaction, rate)
+        size = np.linalg.norm(rate, axis=1)
+        torque = -np.sum(solution.friction_moment * rate, axis=1) / size
+        sense = np.where(np.arange(len(rate)) % 2 == 0, 1, -1)
+        along = rate / size[:, None] @ (rate[0] / size[0])
+        fit = libcontact.identify(
+            joint, sense[:, None] * reaction, sense[:, None] * rate,
+            torque + 0.65 - 0.3 * sense * along, sigma=sigma,
+            parameters=["coefficient", "adhesion", "drag", "offset"])
+        for name, value in (
+            ("coefficient", 0.2), ("adhesion", 1e6), ("drag", 0.65),
+            ("offset", -0.3),
+        ):  # fmt: skip
+            self.assertAlmostEqual(fit[name].value / value, 1, delta=1e-8)
+
+    def test_warns_of_errors_that_sigma_does_not_tell(self):
+        *arguments, sigma = self.arguments()
+        with self.assertWarnsRegex(libcontact.ContactWarning, "chi2/dof"):
+            libcontact.identify(*arguments, sigma=sigma / 10)
 
     def test_of_bad_input_is_refused(self):
         *arguments, _ = self.arguments()

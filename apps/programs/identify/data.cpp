@@ -14,9 +14,10 @@ namespace {
 
 using contact::MeasuredMoment;
 using Eigen::Vector3d;
-using hinge_joint::allowed_rate;
 
 constexpr cli::Allowed any_moment{-1e100, 1e100, "N m"};
+// Below 0 the other way round.
+constexpr cli::Allowed any_rate{-1e100, 1e100, "rad/s"};
 constexpr cli::Allowed above_zero{1e-300, 1e100, "N m"};
 
 const std::vector<cli::PointColumn> torque = {{"torque_N_m", any_moment}};
@@ -24,7 +25,7 @@ const std::vector<cli::PointColumn> vector = {{"M_t_x_N_m", any_moment},
                                               {"M_t_y_N_m", any_moment},
                                               {"M_t_z_N_m", any_moment}};
 const std::vector<cli::PointColumn> sigma = {{"sigma_N_m", above_zero}};
-const std::vector<cli::PointColumn> rate = {{"rate_rad_per_s", allowed_rate}};
+const std::vector<cli::PointColumn> rate = {{"rate_rad_per_s", any_rate}};
 
 // sigma of a moment: sqrt(s_abs^2 + (s_rel M)^2).
 double sigma_of(const Options& options, double moment) {
@@ -105,9 +106,20 @@ void check_options(const Options& options, const cli::PointHeader& header,
   }
 }
 
+// The place of each line that has a point: those that are not blank.
+void add_names(const std::string& file, const cli::LineBlock& block,
+               std::vector<std::string>& names) {
+  std::string_view text = block.text;
+  for (std::size_t line = block.first_line; !text.empty(); ++line) {
+    if (cli::next_line(text).find_first_not_of(" \t") == text.npos) continue;
+    names.push_back(fmt::format("{}, line {}", file, line));
+  }
+}
+
 }  // namespace
 
-std::vector<MeasuredMoment> read_data(const Options& options, bool pin) {
+std::vector<MeasuredMoment> read_data(const Options& options, bool pin,
+                                      std::vector<std::string>& names) {
   cli::LineReader reader(options.data);
   const cli::PointHeader header = cli::read_header(reader);
   const Columns columns(header, pin);
@@ -115,11 +127,12 @@ std::vector<MeasuredMoment> read_data(const Options& options, bool pin) {
   const cli::PointColumns point(header.line, columns.needed, header.place);
   std::vector<MeasuredMoment> data;
   cli::read_all_points(reader, point, false, [&](const cli::PointLines& block) {
+    add_names(reader.name(), block.lines, names);
     for (std::size_t i = 0; i < block.size(); ++i) {
       data.push_back(columns.datum(block, i, pin, options));
       if (data.back().sigma > 0) continue;
       cli::refuse_without(
-          fmt::format("{}: moment {}", options.data, data.size()),
+          names[data.size() - 1] + ": the moment",
           "--sigma-abs or --sigma-rel that give it an error above 0");
     }
   });

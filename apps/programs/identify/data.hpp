@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "libcontact/identify/identify.hpp"
@@ -9,7 +10,8 @@ namespace hinge_identify {
 
 /// The measured moments of Options::data. Throws contact::Error if columns are
 /// missing, a line is bad, or no errors are given.
-std::vector<contact::MeasuredMoment> read_data(const Options& options,
-                                               bool pin);
+/// @param names  out: "rig.csv, line 3" of each
+std::vector<contact::MeasuredMoment> read_data(const Options& options, bool pin,
+                                               std::vector<std::string>& names);
 
 }  // namespace hinge_identify

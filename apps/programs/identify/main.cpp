@@ -30,7 +30,8 @@ void add_data(cli::Program& program, Options& o) {
 void add_fit(cli::Program& program, Options& o) {
   program.add(
       "Fit",
-      {{"--fit", &o.fit, "LIST", "some of f0, A, clearance; default f0,A"},
+      {{"--fit", &o.fit, "LIST",
+        "some of f0, A, clearance, drag, offset; default f0,A"},
        {"--huber", &o.huber, "",
         "reduce the weight of wrong data (Huber's loss)", "", "--profile"},
        {"--profile", &o.profile, "", "intervals by refitting too"},

@@ -205,6 +205,7 @@ std::vector<std::string> warnings(const FrictionFit& fit,
                     "by their median; --huber reduces their weight",
                     count, fit.residual.size()));
   }
+  for (std::string& note : fit.notes()) all.push_back(std::move(note));
   for (const auto& [name, trend] :
        {std::pair{"load", &fit.load_trend},
         std::pair{"direction", &fit.direction_trend},

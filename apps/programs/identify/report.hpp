@@ -9,7 +9,7 @@
 
 namespace hinge_identify {
 
-/// "f0", "A_Pa", "radial_clearance_m".
+/// "f0", "A_Pa", "radial_clearance_m", "drag_N_m", "offset_N_m".
 std::string_view column_of(contact::FrictionParameter parameter);
 
 /// A line for each parameter and each number that says how well they are known.

@@ -20,7 +20,9 @@ constexpr const char* program = "hinge-identify";
 constexpr cli::Choice<FrictionParameter> parameters[] = {
     {"f0", FrictionParameter::coefficient},
     {"A", FrictionParameter::adhesion},
-    {"clearance", FrictionParameter::clearance}};
+    {"clearance", FrictionParameter::clearance},
+    {"drag", FrictionParameter::drag},
+    {"offset", FrictionParameter::offset}};
 
 std::vector<FrictionParameter> read_fit(const std::string& text) {
   std::vector<FrictionParameter> all;
@@ -93,14 +95,14 @@ cli::ExitStatus run(const Options& options) {
   if (!plot.empty() && joints.size() > 1) {
     cli::refuse_without("--plot", "one joint");
   }
-  const contact::IdentifyOptions identify = identify_options(options);
+  contact::IdentifyOptions identify = identify_options(options);
   std::vector<contact::JointContact> contacts;
   for (const cli::Joint& joint : joints) {
     contacts.push_back(made_of(joint, [&] {
       return joint.contact(given_friction(options, joint, identify.parameters));
     }));
   }
-  const auto data = read_data(options, joints[0].is_pin());
+  const auto data = read_data(options, joints[0].is_pin(), identify.names);
   std::vector<contact::FrictionFit> fits;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     fits.push_back(made_of(joints[i], [&] {
