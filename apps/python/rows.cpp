@@ -31,6 +31,18 @@ bool is_masked(py::handle given) {
                         py::module_::import("numpy.ma").attr("MaskedArray"));
 }
 
+// NumPy would take their numbers, whatever the unit: as pint and astropy have
+// them, alone or in a list.
+bool has_unit(py::handle given) {
+  if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
+    const auto all = py::reinterpret_borrow<py::sequence>(given);
+    return !all.empty() && has_unit(all[0]);
+  }
+  return py::hasattr(given, "to") &&
+         ((py::hasattr(given, "magnitude") && py::hasattr(given, "units")) ||
+          (py::hasattr(given, "value") && py::hasattr(given, "unit")));
+}
+
 // As NumPy has it without being told of which type.
 py::array natural(py::handle given) {
   const auto from_any = py::detail::npy_api::get().PyArray_FromAny_;
@@ -45,6 +57,12 @@ py::object numbers_of(py::handle given) {
   if (is_masked(given)) {
     throw py::type_error(contact::detail::must_be(
         "a masked array", "filled or compressed: its mask would be ignored"));
+  }
+  if (has_unit(given)) {
+    throw py::type_error(
+        contact::detail::must_be("a quantity with a unit",
+                                 "a number in the unit of the argument, as by "
+                                 "load.to(\"N\").magnitude"));
   }
   py::array array = natural(given);
   if (std::string_view("fiub").find(array.dtype().kind()) ==

@@ -180,6 +180,26 @@ double overshoot(const PeriodicSpline& spline) {
   return range > 0 ? beyond / range : 0;
 }
 
+// On angles that may be degrees which were taken for radians, or "".
+std::string angles_note(const PeriodicSpline& spline) {
+  constexpr double furthest = 2 * std::numbers::pi * (1 + 1e-9);
+  constexpr double longest = 1;  // from row to row
+  double largest = 0;
+  double step = 0;
+  Eigen::Array3d before = spline.value(spline.times()[0]);
+  for (const double time : spline.times()) {
+    const Eigen::Array3d angles = spline.value(time);
+    largest = std::max(largest, angles.abs().maxCoeff());
+    step = std::max(step, (angles - before).abs().maxCoeff());
+    before = angles;
+  }
+  if (!(largest > furthest || step > longest)) return {};
+  return detail::message(
+      "the angles go to {:.4g} rad and change by up to {:.3g} rad from row to "
+      "row: are they degrees that were taken for radians, or too few rows?",
+      largest, step);
+}
+
 }  // namespace
 
 std::vector<std::string> DutyCycle::notes(bool is_pin) const {
@@ -194,6 +214,10 @@ std::vector<std::string> DutyCycle::notes(bool is_pin) const {
         what, 100 * beyond));
   };
   add_overshoot("force", splines_->forces);
+  if (sequence_) {
+    const std::string note = angles_note(splines_->motion);
+    if (!note.empty()) notes.push_back(note);
+  }
   add_overshoot(sequence_ ? "angle" : "angular velocity", splines_->motion);
   if (closure_ > 0.1 * degree) {
     notes.push_back(detail::message(

@@ -86,8 +86,8 @@ class DutyCycle {
   double closure() const { return closure_; }
 
   /// Notes for the user, sentences without a full stop: on splines that go
-  /// beyond the rows by more than 1 % of their range, on turns that do not
-  /// close, and on a force along the axis of a pin.
+  /// beyond the rows by more than 1 % of their range, on angles above 2 pi or
+  /// more than 1 rad apart, on turns that do not close, and on a pin's axial R.
   std::vector<std::string> notes(bool is_pin) const;
 
   /// Gauss's rule of eight points in each interval of the times, of a pin four

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace contact::test {
@@ -104,6 +105,30 @@ TEST(CycleRows, WithoutSenseStayAsTheyAre) {
   rows.forces.pop_back();
   EXPECT_EQ(rows.make_one_period(), "");
   EXPECT_EQ(rows.times.size(), 6u);
+}
+
+// Angles beyond a turn, or far from row to row, may be degrees taken for
+// radians; those of rates are whatever they are.
+TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
+  const auto notes = [](double size, int count) {
+    DutyCycle::Rows rows = swing(count);
+    rows.period = count;
+    for (Vector3d& angles : rows.motion) angles *= size;
+    return DutyCycle(rows, {}, DutyCycle::TurnSequence("xyz")).notes(false);
+  };
+  EXPECT_TRUE(notes(1, 20).empty());
+  EXPECT_TRUE(notes(6.28, 50).empty());
+  EXPECT_EQ(notes(25, 100),
+            std::vector<std::string>(
+                {"the angles go to 25 rad and change by up to 1.57 rad from "
+                 "row to row: are they degrees that were taken for radians, "
+                 "or too few rows?"}));
+  EXPECT_EQ(notes(6.3, 100).size(), 1U);  // beyond a turn
+  EXPECT_EQ(notes(3.0, 16).size(), 1U);   // 1.15 rad from row to row
+  DutyCycle::Rows rates = swing(20);
+  rates.period = 20;
+  for (Vector3d& rate : rates.motion) rate *= 25;
+  EXPECT_TRUE(DutyCycle(rates, {}).notes(false).empty());
 }
 
 }  // namespace

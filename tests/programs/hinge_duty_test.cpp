@@ -492,9 +492,34 @@ TEST_F(HingeDuty, OpenSim) {
       "&& "
       "$1 != \"time\" {for (i = 5; i <= 7; ++i) $i *= atan2(0, -1)/180} "
       "{print}' data/duty/hip_cycle.sto > radians.mot");
-  EXPECT_NEAR(value(out(joint + columns + "radians.mot"), "energy_J") /
+  EXPECT_NEAR(value(out(joint + columns + "radians.mot 2> said"), "energy_J") /
                   value(expected, "energy_J"),
               1, 1e-14);
+  EXPECT_THAT(folder_.read("said"),
+              HasSubstr("radians.mot: no inDegrees in its head: angles are "
+                        "taken for radians"));
+}
+
+// Keys of OpenSim's heads in any case; degrees without the key are noted.
+TEST_F(HingeDuty, OpenSimKeysInAnyCase) {
+  const std::string f = "hip_on_leg_in_pelvis_f";
+  const std::string run =
+      "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --euler zxy "
+      "--force-columns " +
+      f + "x," + f + "y," + f +
+      "z --angle-columns hip_flexion_r,hip_adduction_r,hip_rotation_r --cycle ";
+  const std::string expected = out(run + "data/duty/hip_cycle.sto");
+  for (const char* key : {"InDegrees=YES", "indegrees=yes", " inDegrees = Yes ",
+                          "INDEGREES=yes"}) {
+    out("sed 's/^inDegrees=yes/" + std::string(key) +
+        "/' data/duty/hip_cycle.sto > key.sto");
+    EXPECT_EQ(out(run + "key.sto"), expected) << key;
+  }
+  out("grep -v '^inDegrees' data/duty/hip_cycle.sto > none.sto");
+  out(run + "none.sto 2> said");
+  EXPECT_THAT(folder_.read("said"), HasSubstr("no inDegrees in its head"));
+  EXPECT_THAT(folder_.read("said"),
+              HasSubstr("are they degrees that were taken for radians"));
 }
 
 TEST_F(HingeDuty, Picture) {

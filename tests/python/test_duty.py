@@ -320,7 +320,7 @@ class Identification(unittest.TestCase):
         self.assertEqual(fit.residual.shape, (3 * len(rate),))
 
     def test_with_a_drag_and_an_offset_gives_back_what_made_them(self):
-        joint, reaction, rate, _, sigma = self.arguments()
+        joint, reaction, rate, _, _ = self.arguments()
         truth = joint.replace(
             {"friction.coefficient": 0.2, "friction.adhesion_MPa": 1})
         solution = truth.solve(reaction, rate)
@@ -330,7 +330,7 @@ class Identification(unittest.TestCase):
         along = rate / size[:, None] @ (rate[0] / size[0])
         fit = libcontact.identify(
             joint, sense[:, None] * reaction, sense[:, None] * rate,
-            torque + 0.65 - 0.3 * sense * along, sigma=sigma,
+            torque + 0.65 - 0.3 * sense * along,
             parameters=["coefficient", "adhesion", "drag", "offset"])
         for name, value in (
             ("coefficient", 0.2), ("adhesion", 1e6), ("drag", 0.65),

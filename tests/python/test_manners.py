@@ -281,6 +281,35 @@ class Arguments(unittest.TestCase):
         with self.assertRaisesRegex(ValueError, "inhomogeneous"):
             hip.solve([[1, 2, 3], [1, 2]], [1, 0, 1])
 
+    def test_with_units_are_refused(self):
+        class Quantity:  # as pint's: NumPy takes its magnitude, as it is
+            units = "kilonewton"
+
+            def __init__(self, magnitude):
+                self.magnitude = magnitude
+
+            def to(self, unit):
+                return self
+
+            def __array__(self, dtype=None, copy=None):
+                return np.array(self.magnitude, float)
+
+        pin = libcontact.Joint.from_file(pin_file)
+        forces = np.ones((4, 3))
+        two = Quantity(2)
+        three = Quantity([0, 0, 2])
+        rows = Quantity(forces)
+        for call in (
+            lambda: hip.peak_pressure(two), lambda: hip.half_angle([two, two]),
+            lambda: hip.solve(three, [1, 0, 1]),
+            lambda: hip.solve([1, 0, 1], three),
+            lambda: hip.vary({"geometry.radius_mm": Quantity([1, 2])}),
+            lambda: hip.cycle(range(4), rows, rates=forces),
+            lambda: pin.cycle(range(4), forces, angles=Quantity([1] * 4)),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(TypeError, "a quantity with a unit"):
+                call()
+
     def test_of_all_kinds_of_numbers_are_taken(self):
         exact = hip.half_angle([1.0, 1.0])
         for ones in (

@@ -120,7 +120,7 @@ void name_sto_columns(const Options& options, bool is_pin,
                          contact::detail::duplicate("column", name));
   }
   columns.is_angles = true;
-  if (!columns.sto->in_degrees) columns.angle_unit = 1;
+  if (!columns.sto->in_degrees.value_or(false)) columns.angle_unit = 1;
 }
 
 void name_csv_columns(const Options& options, bool is_pin,
@@ -146,6 +146,11 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
   CycleColumns columns;
   if (is_sto(options.cycle)) {
     columns.sto = read_sto_header(reader);
+    if (!columns.sto->in_degrees) {
+      cli::warn("hinge-duty", reader.name() +
+                                  ": no inDegrees in its head: angles are "
+                                  "taken for radians");
+    }
     columns.header = columns.sto->columns;
     name_sto_columns(options, is_pin, columns);
   } else {

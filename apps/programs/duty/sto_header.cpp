@@ -11,16 +11,27 @@
 namespace hinge_duty {
 namespace {
 
+std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t";
+  text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
+  return text.substr(0, text.find_last_not_of(blank) + 1);
+}
+
+bool alike(std::string_view a, std::string_view b) {
+  const auto lower = [](char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  };
+  return std::ranges::equal(a, b, {}, lower, lower);
+}
+
 // The text behind "KEY=" or nothing.
 std::optional<std::string_view> value_of(std::string_view line,
                                          std::string_view key) {
   const std::size_t at = line.find('=');
-  std::string_view found = line.substr(0, at);
-  found = found.substr(0, found.find_last_not_of(" \t") + 1);
-  if (at == line.npos || found != key) return {};
-  std::string_view value = line.substr(at + 1);
-  value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size()));
-  return value.substr(0, value.find_last_not_of(" \t") + 1);
+  if (at == line.npos || !alike(trimmed(line.substr(0, at)), key)) {
+    return {};
+  }
+  return trimmed(line.substr(at + 1));
 }
 
 double count_of(std::string_view key, std::string_view text,
@@ -32,7 +43,7 @@ double count_of(std::string_view key, std::string_view text,
 }
 
 bool yes_or_no(std::string_view text, const std::string& place) {
-  if (text == "yes" || text == "no") return text == "yes";
+  if (alike(text, "yes") || alike(text, "no")) return alike(text, "yes");
   throw contact::Error(contact::detail::must_be(
       fmt::format("{}: inDegrees = {}", place, text), "yes or no"));
 }
@@ -64,6 +75,10 @@ StoHeader read_sto_header(cli::LineReader& reader) {
   header.columns = cli::read_header(reader);
   std::string& names = header.columns.line;
   const auto found = 1 + std::ranges::count(names, '\t');
+  if (found == 1) {
+    cli::refuse_without(header.columns.place + ": a line of names",
+                        "tabs between them");
+  }
   if (columns && *columns != static_cast<double>(found)) {
     throw contact::Error(contact::detail::must_be(
         fmt::format("{}: nColumns = {}", header.columns.place, *columns),

@@ -8,10 +8,11 @@
 
 namespace hinge_duty {
 
-/// The head of an OpenSim table (.sto, .mot): lines `key=value`, `endheader`,
-/// the names of the columns with tabs.
+/// The head of an OpenSim table (.sto, .mot): lines `key=value`, keys in any
+/// case, `endheader`, the names of the columns with tabs.
 struct StoHeader {
-  bool in_degrees = false;  ///< as OpenSim reads old files without inDegrees
+  /// inDegrees; without it radians, as OpenSim reads old files.
+  std::optional<bool> in_degrees;
   std::optional<double> rows;
   cli::PointHeader columns;  ///< with commas
 };

@@ -185,7 +185,8 @@ class Joint(FileText, _core.Joint):
         time: s, (n,), ascending.
         force: N, (n, 3); on "body" or "carrier" and in the axes of either.
         angles: rad, (n, 3), intrinsic rotations of the body about the axes of
-            `sequence`, "zxy" or another; of a pin (n,), about z.
+            `sequence`, "zxy" or another; of a pin (n,), about z. Columns of a
+            DataFrame whose names end in _deg are degrees.
         rates: instead of it, Dw in axes of the carrier, rad/s, (n, 3).
         period: s; of even times it may be left out.
 
@@ -194,6 +195,8 @@ class Joint(FileText, _core.Joint):
         if (angles is None) == (rates is None):
             raise _core.Error("a cycle requires angles or rates")
         motion = _core._numbers(rates if angles is None else angles)  # type: ignore
+        if angles is not None:
+            motion = _in_radians(motion, angles)
         if angles is not None and self.kind == "pin":
             motion = np.stack([motion, 0 * motion, 0 * motion], axis=-1)
             sequence = "z"
@@ -204,6 +207,17 @@ class Joint(FileText, _core.Joint):
         return Cycle(
             self, time, force, motion, sequence, period, force_on, force_in,
         )  # fmt: skip
+
+
+def _in_radians(
+    angles: NDArray[np.float64], given: object
+) -> NDArray[np.float64]:
+    """Those of a DataFrame's columns, or a Series, whose names end in _deg."""
+    names = getattr(given, "columns", [getattr(given, "name", None)])
+    is_degree = [str(name).endswith("_deg") for name in names]
+    if not any(is_degree):
+        return angles
+    return angles * np.where(is_degree, np.pi / 180, 1.0)
 
 
 class Wear:
@@ -339,8 +353,10 @@ def identify(
     angular_velocity: Dw, body against carrier, rad/s, (..., 3).
     moment: that turns the joint, -M_t . Dw/|Dw|, N m, (...); or M_t on the
         body, (..., 3).
-    sigma: standard errors of the moments; their ratios alone count.
-    parameters: of "coefficient", "adhesion" (Pa), "clearance" (m).
+    sigma: standard errors of the moments; 1: not known. Their ratios alone
+        count.
+    parameters: of "coefficient", "adhesion" (Pa), "clearance" (m), "drag" (N m,
+        whatever the load is), "offset" (N m, does not turn round with Dw).
     huber: Huber's loss: a few wrong data do no harm.
     profile: intervals by refitting too.
     level: probability of the intervals.
