@@ -51,7 +51,9 @@ double load_at(JointKind kind, const Relation& relation, double half_angle) {
 ///
 /// which is 1 where theta0 = x (s = 0) and where theta0 = limit (s = 1), and
 /// smooth between. Within 1e-8 for usual pairs, so that one point of the
-/// relation corrects it to rounding.
+/// relation corrects it to rounding. Always between the half-angles of the
+/// nodes on either side: theta0 grows with the load, but of thin free rings by
+/// so much between two nodes that the cubic leaves (0, limit).
 class HalfAngleStart {
  public:
   /// @param limit  the half-angle at which the load is infinite, or where the
@@ -76,7 +78,9 @@ class HalfAngleStart {
     const double second = rise - b.slope;
     const double h =
         a.value + t * (rise + (1 - t) * ((1 - t) * first + t * second));
-    return std::min(limit_ * s * h, limit_);
+    const double from = i / per_s_ * a.value;
+    const double to = (i + 1) / per_s_ * b.value;
+    return std::min(limit_ * std::max(from, std::min(s * h, to)), limit_);
   }
 
  private:
@@ -107,6 +111,9 @@ HalfAngleResult solve_half_angle(JointKind kind, const Relation& relation,
   double low = 0;
   double high = limit;
   double theta = start(x);
+  // R of a pin is even in theta0: from below 0 it would lead to the mirror
+  // root.
+  if (!(theta > 0 && theta <= limit)) theta = limit / 2;
   // The point before: residual R, 1/R', F', Newton's step.
   double last_theta = 0, last_residual = 0, last_inverse = 0, last_slope = 0;
   double last_step = 0;

@@ -5,6 +5,7 @@
 #include <thread>
 #include <vector>
 
+#include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
@@ -383,6 +384,51 @@ TEST(WalledExactLaw, ApproachOfTheReferenceBalls) {
 
 TEST(WalledExactLaw, ApproachOfTheReferencePins) {
   compare_approach("walls/walls_pin.csv", JointKind::pin);
+}
+
+// Thin rings turn from a contact of their edge strip to one all over within a
+// few per cent of the load: the cubic that starts Newton's steps must not lead
+// to the root of the other sign, nor to the limit.
+TEST(WalledExactLaw, HalfAngleGrowsWithTheLoad) {
+  // Moduli of ring over pin: polymer, bronze, steel; a soft pin.
+  const Material rings[] = {{0.01, 0.4}, {0.5, 0.34}, {1, 0.3}, {50, 0.3}};
+  const auto expect = [](JointKind kind, const LayeredPair& pair,
+                         const std::string& label) {
+    const ExactLaw law(kind, pair);
+    // The factor between the loads is that over which the worst of them turn.
+    double before = 0;
+    for (double load = 1e-11; load < 1e2; load *= 1.05) {
+      const HalfAngleResult at = law.half_angle(load);
+      ASSERT_EQ(at.status, Status::ok) << label << ", load " << load;
+      // (At the limit to rounding.)
+      ASSERT_GE(at.half_angle, before * (1 - 1e-12))
+          << label << ", load " << load;
+      before = at.half_angle;
+      if (law.limit_half_angle() - before < 1e-6) continue;
+      ASSERT_NEAR(law.load_parameter(before).load_parameter / load, 1, 1e-9)
+          << label << ", load " << load;
+    }
+  };
+  for (const double t : {0.012, 0.02, 0.03, 0.045, 0.06, 0.08, 0.1}) {
+    for (const Material& ring : rings) {
+      const LayeredBody pin{{}, Backing::medium({1, 0.3})};
+      for (const Backing& backing :
+           {Backing::held(), Backing::rigid(), Backing::medium({1, 0.3})}) {
+        const LayeredPair pair(1, pin, {{{t, ring}}, backing});
+        expect(JointKind::pin, pair,
+               detail::message("pin, t {}, E {}, backing {}", t,
+                               ring.youngs_modulus,
+                               static_cast<int>(backing.kind())));
+      }
+      const LayeredPair lined(
+          1, pin, {{{t / 4, {0.02, 0.4}}, {t, ring}}, Backing::held()});
+      expect(JointKind::pin, lined,
+             detail::message("lined pin, t {}, E {}", t, ring.youngs_modulus));
+    }
+    const LayeredPair seat(1, Material{1, 0.3},
+                           {{{t, {0.5, 0.34}}}, Backing::held()});
+    expect(JointKind::ball, seat, detail::message("ball, t {}", t));
+  }
 }
 
 TEST(WalledExactLaw, SmallLoadsAreHertzian) {
