@@ -53,6 +53,15 @@ JointSolution not_a_number(Status status, const Vector3d& reaction) {
   return s;
 }
 
+// The solution, or none: laws of half-angle and pressure may end at different
+// half-angles, and say nothing of larger ones.
+JointSolution with_numbers(const JointSolution& s) {
+  const bool is_known =
+      std::isfinite(s.half_angle) && s.friction_force.allFinite() &&
+      s.friction_moment.allFinite() && !std::isnan(s.peak_pressure);
+  return is_known ? s : not_a_number(Status::out_of_range, s.reaction);
+}
+
 // Sets the quantities that depend on R_n and theta0 alone.
 void set_contact(JointSolution& s, const JointContact& contact, double force,
                  double half_angle, JointContact::Strength strength) {
@@ -75,7 +84,7 @@ JointSolution resting_solution(const JointContact& contact,
   const bool loaded = force.length > 0;
   const HalfAngleResult half_angle = contact.half_angle(force.length);
   if (half_angle.status != Status::ok) {
-    return not_a_number(half_angle.status, reaction);
+    return not_a_number(Status::out_of_range, reaction);
   }
   JointSolution s;
   s.status = Status::ok;
@@ -91,7 +100,7 @@ JointSolution resting_solution(const JointContact& contact,
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = 0;
   set_contact(s, contact, force.length, half_angle.half_angle,
               contact.strength(0));
-  return s;
+  return with_numbers(s);
 }
 
 // Sliding under interference alone: closed all round, every axis alike.
@@ -107,7 +116,7 @@ JointSolution without_load(const JointContact& contact, const Polar& spin) {
   s.sliding_coefficient = infinity;
   set_contact(s, contact, 0, contact.half_angle(0).half_angle,
               contact.strength(spin.length));
-  return s;
+  return with_numbers(s);
 }
 
 // The contact in the plane that Dw sees along itself: d is the direction of
@@ -168,8 +177,9 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   const SlipEquation equation(contact_, spin.length, force.length,
                               {sin_b, std::abs(cos_b)});
   const SlipRoot root = solve_slip(equation, last, options);
-  if (root.status == Status::out_of_range) {
-    return not_a_number(root.status, reaction);
+  if (root.status == Status::out_of_range ||
+      root.point.half_angle.status != Status::ok) {
+    return not_a_number(Status::out_of_range, reaction);
   }
 
   JointSolution s;
@@ -193,7 +203,7 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
   set_vectors(s, contact_, frame, spin.length, force.length * sin_g);
-  return s;
+  return with_numbers(s);
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
@@ -212,7 +222,7 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   }
   const HalfAngleResult half_angle = contact_.half_angle(force.length);
   if (half_angle.status != Status::ok) {
-    return not_a_number(half_angle.status, normal_force);
+    return not_a_number(Status::out_of_range, normal_force);
   }
   const Vector3d& w = spin.direction;
   const Vector3d cross = w.cross(force.direction);
@@ -243,7 +253,7 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   // cos b = sin a cos g; sin b is the length of what R has normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
-  return s;
+  return with_numbers(s);
 }
 
 double JointSolution::moment_coefficient() const {

@@ -3,20 +3,29 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <filesystem>
+#include <limits>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "c/door.hpp"
 #include "c/expect_table.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/tables.hpp"
+#include "libcontact/tracking/joint_tracker.hpp"
 
 namespace {
 
 using contact::Joint;
+using contact::JointSpec;
 using contact::test::c_joint;
 using contact::test::CJoint;
 using contact::test::expect_table;
 
+constexpr double infinity = std::numeric_limits<double>::infinity();
+const Eigen::Matrix3d identity = Eigen::Matrix3d::Identity();
 const std::string hip = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
 const std::string pressed = CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
 
@@ -77,6 +86,102 @@ TEST(CQuantities, OfRatingsAreThoseOfCpp) {
                contact_rating_quantity, [&](const char* key, double* to) {
                  return contact_rating_get(c.get(), &slip, &s, key, to);
                });
+}
+
+// Joints whose laws end where loads do not, each pair of laws that a ball and a
+// pin may have, and those of the files.
+std::vector<JointSpec> joints_that_end() {
+  const contact::Material rigid{infinity, 0};
+  const contact::Material rubber{5e8, 0.5};
+  const contact::Material steel{2.1e11, 0.3};
+  const contact::LayeredBody lined{{{7.5e-4, rubber}},
+                                   contact::Backing::rigid()};
+  const contact::LayeredBody ring{{{4.5e-4, steel}}, contact::Backing::held()};
+  const contact::FrictionLaw friction(0.1, 1e3);
+  const auto ball = contact::JointGeometry::ball(0.01, 2e-5);
+  const auto pin = contact::JointGeometry::pin(0.01, 2e-5, 0.02);
+  std::vector<JointSpec> all = {
+      {.geometry = pin.with_clearance(0),
+       .inner = rigid,
+       .outer = lined,
+       .friction = friction},
+      {.geometry = pin, .inner = rigid, .outer = lined, .friction = friction},
+      {.geometry = pin, .inner = steel, .outer = ring, .friction = friction},
+      {.geometry = ball,
+       .inner = rubber,
+       .outer = rigid,
+       .friction = friction,
+       .half_angle_law = "exact"}};
+  for (const auto& geometry : {ball, pin}) {
+    for (const std::string& half_angle : contact::half_angle_law_names()) {
+      for (const std::string& pressure : contact::pressure_law_names()) {
+        all.push_back({.geometry = geometry,
+                       .inner = steel,
+                       .outer = {{1e11, 0.34}},
+                       .friction = friction,
+                       .half_angle_law = half_angle,
+                       .pressure_law = pressure});
+      }
+    }
+  }
+  for (const auto& entry :
+       std::filesystem::directory_iterator(CONTACT_DATA_DIR "/joints")) {
+    all.push_back(contact::read_joint(entry.path()));
+  }
+  return all;
+}
+
+template <class T>
+void expect_numbers(std::span<const contact::Quantity<T>> all, const T& of,
+                    const std::string& label) {
+  for (const contact::Column<T>& column : contact::columns_of(all)) {
+    const auto* q = column.quantity;
+    if (q->exists && !q->exists(of)) continue;
+    EXPECT_FALSE(std::isnan(column(of))) << label << ", " << column.name;
+  }
+}
+
+// Whoever looks at the status may use the numbers: what is not known is not ok.
+TEST(Quantities, AreNumbersWhereTheStatusIsOk) {
+  using contact::Status;
+  using Eigen::Vector3d;
+  const Vector3d z = Vector3d::UnitZ();
+  int without = 0;
+  for (const JointSpec& spec : joints_that_end()) {
+    const Joint joint(spec);
+    const bool falls = !joint.contact().rest_refusal().empty();
+    contact::JointTracker tracker({joint.contact()});
+    for (double load = 1e-9; load < 1e13; load *= 20) {
+      const std::string label =
+          spec.canonical_text() + "under " + std::to_string(load);
+      const Vector3d reaction(load, 0, joint.is_pin() ? 0 : 0.3 * load);
+      for (const double rate : {0.0, 0.1}) {
+        for (const auto& s : {joint.solve({reaction, rate * z, z}),
+                              joint.solve_contact({reaction, rate * z, z})}) {
+          without += s.status != Status::ok;
+          if (s.status != Status::ok) continue;
+          expect_numbers(contact::solution_quantities(), s, label);
+          const contact::SlidingContact sliding(joint.contact(), s, rate * z);
+          expect_numbers(contact::rating_quantities(), sliding.rating(), label);
+          if (rate == 0 || joint.contact().stress()) continue;
+          tracker.start(0, s, rate * z);
+          EXPECT_TRUE(tracker.moment(0).allFinite()) << label;
+        }
+        const auto step =
+            contact::step(joint, {reaction, rate * z, z, z}, 1e-3 * identity);
+        if (step.status == Status::ok) {
+          expect_numbers(contact::step_quantities(), step, label);
+        }
+      }
+      if (falls) continue;
+      const auto rest = joint.at_rest({reaction, 1e-3 * load * z, z});
+      if (rest.status == Status::ok) {
+        expect_numbers(contact::rest_quantities(), rest, label);
+      }
+    }
+  }
+  // As many have none.
+  EXPECT_GT(without, 100);
 }
 
 TEST(CQuantities, RefuseWhatIsNotThere) {
