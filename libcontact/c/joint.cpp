@@ -175,10 +175,11 @@ contact_status contact_joint_normal_force(const contact_joint* joint,
         const contact::LoadScale scale(contact.geometry(), contact.pair());
         double& force =
             given(normal_force, "contact_joint_normal_force: normal_force");
-        force = contact.geometry().force_from_load(
-            scale.load(contact.half_angle_law()
-                           .load_parameter(half_angle)
-                           .load_parameter));
+        const auto& geometry = contact.geometry();
+        const auto& law = contact.half_angle_law();
+        force = geometry.force_from_load(
+            scale.load(law.load_parameter(half_angle).load_parameter /
+                       law.load_factor(geometry.relative_clearance())));
         // Half-angles of another sign of the clearance.
         if (force < 0) force = std::numeric_limits<double>::quiet_NaN();
         return status_of({force}, "contact_joint_normal_force: half_angle",

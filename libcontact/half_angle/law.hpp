@@ -59,6 +59,13 @@ class HalfAngleLaw {
   virtual LoadParameterResult load_parameter(
       double half_angle) const noexcept = 0;
 
+  /// Factor of a joint's load parameter where this law takes it, for
+  /// ebar = eps/rho: 1, and 1 + ebar of Hertz', whose relative curvature is
+  /// that of both radii, eps/(rho^2 (1 + ebar)).
+  virtual double load_factor(double /*relative_clearance*/) const noexcept {
+    return 1;
+  }
+
   /// Largest half-angle of the law with a clearance, rad.
   virtual double limit_half_angle() const noexcept = 0;
 

@@ -54,7 +54,9 @@ class LimitHalfAngle {
 
 /// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.
 ///
-/// Exact as the load tends to 0; already 5 % too large at lambda = 0.03.
+/// Exact as the load tends to 0, at any clearance where x is that of both radii
+/// (load_factor()), which the paper leaves out; already 5 % too large at
+/// lambda = 0.03.
 /// Accuracy: relative error at most 1e-15 both ways, x -> 1 included
 /// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class HertzLaw : public HalfAngleLaw {
@@ -64,6 +66,9 @@ class HertzLaw : public HalfAngleLaw {
   std::string name() const override { return "hertz"; }
   HalfAngleResult half_angle(double load_parameter) const noexcept override;
   LoadParameterResult load_parameter(double half_angle) const noexcept override;
+  double load_factor(double relative_clearance) const noexcept override {
+    return 1 + relative_clearance;
+  }
   double limit_half_angle() const noexcept override;
   std::vector<std::string> validity_notes(
       const ElasticPair& pair) const override;

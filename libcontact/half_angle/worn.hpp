@@ -40,6 +40,9 @@ class WornHalfAngle final : public HalfAngleLaw {
   std::string name() const override { return law_->name() + "_worn"; }
   HalfAngleResult half_angle(double load_parameter) const noexcept override;
   LoadParameterResult load_parameter(double half_angle) const noexcept override;
+  double load_factor(double relative_clearance) const noexcept override {
+    return law_->load_factor(relative_clearance);
+  }
   double limit_half_angle() const noexcept override;
   std::vector<std::string> validity_notes(
       const ElasticPair& pair) const override;

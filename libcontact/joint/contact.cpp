@@ -113,6 +113,7 @@ JointContact JointContact::with_clearance(double radial_clearance) const {
 void JointContact::set_clearance(const JointGeometry& geometry) {
   geometry_ = geometry;
   unit_force_ = force_at_load_parameter_one(geometry_, pair_);
+  load_factor_ = half_angle_law_->load_factor(geometry_.relative_clearance());
   lift_off_force_ = 0;
   check_clearance();
   // Makes the tables of interference too, so that no solution has to.

@@ -149,7 +149,8 @@ class JointContact {
   }
   /// theta0 of the half-angle law.
   HalfAngleResult half_angle(double normal_force) const noexcept {
-    return half_angle_law_->half_angle(load_parameter(normal_force));
+    return half_angle_law_->half_angle(load_factor_ *
+                                       load_parameter(normal_force));
   }
 
   /// Arguments of a friction stress beside half-angle and slip axis.
@@ -243,7 +244,8 @@ class JointContact {
   std::shared_ptr<const HalfAngleLaw> half_angle_law_;
   std::shared_ptr<const PressureLaw> pressure_law_;
   std::vector<std::string> notes_;
-  double unit_force_;  // R_n at load parameter 1, of eps' sign
+  double unit_force_;   // R_n at load parameter 1, of eps' sign
+  double load_factor_;  // of the half-angle law
   double lift_off_force_ = 0;
   double unit_pressure_area_;  // rho^2 or rho l
 };

@@ -13,12 +13,9 @@ double hertz_peak_over_nominal(JointKind kind, double half_angle) noexcept {
 
 double hertz_peak_pressure(const JointGeometry& geometry, double load,
                            double half_angle) noexcept {
-  const double radii = 1 + geometry.relative_clearance();
-  const double shrink = geometry.kind() == JointKind::ball
-                            ? std::cbrt(radii * radii)
-                            : std::sqrt(radii);
   return hertz_peak_over_nominal(geometry.kind(), half_angle) *
-         geometry.nominal_pressure(geometry.force_from_load(load)) / shrink;
+         geometry.pressure_unit(load) /
+         (geometry.kind() == JointKind::ball ? std::numbers::pi : 2);
 }
 
 }  // namespace contact

@@ -7,12 +7,13 @@ namespace contact {
 /// Hertz' own peak pressure, Pa, of a ball of radius rho in a seat or a pin in
 /// a hole of radius rho + eps:
 ///
-///     ball:  3 R_n/(2 pi a^2),  a = rho sin(theta0) (1 + ebar)^(1/3)
-///     pin:   2 P/(pi a),        a = rho sin(theta0) (1 + ebar)^(1/2)
+///     ball:  3 R_n/(2 pi a^2)
+///     pin:   2 P/(pi a),        a = rho sin(theta0)
 ///
-/// with the theta0 of HertzLaw, which leaves (1 + ebar) out, as the paper does.
-/// Hertz takes the contact for flat: the load that the pressure carries is that
-/// of its projection. 7 % below the exact peak at 19 deg (steel on bronze).
+/// with the theta0 of HertzLaw at the joint's load parameter times its
+/// load_factor(). Hertz takes the contact for flat: the load that the pressure
+/// carries is that of its projection. 7 % below the exact peak at 19 deg (steel
+/// on bronze).
 ///
 /// Accuracy: relative error at most 1e-15 (pressure/family_test.cpp, against
 /// Hertz' formulas in the two radii).
@@ -21,8 +22,8 @@ namespace contact {
 double hertz_peak_pressure(const JointGeometry& geometry, double load,
                            double half_angle) noexcept;
 
-/// The same over the nominal pressure, for ebar -> 0: 3/(2 sin^2 theta0) of a
-/// ball, 4/(pi sin theta0) of a pin.
+/// The same over the nominal pressure of a seat without end: 3/(2 sin^2 theta0)
+/// of a ball, 4/(pi sin theta0) of a pin.
 double hertz_peak_over_nominal(JointKind kind, double half_angle) noexcept;
 
 }  // namespace contact

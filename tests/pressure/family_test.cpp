@@ -688,25 +688,29 @@ TEST(HertzPeakPressure, IsThatOfBothRadii) {
   const Real& pi50 = boost::math::constants::pi<Real>();
   // Roundings of the load parameter, of theta0 and of the peak.
   AccuracyReport error("hertz_peak_pressure", 2e-15);
+  AccuracyReport width("rho sin(theta0)", 2e-15);
   const auto compare = [&](const JointGeometry& joint, double load,
-                           const Real& expected) {
+                           const Real& half_width, const Real& expected) {
+    const HertzLaw law(joint.kind());
     const double theta0 =
-        HertzLaw(joint.kind())
-            .half_angle(LoadScale(joint, pair).load_parameter(load))
+        law.half_angle(law.load_factor(joint.relative_clearance()) *
+                       LoadScale(joint, pair).load_parameter(load))
             .half_angle;
+    width.add(sin(Real(theta0)) * joint.radius(), half_width,
+              to_string(joint.kind()));
     error.add(Real(hertz_peak_pressure(joint, load, theta0)), expected,
               to_string(joint.kind()));
   };
   const double radius = 0.25;
-  for (const double clearance : {1. / 65536, 1. / 1024, 1. / 128}) {
+  for (const double clearance : {1. / 65536, 1. / 1024, 1. / 128, 1. / 8}) {
     const Real curvature =
         1 / Real(radius) - 1 / (Real(radius) + Real(clearance));
     for (const double load : {1.0, 1024.0, 65536.0}) {
       const Real a = cbrt(3 * load / (4 * modulus * curvature));
-      compare(JointGeometry::ball(radius, clearance), load,
+      compare(JointGeometry::ball(radius, clearance), load, a,
               3 * load / (2 * pi50 * a * a));
       const Real b = sqrt(4 * load / (pi50 * modulus * curvature));
-      compare(JointGeometry::pin(radius, clearance, 0.5), load,
+      compare(JointGeometry::pin(radius, clearance, 0.5), load, b,
               2 * load / (pi50 * b));
     }
   }

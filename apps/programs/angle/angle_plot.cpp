@@ -95,14 +95,16 @@ cli::Curve curve_of(const NamedLaw& law, const cli::Joint& joint,
     if (input.inverse) {
       curve.x.push_back(loads.convert(
           LoadVariable::load_parameter,
-          law.law->load_parameter(value * contact::degree).load_parameter,
+          law.law->load_parameter(value * contact::degree).load_parameter /
+              loads.factor(*law.law),
           input.variable));
       curve.y.push_back(value);
     } else {
       curve.x.push_back(value);
       curve.y.push_back(
           law.law
-              ->half_angle(loads.convert(input.variable, value,
+              ->half_angle(loads.factor(*law.law) *
+                           loads.convert(input.variable, value,
                                          LoadVariable::load_parameter))
               .half_angle /
           contact::degree);

@@ -170,7 +170,9 @@ void AngleTable::write_load_row(double load, cli::RowWriter& row,
   RowCount count(findings);
   Cell of_preload{};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    const contact::HalfAngleResult result = laws_[i].law->half_angle(parameter);
+    const contact::HalfAngleLaw& law = *laws_[i].law;
+    const contact::HalfAngleResult result =
+        law.half_angle(parameter * loads_.factor(law));
     count.add(i, result.status);
     row.number(result.half_angle / contact::degree);
     const Cell cell{result.half_angle, parameter, force};
@@ -188,8 +190,9 @@ void AngleTable::write_half_angle_row(double theta0_deg, cli::RowWriter& row,
   RowCount count(findings);
   Cell of_preload{};
   for (std::size_t i = 0; i < laws_.size(); ++i) {
-    contact::LoadParameterResult result =
-        laws_[i].law->load_parameter(half_angle);
+    const contact::HalfAngleLaw& law = *laws_[i].law;
+    contact::LoadParameterResult result = law.load_parameter(half_angle);
+    result.load_parameter /= loads_.factor(law);
     // Half-angles of another sign of the clearance. Without clearance there is
     // one, which every load makes.
     if (loads_.have_load() && !loads_.makes(result.load_parameter)) {

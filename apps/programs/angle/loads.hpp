@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/joint/joint_options.hpp"
+#include "libcontact/half_angle/law.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 
 namespace hinge_angle {
@@ -45,6 +46,10 @@ class Loads {
   /// sign, and none without clearance.
   bool makes(double load_parameter) const {
     return geometry_.radial_clearance() != 0 && law_load(load_parameter) >= 0;
+  }
+  /// Factor of load parameters where a law takes them.
+  double factor(const contact::HalfAngleLaw& law) const {
+    return scale_ ? law.load_factor(geometry_.relative_clearance()) : 1;
   }
   /// Nominal pressure, Pa.
   double nominal_pressure(double load_parameter) const {
