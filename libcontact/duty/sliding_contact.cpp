@@ -145,7 +145,7 @@ SlidingContact::Rating SlidingContact::rating() const noexcept {
           .heat_flux = found.heat_flux,
           .pv_mean = pv_mean(),
           .pv_nominal = pv_nominal(),
-          .nominal_area = 1 / contact_->geometry().nominal_pressure(1),
+          .nominal_area = contact_->geometry().nominal_area(),
           .pv_total = pv_total(),
           .heat = heat(),
           .slip_coefficient = slip_coefficient(),

@@ -37,7 +37,7 @@ class SlidingContact {
     Peak heat_flux;           ///< largest, W/m^2
     double pv_mean;           ///< W/m^2
     double pv_nominal;        ///< W/m^2
-    double nominal_area;      ///< projected: pi rho^2 or 2 rho l, m^2
+    double nominal_area;      ///< JointGeometry's, m^2
     double pv_total;          ///< integral of p |v|, W
     double heat;              ///< W
     double slip_coefficient;  ///< L

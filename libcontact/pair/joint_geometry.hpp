@@ -90,14 +90,15 @@ class JointGeometry {
     return kind_ == JointKind::ball ? load / radius_ / radius_ : load / radius_;
   }
 
-  /// The force over the projected area, Pa: F/(pi rho1^2) of a ball, F/(2 rho1
-  /// length) of a pin. Catalogues of spherical plain bearings have another
-  /// area.
-  double nominal_pressure(double force) const {
-    return kind_ == JointKind::ball
-               ? force / (std::numbers::pi * radius_ * radius_)
-               : force / (2 * radius_ * length_);
+  /// The projected area of catalogues, m^2: 2 rho1 length of a pin, pi rho1^2
+  /// of a ball, of a seat that ends SeatZone::nominal_area().
+  double nominal_area() const {
+    if (seat_) return seat_->nominal_area(radius_);
+    return kind_ == JointKind::ball ? std::numbers::pi * radius_ * radius_
+                                    : 2 * radius_ * length_;
   }
+  /// The force over nominal_area(), Pa.
+  double nominal_pressure(double force) const { return force / nominal_area(); }
 
   /// Notes where the joint leaves the range of the theory, one sentence each;
   /// empty inside it. The theory is of first order in eps/rho1: a note above

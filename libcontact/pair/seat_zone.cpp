@@ -63,6 +63,15 @@ SeatZone SeatZone::drawn() const {
   return other;
 }
 
+double SeatZone::nominal_area(double radius) const {
+  const double square = radius * radius;
+  if (from_ < pi / 2 && to_ > pi / 2) {
+    return 2 * square * (std::cos(from_) - std::cos(to_));
+  }
+  // sin^2 a - sin^2 b
+  return pi * square * std::abs(std::sin(to_ + from_) * std::sin(to_ - from_));
+}
+
 SeatZone SeatZone::with_edge(const SeatEdge& edge) const {
   detail::require(edge.radius >= 0 && std::isfinite(edge.radius), "seat",
                   "edge_radius", edge.radius, "at least 0 m and finite");

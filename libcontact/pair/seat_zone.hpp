@@ -76,6 +76,12 @@ class SeatZone {
   /// the middle that is about to reach one; infinite without rims.
   double reach() const;
 
+  /// The area that catalogues put beneath a load, m^2: of a zone on both sides
+  /// of its equator the ball's diameter times the width along the axis, else
+  /// (cups, thrust bearings) its projection along the axis; of drawn().
+  /// @param radius  rho of the ball, m
+  double nominal_area(double radius) const;
+
   /// Whether pressures on the zone can carry a load in this direction: whether
   /// it lies inside the convex cone of the zone. A zone with points on both
   /// sides of its equator carries every load, one on a side of it only loads

@@ -25,9 +25,8 @@ constexpr Quantity<Patch> of_patch[] = {
      },
      "", has_half_angle},
     {"nominal_pressure", "p_nominal", Dimension::stress,
-     "force over the projected area, pi rho^2 of a ball, 2 rho l of a pin; "
-     "catalogues of spherical plain bearings take ball diameter times width "
-     "of the ring",
+     "force over the area of catalogues: pi rho^2 of a ball, of a seat that "
+     "is a ring ball diameter times its width, 2 rho l of a pin",
      [](const Patch& p) {
        return p.contact.geometry().nominal_pressure(p.normal_force);
      }},
@@ -137,7 +136,7 @@ constexpr Quantity<Rating> of_rating[] = {
      "p_nominal times rho |Dw|: p v as in catalogues",
      [](const Rating& r) { return r.pv_nominal; }},
     {"nominal_area", "", Dimension::area,
-     "projected area of p_nominal: pi rho^2 or 2 rho L",
+     "area of p_nominal: pi rho^2, diameter times width of a ring, or 2 rho L",
      [](const Rating& r) { return r.nominal_area; }},
     {"pv_total", "", Dimension::power, "integral of p v over the contact",
      [](const Rating& r) { return r.pv_total; }},

@@ -284,16 +284,7 @@ RoundedRim SeatContact::rounded_rim(double intensity, double radius) const {
           std::pow(1.880 * intensity * radius / modulus, 2.0 / 3)};
 }
 
-double SeatContact::nominal_area() const {
-  const double square = radius_ * radius_;
-  const SeatZone drawn = zone_.drawn();
-  const double from = drawn.from(), to = drawn.to();
-  if (from < pi / 2 && to > pi / 2) {
-    return 2 * square * (std::cos(from) - std::cos(to));
-  }
-  // sin^2 a - sin^2 b
-  return pi * square * std::abs(std::sin(to + from) * std::sin(to - from));
-}
+double SeatContact::nominal_area() const { return zone_.nominal_area(radius_); }
 
 std::string SeatContact::note(const SeatState& state) const {
   switch (state.status) {

@@ -208,9 +208,7 @@ class SeatContact {
   /// on, and of a rim that is rounded too much for rounded_rim().
   std::vector<std::string> notes(const SeatState& state) const;
 
-  /// The area that catalogues put beneath a load, m^2: of a zone on both sides
-  /// of its equator the ball's diameter times the width along the axis, else
-  /// (cups, thrust bearings) its projection along the axis.
+  /// SeatZone::nominal_area(), m^2.
   double nominal_area() const;
 
   const SeatZone& zone() const { return zone_; }

@@ -188,6 +188,14 @@ TEST(JointGeometry, NominalPressureIsThatOfTheProjectedArea) {
   EXPECT_DOUBLE_EQ(JointGeometry::ball(0.5, 1e-3).nominal_pressure(3),
                    12 / std::numbers::pi);
   EXPECT_DOUBLE_EQ(JointGeometry::pin(0.5, 1e-3, 2).nominal_pressure(3), 1.5);
+  // d_k C of a GE 50; cups along their axis.
+  const auto ball = JointGeometry::ball(0.033, 1e-5);
+  EXPECT_DOUBLE_EQ(
+      ball.with_seat(SeatZone::ring(0.028, 0.033)).nominal_pressure(1e5),
+      1e5 / (0.066 * 0.028));
+  EXPECT_DOUBLE_EQ(
+      ball.with_seat(SeatZone::cup(std::numbers::pi / 6)).nominal_pressure(1e5),
+      1e5 / (std::numbers::pi * 0.0165 * 0.0165));
 }
 
 TEST(LoadScale, AgreesWithFiftyDigits) {

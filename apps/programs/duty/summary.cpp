@@ -83,7 +83,7 @@ void add_peaks(const JointCycle& cycle, Report& to) {
   i = cycle.largest(nominal);
   to.add("largest_pv_nominal_W_per_m2", nominal(i),
          "p v with the next area; catalogues may have another", {i.time});
-  to.add("nominal_area_m2", 1 / cycle.contact().geometry().nominal_pressure(1),
+  to.add("nominal_area_m2", cycle.contact().geometry().nominal_area(),
          "projected: pi rho^2 or 2 rho L");
 }
 

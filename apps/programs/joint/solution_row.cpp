@@ -35,7 +35,8 @@ constexpr Beyond beyond_solutions[] = {
       [](const Answer& a) { return a.mean_pressure; }}},
     {"peak_pressure",
      {"p_nominal", "", Dimension::stress,
-      "R over the projected area, pi rho^2 or 2 rho L",
+      "R over the area of catalogues: pi rho^2, diameter times width of a "
+      "ring, or 2 rho L",
       [](const Answer& a) { return a.nominal_pressure; }}},
 };
 
