@@ -27,19 +27,13 @@ using hinge_joint::AnswerColumn;
 using Json = nlohmann::ordered_json;
 
 // Columns that are drawn over the load.
-constexpr std::string_view drawn_columns[] = {"theta0_deg",
-                                              "p_peak_Pa",
-                                              "p_mean_Pa",
-                                              "p_nominal_Pa",
-                                              "M_t_N_m",
-                                              "M_traditional_N_m",
-                                              "f_M",
-                                              "approach_m",
-                                              "stiffness_N_per_m",
-                                              "pv_max_W_per_m2",
-                                              "pv_nominal_W_per_m2"};
-
-constexpr const char* textbook = "M_textbook_N_m";
+constexpr std::string_view drawn_columns[] = {
+    "theta0_deg",        "p_peak_Pa",
+    "p_mean_Pa",         "p_nominal_Pa",
+    "M_t_N_m",           "M_textbook_N_m",
+    "M_traditional_N_m", "f_M",
+    "approach_m",        "stiffness_N_per_m",
+    "pv_max_W_per_m2",   "pv_nominal_W_per_m2"};
 
 // Points of a curve over four decades of load, and of a pressure profile.
 constexpr int curve_points = 81;
@@ -222,27 +216,8 @@ struct Calculator::Prepared {
           curves[column.name].push_back(cell_of(column(a)));
         }
       }
-      curves[textbook].push_back(textbook_moment(a));
     }
     return curves;
-  }
-
-  // NaN unless friction is dry.
-  double textbook_moment(const Answer& a) const {
-    return a.coefficient * a.given->force * spec.geometry.radius();
-  }
-
-  // Numbers of the columns, and the moment of textbooks.
-  Json numbers(const Answer& a) const {
-    Json all = numbers_of(columns, a);
-    all.push_back({{"name", textbook},
-                   {"symbol", "f0 R rho"},
-                   {"unit", "N m"},
-                   {"meaning",
-                    "friction moment of textbooks: coefficient times load "
-                    "times radius"},
-                   {"value", textbook_moment(a)}});
-    return all;
   }
 
   Json pressure(const Answer& a) const {
@@ -271,7 +246,7 @@ struct Calculator::Prepared {
               {"status", to_string(a.solution().status)},
               {"contact_state", contact_state_text(a)}}},
             {"joint", drawn_joint(spec)},
-            {"numbers", numbers(a)},
+            {"numbers", numbers_of(columns, a)},
             {"notes", notes},
             {"warnings", warnings(a)},
             {"pressure", pressure(a)},

@@ -68,6 +68,7 @@ void each_number(C& c, Cpp& s, const Copy& copy) {
   copy(c.normal_force, s.normal_force);
   copy(c.friction_force, s.friction_force);
   copy(c.friction_moment, s.friction_moment);
+  copy(c.textbook_moment, s.textbook_moment);
   copy(c.slip_velocity, s.slip_velocity);
   copy(c.power, s.power);
   copy(c.force_coefficient, s.force_coefficient);

@@ -30,6 +30,7 @@ typedef struct contact_solution {
   double normal_force;       /* R_n, N */
   double friction_force[3];  /* R_t, N */
   double friction_moment[3]; /* M_t about the joint's centre, N m */
+  double textbook_moment;    /* f0 rho R of dry friction, else NaN, N m */
   double slip_velocity[3];   /* at the contact's centre, m/s */
   double power;              /* M_t . Dw, W, never positive */
 

@@ -46,20 +46,29 @@ JointSolution not_a_number(Status status, const Vector3d& reaction) {
   s.normal = s.friction_force = s.friction_moment = s.slip_velocity = none;
   s.reaction_direction = s.friction_direction = {nan, nan};
   s.slip_axis = {nan, nan};
-  s.normal_force = s.power = nan;
+  s.normal_force = s.power = s.textbook_moment = nan;
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = nan;
   s.adhesion_number = s.load_parameter = s.half_angle = nan;
   s.peak_pressure = s.contact_area = nan;
   return s;
 }
 
+double textbook_moment(const JointContact& contact, const Vector3d& reaction) {
+  const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
+  return dry ? dry->coefficient() * contact.geometry().radius() *
+                   magnitude(reaction)
+             : nan;
+}
+
 // The solution, or none: laws of half-angle and pressure may end at different
 // half-angles, and say nothing of larger ones.
-JointSolution with_numbers(const JointSolution& s) {
+JointSolution finished(JointSolution s, const JointContact& contact) {
   const bool is_known =
       std::isfinite(s.half_angle) && s.friction_force.allFinite() &&
       s.friction_moment.allFinite() && !std::isnan(s.peak_pressure);
-  return is_known ? s : not_a_number(Status::out_of_range, s.reaction);
+  if (!is_known) return not_a_number(Status::out_of_range, s.reaction);
+  s.textbook_moment = textbook_moment(contact, s.reaction);
+  return s;
 }
 
 // Sets the quantities that depend on R_n and theta0 alone.
@@ -100,7 +109,7 @@ JointSolution resting_solution(const JointContact& contact,
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = 0;
   set_contact(s, contact, force.length, half_angle.half_angle,
               contact.strength(0));
-  return with_numbers(s);
+  return finished(s, contact);
 }
 
 // Sliding under interference alone: closed all round, every axis alike.
@@ -116,7 +125,7 @@ JointSolution without_load(const JointContact& contact, const Polar& spin) {
   s.sliding_coefficient = infinity;
   set_contact(s, contact, 0, contact.half_angle(0).half_angle,
               contact.strength(spin.length));
-  return with_numbers(s);
+  return finished(s, contact);
 }
 
 // The contact in the plane that Dw sees along itself: d is the direction of
@@ -203,7 +212,7 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
   set_vectors(s, contact_, frame, spin.length, force.length * sin_g);
-  return with_numbers(s);
+  return finished(s, contact_);
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
@@ -253,7 +262,7 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   // cos b = sin a cos g; sin b is the length of what R has normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
-  return with_numbers(s);
+  return finished(s, contact_);
 }
 
 double JointSolution::moment_coefficient() const {

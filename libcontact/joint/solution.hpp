@@ -120,6 +120,10 @@ struct JointSolution {
   /// M_t . Dw, W; never positive.
   double power = 0;
 
+  /// f0 rho R of dry friction, N m: the friction moment of textbooks, which
+  /// know no contact; NaN of other friction.
+  double textbook_moment = 0;
+
   /// Sine and cosine of b, the angle between R and Dw, [0, pi].
   SineCosine reaction_direction = {0, 1};
   /// Sine and cosine of the friction angle g, tan g = R_t/R_n.

@@ -45,6 +45,11 @@ constexpr Quantity<S> of_solution[] = {
      "friction moment on the body about the joint's centre",
      [](const S& s) -> const Eigen::Vector3d& { return s.friction_moment; },
      "friction moment"},
+    {"textbook_moment", "M_textbook", Dimension::moment,
+     "friction moment of textbooks, f0 R rho: coefficient times load times "
+     "radius",
+     [](const S& s) { return s.textbook_moment; }, "",
+     [](const S& s) { return !std::isnan(s.textbook_moment); }},
     {"slip_velocity", "v", Dimension::velocity,
      "slip of the body's half against the carrier's",
      [](const S& s) -> const Eigen::Vector3d& { return s.slip_velocity; },

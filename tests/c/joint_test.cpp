@@ -50,6 +50,7 @@ void expect_same(const contact_solution& a, const JointSolution& b) {
   expect_same(a.normal_force, b.normal_force);
   expect_same(a.friction_force, b.friction_force);
   expect_same(a.friction_moment, b.friction_moment);
+  expect_same(a.textbook_moment, b.textbook_moment);
   expect_same(a.slip_velocity, b.slip_velocity);
   expect_same(a.power, b.power);
   expect_same(a.reaction_angle, b.reaction_angle());
