@@ -194,7 +194,13 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
   root.point = equation.at(low + (high - low) / 2);
   root.evaluations += static_cast<int>(evaluations) + 1;
   root.residual = std::abs(root.point.residual);
-  if (root.residual <= options.tolerance) {
+  // Where interference lifts off adhesion falls like the root of R_n - R_n0, so
+  // steeply that the last bit of R_n is more than the tolerance: a bracket of
+  // two neighbours has the root.
+  const bool is_closed =
+      evaluations < static_cast<std::uintmax_t>(options.evaluation_limit) &&
+      root.residual < largest_jump;
+  if (root.residual <= options.tolerance || is_closed) {
     root.status = Status::ok;
   } else if (!(root.residual < largest_jump)) {
     // The half-angle law begins to have values here: this is no root.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -339,6 +340,43 @@ TEST(InterferenceJoint, NotesWhatItDoesNotSay) {
   const JointContact pressed = soft.contact();
   EXPECT_EQ(pressed.limits().notes({pi, pressed.peak_pressure(0, pi)}).size(),
             1U);
+}
+
+// Where strong adhesion comes off, the friction of a pin falls like the root of
+// R_n beyond lift-off: so steeply that the last bit of R_n moves it by 1e-11.
+TEST(InterferenceJoint, StrongAdhesionLiftsOff) {
+  const struct {
+    double coefficient, adhesion, interference;
+    Material hole;
+  } cases[] = {{2.52, 2.345e9, 11.2e-6, {3.9e10, 0.45}},
+               {1.19, 2.6e10, 13.2e-6, {3.6e9, 0.45}},
+               {0.98, 3.6e6, 0.3e-6, {1.13e9, 0.45}},
+               {0.99, 4e8, 2.2e-6, {7.7e9, 0.49}}};
+  for (const auto& c : cases) {
+    const Joint joint(
+        {.geometry = JointGeometry::pin(0.01, -c.interference, 0.02),
+         .inner = Material{2.1e11, 0.3},
+         .outer = c.hole,
+         .friction = FrictionLaw(c.coefficient, c.adhesion)});
+    const double lift_off = joint.contact().lift_off_force();
+    double last = 0;
+    for (double load = 1e-3 * lift_off; load < 1e4 * lift_off; load *= 1.04) {
+      const JointSolution s = joint.solve({{load, 0, 0}, Vector3d::UnitZ()});
+      ASSERT_EQ(s.status, Status::ok) << c.coefficient << ", " << load;
+      EXPECT_GE(s.normal_force, last * (1 - 1e-14)) << load;
+      last = s.normal_force;
+      // The load that neighbours of R_n belong to, by the friction under them.
+      const auto load_of = [&](double normal_force) {
+        return joint.solve_contact({{normal_force, 0, 0}, Vector3d::UnitZ()})
+            .reaction.norm();
+      };
+      constexpr double bits = 4e-15;
+      const auto [low, high] =
+          std::minmax({load_of(last * (1 - bits)), load_of(last * (1 + bits))});
+      EXPECT_LE(low, load * (1 + 1e-13));
+      EXPECT_GE(high, load * (1 - 1e-13));
+    }
+  }
 }
 
 TEST(InterferenceJoint, RefusesWhatKnowsNone) {
