@@ -134,7 +134,10 @@ Fit::Fit(std::string_view hole, std::string_view shaft, double diameter,
   const Limits h = limits_of(diameter, hole), s = limits_of(diameter, shaft);
   minimum_um_ = h.near_um + s.near_um;
   maximum_um_ = h.far_um + s.far_um;
+  shaft_um_ = -(s.near_um + s.far_um) / 2.0;
 }
+
+double Fit::radius() const { return (diameter_ + from_um(shaft_um_)) / 2; }
 
 double Fit::clearance(Fit::Clearance which) const {
   switch (which) {

@@ -66,10 +66,9 @@ class Fit {
   /// The one that a joint is to have.
   Clearance taken() const { return taken_; }
 
-  /// For JointGeometry: half of the nominal size. The ball's or pin's own
-  /// deviation is left out; it is 0.03 % of the size for g6 of 50 mm, 0.2 % for
-  /// d9 of 50 mm and at most 1.5 %, for d9 above 3 mm.
-  double radius() const { return diameter_ / 2; }
+  /// For JointGeometry: of a ball or pin in the middle of its tolerance: at
+  /// most 1.5 % below half of the nominal size, for d9 above 3 mm.
+  double radius() const;
   /// For JointGeometry: half of the clearance that is taken.
   double radial_clearance() const { return clearance(taken_) / 2; }
 
@@ -81,6 +80,7 @@ class Fit {
   Clearance taken_;
   int minimum_um_;
   int maximum_um_;
+  double shaft_um_;  // mean deviation of the shaft
 };
 
 /// "fit H7/g6 at 50 mm: diametral clearance 9 to 50 um; mean 29.5 um taken".

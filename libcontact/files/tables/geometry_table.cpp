@@ -228,7 +228,8 @@ JointGeometry geometry_from_table(
           ? JointBody::carrier
           : JointBody::body;
   if (bearing && !ball) table.needs("designation", "kind = \"ball\"");
-  const double radius = bearing ? bearing->radius() : radius_from_table(table);
+  const double nominal = bearing ? bearing->radius() : radius_from_table(table);
+  const double radius = fit ? fit->radius() : nominal;
   const double clearance = bearing ? bearing->radial_clearance()
                            : fit   ? fit->radial_clearance()
                                    : clearance_from_table(table, radius);
