@@ -29,10 +29,11 @@ struct SlipDerivatives {
 /// A pin's Dw stays along its axis, and R normal to it.
 ///
 /// @param solution  Joint::solve() of the slip
-/// @return to 6e-7 of the largest element against differences of solve(): 5e-7
-///         where the slip axis pierces the contact's edge, of 2000 random slips
-///         1e-8 in the mean (joint/derivatives_test.cpp). Neither allocates nor
-///         throws.
+/// @return of smooth laws to 6e-7 of the largest element against differences of
+///         solve(): 5e-7 where the slip axis pierces the contact's edge, of
+///         2000 random slips 1e-8 in the mean (joint/derivatives_test.cpp).
+///         Beside the kinks of a friction table whose curve is linear, 1e-3.
+///         Neither allocates nor throws.
 SlipDerivatives derivatives(const Joint& joint, const Joint::Slip& slip,
                             const JointSolution& solution) noexcept;
 
