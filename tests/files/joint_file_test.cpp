@@ -125,7 +125,7 @@ TEST(JointFile, Fit) {
   // H7/g6 of 50 mm: 9 to 50 um of the diameters.
   const JointSpec mean = joint("");
   EXPECT_EQ(mean.fit.value().name(), "H7/g6");
-  EXPECT_EQ(mean.geometry.radius(), 0.025);
+  EXPECT_EQ(mean.geometry.radius(), 0.0249915);
   EXPECT_EQ(mean.geometry.radial_clearance(), 14.75e-6);
   EXPECT_EQ(joint("clearance = \"mean\"").geometry.radial_clearance(),
             14.75e-6);

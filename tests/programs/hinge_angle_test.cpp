@@ -202,8 +202,8 @@ TEST(HingeAngle, Fits) {
        "maximum 50"},
   };
   for (const auto& [option, key, radial_um, said] : clearances) {
-    const auto expected =
-        folder.run(pin + " --radius 25mm --clearance " + radial_um + "um");
+    const auto expected = folder.run(pin + " --diameter 49.983mm --clearance " +
+                                     radial_um + "um");
     ASSERT_EQ(csv_rows(expected.out).size(), 2U);
     EXPECT_EQ(expected.err, "");
     folder.write("fit.toml",
