@@ -12,9 +12,10 @@
 namespace contact {
 namespace {
 
-// The theory is of first order in ebar = eps/rho: by Hertz' theory, which knows
-// both radii, peaks of small contacts are (1 + ebar)^(2/3) too high, a ball's
-// by 1 % here.
+// The theory is of first order in ebar = eps/rho. By Hertz' theory, which knows
+// both radii, peaks of small contacts are (1 + ebar)^(1/2) (pin) or
+// (1 + ebar)^(2/3) (ball) too high, 1 % here; by finite elements with true radii
+// those of wide contacts by 0.6 to 1.2 ebar (docs/limits.md).
 constexpr double largest_relative_clearance = 0.015;
 // Limit of press fits: strains of a percent, beyond which metals yield.
 constexpr double largest_relative_interference = 0.01;
@@ -81,8 +82,10 @@ std::vector<std::string> JointGeometry::validity_notes() const {
     notes.push_back(
         detail::message("relative clearance {:.3g} exceeds {}: the theory is "
                         "of first order in it, and pressures are too high by "
-                        "up to two thirds of it",
-                        relative, largest_relative_clearance));
+                        "0.5 to 1.2 times it; small contacts are exact with a "
+                        "radial clearance of eps/(1 + eps/rho), {:.4g} mm",
+                        relative, largest_relative_clearance,
+                        1e3 * radial_clearance_ / (1 + relative)));
   }
   // A clearance of 0 is a model's own, which says that it is small.
   if (relative != 0 && std::abs(relative) < smallest_relative_clearance) {

@@ -1,6 +1,7 @@
 #include "libcontact/pressure/validity.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <utility>
 
@@ -31,6 +32,30 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
                     : FittedLaw(law.joint_kind(), pair).limit_half_angle();
 }
 
+// Materials this much stiffer than a surface do not yield with it: a polymer
+// on metal is confined, a bush of bronze in steel is not.
+constexpr double stiff = 10;
+
+// How deep a body goes before it ends or is stiff against its surface, m.
+double elastic_depth(const LayeredBody& body, double radius, double modulus) {
+  double depth = 0;
+  for (const Layer& layer : body.layers) {
+    if (layer.material.youngs_modulus > stiff * modulus) return depth;
+    depth += layer.thickness;
+  }
+  const bool ends = body.backing.kind() != Backing::Kind::medium ||
+                    body.backing.material().youngs_modulus > stiff * modulus;
+  return ends ? depth : depth + radius;
+}
+
+// Of the deeper one of the bodies that yield.
+double elastic_depth(const LayeredPair& bodies) {
+  const double modulus = std::min(bodies.inner().surface().youngs_modulus,
+                                  bodies.outer().surface().youngs_modulus);
+  return std::max(elastic_depth(bodies.inner(), bodies.radius(), modulus),
+                  elastic_depth(bodies.outer(), bodies.radius(), modulus));
+}
+
 }  // namespace
 
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
@@ -53,6 +78,13 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                          seat->reach() / degree)});
   }
   if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
+  if (geometry.kind() == JointKind::pin) {
+    const LayeredPair* walls = walls_of(law);
+    add_length(walls
+                   ? *walls
+                   : LayeredPair(geometry.radius(), pair.inner(), pair.outer()),
+               geometry.length());
+  }
 }
 
 void ContactLimits::add_pressure(double limit, const std::string& what,
@@ -115,6 +147,20 @@ void ContactLimits::add_half_angle(const HalfAngleLaw& law,
        "half-angle", " {:.4g} deg is",
        detail::message(" beyond {:.4g} deg, the limit half-angle of this joint",
                        limit / degree)});
+}
+
+void ContactLimits::add_length(const LayeredPair& bodies, double length) {
+  const double share = length / (2 * bodies.radius());
+  if (!(share < 1) || !(elastic_depth(bodies) > length / 2)) return;
+  const double from = std::asin(share);
+  limits_.push_back(
+      {&LargestContact::half_angle, from, degree, "half-angle",
+       " {:.4g} deg is",
+       detail::message(
+           " beyond {:.4g} deg, where the contact is wider than the pin is "
+           "long, {:.4g} mm: it is between plane_state = \"strain\" and "
+           "\"stress\", whose peaks differ by some 5 % and stiffnesses by 10 %",
+           from / degree, 1e3 * length)});
 }
 
 double ContactLimits::peak_pressure() const {

@@ -39,7 +39,10 @@ struct LargestContact {
 ///   whose limit is FittedLaw's. Passed by more than what that law may be wrong
 ///   by, 0.1 %, it is noted,
 /// - the half-angle at which a contact in the middle of a seat that ends
-///   reaches a rim.
+///   reaches a rim,
+/// - of pins the half-angle at which the contact is as wide as the pin is long:
+///   what lies beneath yields along the axis too, unless it is a liner thinner
+///   than half of that.
 class ContactLimits {
  public:
   /// Limits of a joint with a clearance, in a seat without end.
@@ -88,6 +91,7 @@ class ContactLimits {
   void add_pressure(double limit, const std::string& what,
                     double least_half_angle = 0);
   void add_half_angle(const HalfAngleLaw& law, const ElasticPair& pair);
+  void add_length(const LayeredPair& bodies, double length);
 
   std::vector<Limit> limits_;
 };

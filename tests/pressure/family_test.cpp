@@ -820,15 +820,63 @@ TEST(ContactNotes, SayWhereWallsAreTooThin) {
                             {{{thickness * 0.02, steel}}, backing});
     return ExactLaw(JointKind::pin, walls).validity_notes({steel, steel});
   };
-  EXPECT_TRUE(notes(0.0051, Backing::held()).empty());
-  ASSERT_EQ(notes(0.0049, Backing::held()).size(), 1u);
-  EXPECT_EQ(notes(0.0049, Backing::held())[0].substr(0, 21),
-            "a free ring of 0.0049");
+  EXPECT_TRUE(notes(0.0021, Backing::held()).empty());
+  ASSERT_EQ(notes(0.0019, Backing::held()).size(), 1u);
+  EXPECT_EQ(notes(0.0019, Backing::held())[0].substr(0, 21),
+            "a free ring of 0.0019");
   EXPECT_TRUE(notes(0.0011, Backing::medium(rubber)).empty());
   ASSERT_EQ(notes(0.0009, Backing::medium(rubber)).size(), 1u);
-  EXPECT_NE(notes(0.0009, Backing::medium(rubber))[0].find("4.2e+03 times"),
-            std::string::npos);
+  EXPECT_EQ(notes(0.0009, Backing::medium(rubber))[0],
+            "a skin of 0.0009 radii on a body 4.2e+03 times softer: its peak "
+            "pressure is not resolved, some 1.3 % too high; the half-angle "
+            "holds");
   EXPECT_TRUE(notes(0.0009, Backing::medium({5e9, 0.3})).empty());
+  // Real coatings: DLC of 2 um on PEEK is right to 0.3 %, on UHMWPE to 1.3 %.
+  EXPECT_TRUE(notes(2e-4, Backing::medium({3.8e9, 0.4})).empty());
+  EXPECT_EQ(notes(2e-4, Backing::medium({1e9, 0.4})).size(), 1u);
+}
+
+// A pin of 25 mm: where its contact is wider than the eye of a lug is long it
+// is in neither plane strain nor plane stress, but for a liner that is bonded.
+TEST(ContactNotes, SayWherePinsAreShort) {
+  const Material steel{2.1e11, 0.3};
+  const Material polymer{1e9, 0.4};
+  const auto notes = [&](double length, const LayeredBody& outer,
+                         double half_angle) {
+    const LayeredPair walls(0.0125, {{}, Backing::medium(steel)}, outer);
+    const ExactLaw law(JointKind::pin, walls);
+    return ContactLimits(law, walls.surfaces(),
+                         JointGeometry::pin(0.0125, 3e-5, length))
+        .notes({half_angle, 0});
+  };
+  const LayeredBody lug{{{0.0125, steel}}, Backing::held()};
+  const double wide = std::asin(12. / 25);
+  EXPECT_TRUE(notes(0.012, lug, wide - 1e-6).empty());
+  EXPECT_EQ(
+      notes(0.012, lug, 30 * degree),
+      std::vector<std::string>{
+          "half-angle 30 deg is beyond 28.69 deg, where the contact is "
+          "wider than the pin is long, 12 mm: it is between plane_state "
+          "= \"strain\" and \"stress\", whose peaks differ by some 5 % and "
+          "stiffnesses by 10 %"});
+  EXPECT_TRUE(notes(0.025, lug, 80 * degree).empty());
+  // Liners thinner and thicker than half of the length, and one on a body as
+  // soft.
+  const auto liner = [&](double thickness, const Backing& backing) {
+    return LayeredBody{{{thickness, polymer}}, backing};
+  };
+  EXPECT_TRUE(notes(0.012, liner(0.003, Backing::rigid()), 0.6).empty());
+  EXPECT_TRUE(notes(0.012, liner(0.003, Backing::medium(steel)), 0.6).empty());
+  EXPECT_EQ(notes(0.012, liner(0.007, Backing::rigid()), 0.6).size(), 1u);
+  EXPECT_EQ(notes(0.012, liner(0.003, Backing::medium(polymer)), 0.6).size(),
+            1u);
+  // Bodies without walls.
+  const ElasticPair pair(steel, steel);
+  EXPECT_EQ(ContactLimits(FittedLaw(JointKind::pin, pair), pair,
+                          JointGeometry::pin(0.0125, 3e-5, 0.012))
+                .notes({0.6, 0})
+                .size(),
+            1u);
 }
 
 // A law that knows its joint does not leave it: walls, loading and wear widen
