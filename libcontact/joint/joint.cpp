@@ -60,15 +60,15 @@ double textbook_moment(const JointContact& contact, const Vector3d& reaction) {
              : nan;
 }
 
-// The solution, or none: laws of half-angle and pressure may end at different
-// half-angles, and say nothing of larger ones.
-JointSolution finished(JointSolution s, const JointContact& contact) {
+// Sets what follows from all of a solution, or that there is none: laws of
+// half-angle and pressure may end at different half-angles, and say nothing of
+// larger ones.
+void finish(JointSolution& s, const JointContact& contact) {
   const bool is_known =
       std::isfinite(s.half_angle) && s.friction_force.allFinite() &&
       s.friction_moment.allFinite() && !std::isnan(s.peak_pressure);
-  if (!is_known) return not_a_number(Status::out_of_range, s.reaction);
   s.textbook_moment = textbook_moment(contact, s.reaction);
-  return s;
+  if (!is_known) s = not_a_number(Status::out_of_range, s.reaction);
 }
 
 // Sets the quantities that depend on R_n and theta0 alone.
@@ -109,7 +109,8 @@ JointSolution resting_solution(const JointContact& contact,
   s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = 0;
   set_contact(s, contact, force.length, half_angle.half_angle,
               contact.strength(0));
-  return finished(s, contact);
+  finish(s, contact);
+  return s;
 }
 
 // Sliding under interference alone: closed all round, every axis alike.
@@ -125,7 +126,8 @@ JointSolution without_load(const JointContact& contact, const Polar& spin) {
   s.sliding_coefficient = infinity;
   set_contact(s, contact, 0, contact.half_angle(0).half_angle,
               contact.strength(spin.length));
-  return finished(s, contact);
+  finish(s, contact);
+  return s;
 }
 
 // The contact in the plane that Dw sees along itself: d is the direction of
@@ -212,7 +214,8 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
   set_vectors(s, contact_, frame, spin.length, force.length * sin_g);
-  return finished(s, contact_);
+  finish(s, contact_);
+  return s;
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
@@ -262,7 +265,8 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   // cos b = sin a cos g; sin b is the length of what R has normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
-  return finished(s, contact_);
+  finish(s, contact_);
+  return s;
 }
 
 double JointSolution::moment_coefficient() const {
