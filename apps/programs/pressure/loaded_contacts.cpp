@@ -12,7 +12,7 @@ LoadedContact LoadedContacts::operator[](std::size_t index) const {
       loads_.have_load()
           ? loads_.convert(input_.variable, value, LoadVariable::load)
           : parameter;
-  const auto result = law_.half_angle(parameter);
+  const auto result = law_.half_angle(parameter * loads_.factor(law_));
   return {load, parameter, result.half_angle, result.status};
 }
 
