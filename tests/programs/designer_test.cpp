@@ -78,6 +78,16 @@ TEST_F(Designer, HertzIsOfBothRadiiAtAnyClearance) {
   }
 }
 
+// A pin without a length, or without any size, is not short.
+TEST_F(Designer, PinsAreShortIfTheyHaveALength) {
+  const std::string wide = "wider than the pin is long";
+  for (const std::string program : {"hinge-angle ", "hinge-pressure "}) {
+    EXPECT_FALSE(warns(program + "--joint pin --modulus-ratio 1 --x 1", wide));
+    EXPECT_FALSE(warns(program + "--load 1e9" + pin_, wide));
+    EXPECT_TRUE(warns(program + "--length 10mm --load 1e6" + pin_, wide));
+  }
+}
+
 // One name, one number: of GE50ES 100 kN over the ball's 66 mm times the ring's
 // 28 mm at every door that has the bearing.
 TEST_F(Designer, NominalPressureOfABearingIsThatOfItsCatalogue) {

@@ -11,11 +11,11 @@
 #include "cli/refuse.hpp"
 #include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "programs/angle/angle_plot.hpp"
 #include "programs/angle/angle_table.hpp"
 #include "programs/angle/compare.hpp"
 #include "programs/angle/input.hpp"
+#include "programs/angle/limits.hpp"
 #include "programs/angle/pin_table.hpp"
 
 namespace hinge_angle {
@@ -91,9 +91,8 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
     for (std::size_t j = 0; j < joints.size(); ++j) {
       const Findings& one = findings[j][i];
       all.add(one);
-      const contact::ContactLimits limits(
-          *joints[j].laws[i].law, joints[j].pair, joints[j].spec.geometry);
-      for (const std::string& note : limits.notes(one.largest)) {
+      for (const std::string& note :
+           limits_of(joints[j], i).notes(one.largest)) {
         notes.insert(fmt::format("law {}: {}", law, note));
       }
     }

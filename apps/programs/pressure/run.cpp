@@ -13,8 +13,8 @@
 #include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "programs/angle/input.hpp"
+#include "programs/angle/limits.hpp"
 #include "programs/pressure/pin_table.hpp"
 #include "programs/pressure/pressure_plot.hpp"
 #include "programs/pressure/pressure_table.hpp"
@@ -32,7 +32,7 @@ class Findings {
   Findings(const cli::Joint& joint, const PressureTable& table)
       : joint_(joint),
         table_(table),
-        limits_(*joint.laws[0].law, joint.pair, joint.spec.geometry),
+        limits_(hinge_angle::limits_of(joint)),
         beyond_(joint.pressures.size()),
         peak_(joint.pressures.size()) {}
 
