@@ -181,9 +181,11 @@ void Program::add_output(OutputOptions& options) {
        {"--columns", List{&options.columns}, "NAMES",
         "columns of the table, only these and in this order"},
        {"--separator", separator, "CHAR",
-        "separator of CSV: ; | tab or a comma (default)"},
+        "separator of CSV: ; | tab or a comma (default); of what is read "
+        "it is found"},
        {"--decimal-comma", &options.decimal_comma, "",
-        "0,5 for 0.5 in CSV, and ; for the separator"}});
+        "0,5 for 0.5 in CSV, and ; for the separator; 1,250 that is read "
+        "is 1.25"}});
   app_->get_option("--columns")->allow_extra_args(false);
 }
 

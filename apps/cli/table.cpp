@@ -219,15 +219,16 @@ void RowWriter::text(std::string_view value) {
   }
 }
 
-void RowWriter::field(std::string_view raw) {
+void RowWriter::field(std::string_view raw, CsvForm form) {
   const TableStyle& style = table_.style_;
-  if (style.format != Format::csv) return text(field_value(raw));
-  if (style.separator == ',') {
+  const bool is_csv = style.format == Format::csv;
+  if (is_csv &&
+      form == CsvForm{style.separator, style.decimal_comma ? ',' : '.'}) {
     begin_cell().append(raw);
     return;
   }
-  std::string value = field_value(raw);
-  if (style.decimal_comma && parse_number(value)) {
+  std::string value = field_value(raw, form);
+  if (is_csv && style.decimal_comma && parse_number(value)) {
     std::ranges::replace(value, '.', ',');
   }
   text(value);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "cli/output.hpp"
+#include "cli/stream/csv.hpp"
 #include "cli/stream/turned_table.hpp"
 #include "cli/text.hpp"
 
@@ -75,8 +76,9 @@ class RowWriter {
   /// No value: empty, null or a dash.
   void empty();
   void text(std::string_view value);
-  /// A field as it stood in a CSV file, handed on byte for byte to CSV.
-  void field(std::string_view raw);
+  /// A field as it stood in a file of this form, handed on byte for byte to CSV
+  /// of the same.
+  void field(std::string_view raw, CsvForm form = {});
   /// All cells of the row must have been written.
   void end();
 

@@ -31,6 +31,7 @@
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/csv.hpp"
+#include "cli/stream/decoding.hpp"
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/stream/quoting.hpp"
@@ -46,6 +47,8 @@
 
 namespace contact::test {
 namespace {
+
+using namespace std::string_literals;
 
 constexpr cli::Allowed angles{-90, 120, "deg"};
 constexpr cli::Allowed any{-infinity, infinity, ""};
@@ -743,6 +746,48 @@ TEST_F(OutputFile, LineTooLong) {
   EXPECT_ERROR(reader.line(),
                name + ", line 1: longer than 1000000 characters");
   EXPECT_THROW(cli::LineReader(folder_ / "none.txt"), Error);
+}
+
+// Whatever pieces it comes in: marks, pairs of surrogates and "\r\n" that are
+// cut in two.
+TEST(TextDecoder, OfTextInPieces) {
+  const std::string text = "a\r\nä€\U0001F600\nb\n";
+  std::string little = "\xFF\xFE";
+  std::string big = "\xFE\xFF";
+  for (const char16_t unit : std::u16string(u"a\r\nä€\U0001F600\rb\r")) {
+    const auto low = static_cast<char>(unit & 0xFF);
+    const auto high = static_cast<char>(unit >> 8);
+    little += {low, high};
+    big += {high, low};
+  }
+  for (const std::string& bytes :
+       {"\xEF\xBB\xBF" + text, "a\r\nä€\U0001F600\rb\r"s, little, big}) {
+    for (std::size_t piece = 1; piece <= bytes.size(); ++piece) {
+      cli::TextDecoder decoder;
+      std::string decoded;
+      for (std::size_t at = 0; at < bytes.size(); at += piece) {
+        decoder.decode(std::string_view(bytes).substr(at, piece), decoded);
+      }
+      decoder.finish(decoded);
+      ASSERT_EQ(decoded, text) << piece;
+    }
+  }
+}
+
+TEST(TextDecoder, OfWhatIsNoText) {
+  for (const auto& [bytes, expected] :
+       {std::pair("\xFF\xFE\x00\xD8\x41\x00"s, "\uFFFDA"s),
+        {"\xFE\xFF\xDC\x00\x41"s, "\uFFFD\uFFFD"s},
+        {"\xFF"s, "\xFF"s},
+        {"\xEF\xBB"s, "\xEF\xBB"s},
+        {"\xFF\xFE\x00\xD8"s, "\uFFFD"s},
+        {""s, ""s}}) {
+    cli::TextDecoder decoder;
+    std::string decoded;
+    decoder.decode(bytes, decoded);
+    decoder.finish(decoded);
+    EXPECT_EQ(decoded, expected);
+  }
 }
 
 volatile std::sig_atomic_t handled = 0;

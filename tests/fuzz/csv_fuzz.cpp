@@ -73,7 +73,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   try {
     const std::string header(cli::next_line(text));
     check_record(header);
-    const cli::PointColumns columns(header, hinge_table::point_columns, "fuzz");
+    const cli::PointColumns columns({header, "fuzz"},
+                                    hinge_table::point_columns);
 
     hinge_table::PointBlock block;
     block.lines = {std::string(text), 2};

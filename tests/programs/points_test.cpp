@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "cli/number.hpp"
@@ -14,6 +15,8 @@
 
 namespace contact::test {
 namespace {
+
+using namespace std::string_literals;
 
 const std::string joint =
     "hinge-joint --joint data/joints/paper_example_1.toml ";
@@ -196,6 +199,97 @@ TEST(Points, AreDrawn) {
   EXPECT_EQ(bad.status, 1);
   EXPECT_TRUE(
       has_text(bad.err, "no picture bad.svg: no state has a solution\n"));
+}
+
+// What programs write is read to the same numbers, whichever form it has, with
+// the options that wrote it and without: states, cycles and measurements.
+class OwnOutput : public testing::TestWithParam<const char*> {};
+
+TEST_P(OwnOutput, IsReadBack) {
+  const std::string form = GetParam();
+  const ProgramFolder folder;
+  const std::string pin = " --joint data/joints/wheel_pin.toml ";
+  const std::string rig = " --joint data/duty/torque_rig.toml ";
+  const std::string duty = "hinge-duty" + pin + "--force-in body --cycle ";
+  const auto write = [&](const std::string& ending,
+                         const std::string& options) {
+    folder.run_well(duty + "data/duty/pin_swing.csv --states st" + ending +
+                    " --output all" + ending + options);
+    folder.run_well("hinge-joint --friction 0.1" + rig +
+                    "--points data/duty/torque_rig.csv --columns "
+                    "R_N,b_deg,torque_N_m,sigma_N_m --output m" +
+                    ending + options);
+  };
+  write(".csv", "");
+  write(".txt", form);
+  EXPECT_NE(folder.read("st.csv"), folder.read("st.txt"));
+  for (const auto& [program, file] :
+       {std::pair("hinge-joint" + pin + "--points ", std::string("st")),
+        {duty, "st"},
+        {"hinge-identify" + rig + "--data ", "m"}}) {
+    const std::string expected = folder.run_well(program + file + ".csv").out;
+    EXPECT_EQ(folder.run_well(program + file + ".txt").out, expected);
+    EXPECT_EQ(folder.run_well(program + file + ".txt" + form).out,
+              folder.run_well(program + file + ".csv" + form).out);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Forms, OwnOutput,
+                         testing::Values(" --separator ';'", " --separator tab",
+                                         " --separator '|'", " --decimal-comma",
+                                         " --decimal-comma --separator tab",
+                                         " --decimal-comma --separator '|'"));
+
+// Files as spreadsheets and other programs save them.
+TEST(Points, FilesOfOtherPrograms) {
+  const ProgramFolder folder;
+  const std::string rows = "1000.5,90\n1250,60\n";
+  folder.write("plain.csv", "R_N,b_deg\n" + rows);
+  const std::string points = joint + "--columns R_N,b_deg,M_t_N_m --points ";
+  const std::string expected = folder.run_well(points + "plain.csv").out;
+  std::string utf16 = "\xFF\xFE";
+  for (const char c : "R_N;b_deg\r\n1000,5;90\r\n1250;60\r\n"s) {
+    utf16 += {c, '\0'};
+  }
+  for (const std::string& text :
+       {utf16, "\xEF\xBB\xBFR_N;b_deg\r1000,5;90\r1250;60\r"s,
+        "sep=|\nR_N|b_deg\n1000.5|90\n1250|60\n"s,
+        "% rig 7\n% June\n\nr_n,B_DEG\n" + rows, "# R_N,b_deg\n" + rows,
+        "R_N\tb_deg\n1000,5\t90\n1250\t60\n"s,
+        "R_N;b_deg\n\"1000,5\";90\n1,250e3;60\n"s}) {
+    folder.write("other.csv", text);
+    EXPECT_EQ(folder.run_well(points + "other.csv").out, expected) << text;
+  }
+  // The first column's name begins with the mark of a comment.
+  folder.write("cycle.csv", "%cycle,R_N,b_deg\n0,1000.5,90\n");
+  EXPECT_EQ(CsvTable(folder.run_well(joint + "--points cycle.csv").out)
+                .texts("%cycle"),
+            Texts{"0"});
+}
+
+// A comma that may be of thousands is not guessed, nor is a decimal comma
+// beside commas.
+TEST(Points, OpenCommasAreRefused) {
+  const ProgramFolder folder;
+  const auto said = [&](const std::string& text,
+                        const std::string& options = "") {
+    folder.write("open.csv", text);
+    return folder.run(joint + "--columns R_N --points open.csv" + options).err;
+  };
+  EXPECT_EQ(said("R_N;b_deg\n1,250;90\n"),
+            "ERROR: line 2: R_N = 1,250 requires a decimal point, or "
+            "--decimal-comma: it may be 1250\n");
+  EXPECT_EQ(said("R_N;b_deg\n1,250;90\n", " --decimal-comma"), "");
+  EXPECT_EQ(said("R_N;b_deg\n1,250;90\n2,5;90\n"), "");
+  EXPECT_EQ(said("R_N;b_deg\n1.250;90\n2,5;90\n"),
+            "ERROR: line 2: R_N = 1.250 requires a decimal comma, which this "
+            "file has: it may be 1250\n");
+  EXPECT_EQ(said("R_N,b_deg\n\"1,5\",90\n"),
+            "ERROR: line 2: R_N = \"1,5\" must be a number, 0 to 1e+100 N; "
+            "where commas separate, decimals have a point\n");
+  EXPECT_EQ(said("R_N,b_deg\n1,5,90\n"),
+            "ERROR: line 2: 3 fields where the header has 2; where commas "
+            "separate, decimals have a point\n");
 }
 
 }  // namespace

@@ -47,26 +47,41 @@ LineReader::~LineReader() {
 }
 
 bool LineReader::fill(std::string& text) {
-  if (at_end_) return false;
   const std::size_t size = text.size();
-  text.resize(size + block_size);
-  ssize_t count = 0;
-  do {
-    count = read(descriptor_, text.data() + size, block_size);
-  } while (count < 0 && errno == EINTR);
-  text.resize(size + static_cast<std::size_t>(std::max<ssize_t>(count, 0)));
-  if (count < 0) {
-    throw contact::Error(
-        fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+  bytes_.resize(block_size);
+  while (!at_end_ && text.size() == size) {
+    ssize_t count = 0;
+    do {
+      count = read(descriptor_, bytes_.data(), block_size);
+    } while (count < 0 && errno == EINTR);
+    if (count < 0) {
+      throw contact::Error(
+          fmt::format("cannot read {}: {}", name_, std::strerror(errno)));
+    }
+    at_end_ = count == 0;
+    if (at_end_) {
+      decoder_.finish(text);
+    } else {
+      decoder_.decode({bytes_.data(), static_cast<std::size_t>(count)}, text);
+    }
   }
-  at_end_ = count == 0;
-  return !at_end_;
+  return text.size() > size;
+}
+
+// Has a whole line in rest_, or the last, or what is longer than lines may be.
+void LineReader::fetch_line() {
+  while (rest_.find('\n') == std::string::npos) {
+    if (rest_.size() > longest_line || !fill(rest_)) return;
+  }
+}
+
+std::string_view LineReader::ahead() {
+  fetch_line();
+  return rest_;
 }
 
 std::optional<std::string> LineReader::line() {
-  while (rest_.find('\n') == std::string::npos) {
-    if (rest_.size() > longest_line || !fill(rest_)) break;
-  }
+  fetch_line();
   if (std::min(rest_.find('\n'), rest_.size()) > longest_line) {
     throw contact::Error(fmt::format("{}, line {}: longer than {} characters",
                                      name_, next_number_, longest_line));

@@ -5,6 +5,8 @@
 #include <string>
 #include <string_view>
 
+#include "cli/stream/decoding.hpp"
+
 namespace cli {
 
 /// Characters that a line may have; what is longer is a mistake, such as a file
@@ -23,8 +25,9 @@ struct LineBlock {
 /// Takes the first line off `text`: without its end ("\n" or "\r\n").
 std::string_view next_line(std::string_view& text);
 
-/// Reads a file or standard input in blocks of whole lines; memory stays at
-/// one block however long the input is.
+/// Reads a file or standard input in blocks of whole lines, UTF-8 whatever its
+/// encoding is (TextDecoder); memory stays at one block however long the input
+/// is.
 class LineReader {
  public:
   /// @param path  file name, "-" for standard input
@@ -37,6 +40,9 @@ class LineReader {
   /// The next line alone (a header), no value at the end. Throws
   /// contact::Error if it is longer than longest_line.
   std::optional<std::string> line();
+  /// What has been read of the lines that come next, at least one of them if
+  /// there is one.
+  std::string_view ahead();
   /// Number of the line that comes next, from 1.
   std::size_t next_number() const { return next_number_; }
   /// The next lines; false at the end. Throws contact::Error if the input
@@ -48,11 +54,14 @@ class LineReader {
 
  private:
   bool fill(std::string& text);
+  void fetch_line();
   void skip_line();
 
   std::string name_;
   int descriptor_;
   bool at_end_ = false;
+  std::string bytes_ = {};  ///< as they are in the file
+  TextDecoder decoder_ = {};
   std::string rest_;  ///< read, not yet handed out
   std::size_t next_number_ = 1;
 };

@@ -1,12 +1,15 @@
 #include "cli/stream/points.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <iterator>
 #include <limits>
+#include <optional>
+#include <utility>
 
-#include "cli/stream/csv.hpp"
+#include "cli/stream/file_name.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
@@ -29,27 +32,45 @@ std::string shown(std::string_view raw) {
   return text.empty() ? "(empty)" : contact::detail::printable(text, longest);
 }
 
+// Commas of decimals where commas separate.
+constexpr std::string_view point_rule =
+    "where commas separate, decimals have a point";
+
 // The number in a field; NaN and a text in `why` if it is none.
-double number(const PointColumn& column, std::string_view raw,
+double number(const PointColumn& column, std::string_view raw, CsvForm form,
               std::string& why) {
-  const auto value =
-      raw.starts_with('"') ? parse_number(field_value(raw)) : parse_number(raw);
+  const bool plain = raw.find_first_of("\",") == raw.npos;
+  const std::string text = plain ? std::string() : field_value(raw);
+  const std::string_view unquoted = plain ? raw : std::string_view(text);
+  const bool is_open = may_be_thousands(unquoted, form);
+  const auto value = is_open ? std::nullopt
+                     : plain ? parse_number(raw)
+                             : parse_number(field_value(raw, form));
   if (value && column.allowed.contains(*value)) return *value;
-  why =
-      contact::detail::must_be(fmt::format("{} = {}", column.name, shown(raw)),
-                               column.allowed.rule(value.has_value()));
+  const std::string given = fmt::format("{} = {}", column.name, shown(raw));
+  if (is_open) {
+    std::string thousands(unquoted);
+    std::erase_if(thousands, [](char c) { return c == ',' || c == '.'; });
+    why = contact::detail::needs(
+        given,
+        fmt::format("{}: it may be {}",
+                    form.decimal == ',' ? "a decimal comma, which this file has"
+                                        : "a decimal point, or --decimal-comma",
+                    trimmed(thousands)));
+    return nan;
+  }
+  why = contact::detail::must_be(given, column.allowed.rule(value.has_value()));
+  if (!value && form.separator == ',' && text.find(',') != text.npos) {
+    why += fmt::format("; {}", point_rule);
+  }
   return nan;
 }
 
 // Names of a header's columns; a text in `why` if it is none.
-std::vector<std::string> header_names(std::string_view header,
+std::vector<std::string> header_names(const PointHeader& header,
                                       std::string_view& why) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (header.starts_with(byte_order_mark)) {
-    header.remove_prefix(byte_order_mark.size());
-  }
   std::vector<std::string_view> fields;
-  why = split_record(header, fields);
+  why = split_record(header.line, fields, header.form.separator);
   std::vector<std::string> names;
   for (const std::string_view field : fields) {
     const std::string value = field_value(field);
@@ -68,15 +89,49 @@ std::string list_of(std::span<const PointColumn> columns) {
   return text;
 }
 
+// The column of a name: as it is written, or else without regard to capitals;
+// names.size() if there is none.
+std::size_t find_name(const std::vector<std::string>& names,
+                      std::string_view name) {
+  auto found = std::ranges::find(names, name);
+  if (found == names.end()) {
+    found = std::ranges::find_if(
+        names, [name](const auto& column) { return is_named(column, name); });
+  }
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+// A comment, and not a header that is written as one.
+bool is_comment(std::string_view line, LineReader& reader) {
+  if (!line.starts_with('#') && !line.starts_with('%')) return false;
+  std::string_view next = reader.ahead();
+  if (next.find_first_of("0123456789+-.") != 0 || !take_number(next)) {
+    return true;
+  }
+  return next.find_first_of(",;|\t \r\n") != 0;
+}
+
+// The separator that spreadsheets are told by a first line "sep=;".
+std::optional<char> told_separator(std::string_view line) {
+  const std::string value = field_value(line);
+  constexpr std::string_view key = "sep=";
+  if (value.size() != key.size() + 1 || !value.starts_with(key)) return {};
+  return value.back();
+}
+
 void read_line(const PointColumns& columns, std::string_view line,
                PointLines& block, std::string& why) {
   block.fields.clear();
   why = line.size() > longest_line
             ? fmt::format("longer than {} characters", longest_line)
-            : std::string(split_record(line, block.fields));
+            : std::string(
+                  split_record(line, block.fields, columns.form.separator));
   if (why.empty() && block.fields.size() != columns.count) {
     why = fmt::format("{} fields where the header has {}", block.fields.size(),
                       columns.count);
+    if (columns.form.separator == ',' && block.fields.size() > columns.count) {
+      why += fmt::format("; {}", point_rule);
+    }
   }
   if (why.empty()) {
     for (const std::size_t field : columns.riding_at) {
@@ -86,10 +141,10 @@ void read_line(const PointColumns& columns, std::string_view line,
     block.riding.resize(block.riding.size() + columns.riding.size());
   }
   for (std::size_t i = 0; i < columns.needed.size(); ++i) {
-    block.values[i].push_back(
-        why.empty()
-            ? number(columns.needed[i], block.fields[columns.at[i]], why)
-            : nan);
+    block.values[i].push_back(why.empty() ? number(columns.needed[i],
+                                                   block.fields[columns.at[i]],
+                                                   columns.form, why)
+                                          : nan);
   }
   block.good.push_back(why.empty());
   if (why.empty()) return;
@@ -98,55 +153,94 @@ void read_line(const PointColumns& columns, std::string_view line,
 
 }  // namespace
 
-PointColumns::PointColumns(std::string_view header,
-                           std::span<const PointColumn> needed_columns,
-                           const std::string& place)
-    : needed(needed_columns.begin(), needed_columns.end()) {
+bool is_named(std::string_view column, std::string_view name) {
+  constexpr std::string_view comment = "#% ";
+  column.remove_prefix(
+      std::min(column.find_first_not_of(comment), column.size()));
+  return column.size() == name.size() && ends_in(column, name);
+}
+
+PointColumns::PointColumns(const PointHeader& header,
+                           std::span<const PointColumn> needed_columns)
+    : form(header.form), needed(needed_columns.begin(), needed_columns.end()) {
   std::string_view why;
   const std::vector<std::string> names = header_names(header, why);
-  if (!why.empty()) throw contact::Error(fmt::format("{}: {}", place, why));
-
-  count = names.size();
-  at.assign(needed.size(), count);
-  for (std::size_t i = 0; i < count; ++i) {
-    const auto found = std::find_if(
-        needed.begin(), needed.end(),
-        [&](const auto& column) { return column.name == names[i]; });
-    if (found == needed.end()) {
-      riding_at.push_back(i);
-      riding.push_back(names[i]);
-      continue;
-    }
-    std::size_t& column = at[found - needed.begin()];
-    if (column != count) {
-      throw contact::Error(fmt::format(
-          "{}: {}", place, contact::detail::duplicate("column", names[i])));
-    }
-    column = i;
+  if (!why.empty()) {
+    throw contact::Error(fmt::format("{}: {}", header.place, why));
   }
-  for (std::size_t i = 0; i < needed.size(); ++i) {
-    if (at[i] != count) continue;
-    throw contact::Error(
-        fmt::format("{}: no column {}; the header must name {}", place,
-                    needed[i].name, list_of(needed)));
+  count = names.size();
+  for (const PointColumn& column : needed) {
+    const std::size_t found = find_name(names, column.name);
+    if (found == count || std::ranges::find(at, found) != at.end()) {
+      header.fail(fmt::format("no column {}; the header must name {}",
+                              column.name, list_of(needed)));
+    }
+    at.push_back(found);
+  }
+  for (std::size_t i = 0; i < count; ++i) {
+    if (std::ranges::find(at, i) != at.end()) continue;
+    for (std::size_t k = 0; k < at.size(); ++k) {
+      const std::string& taken = names[at[k]];
+      const bool twice = names[i] == taken ||
+                         (taken != needed[k].name && is_named(names[i], taken));
+      if (!twice) continue;
+      throw contact::Error(
+          fmt::format("{}: {}", header.place,
+                      contact::detail::duplicate("column", names[i])));
+    }
+    riding_at.push_back(i);
+    riding.push_back(names[i]);
   }
 }
 
 bool PointHeader::has(std::span<const PointColumn> columns) const {
   std::string_view why;
-  const std::vector<std::string> names = header_names(line, why);
-  return std::all_of(columns.begin(), columns.end(), [&](const auto& column) {
-    return std::find(names.begin(), names.end(), column.name) != names.end();
+  const std::vector<std::string> names = header_names(*this, why);
+  return std::ranges::all_of(columns, [&](const auto& column) {
+    return find_name(names, column.name) != names.size();
   });
 }
 
-PointHeader read_header(LineReader& reader) {
+std::string PointHeader::shown() const {
+  constexpr std::size_t longest = 200;
+  std::string_view why;
+  const std::string names =
+      fmt::format("{}", fmt::join(header_names(*this, why), ", "));
+  const std::string_view separator =
+      form.separator == '\t' ? "tab" : std::string_view(&form.separator, 1);
+  return fmt::format(
+      "the header has {}{}", contact::detail::printable(names, longest),
+      form.separator == ',' ? std::string()
+                            : fmt::format(" (separator {})", separator));
+}
+
+void PointHeader::fail(std::string_view problem) const {
+  throw contact::Error(fmt::format("{}: {}; {}", place, problem, shown()));
+}
+
+PointHeader read_header(LineReader& reader, const TableStyle& hints) {
+  std::optional<char> told;
   for (;;) {
-    std::string place =
+    PointHeader header;
+    header.place =
         fmt::format("{}, line {}", reader.name(), reader.next_number());
     auto line = reader.line();
     if (!line) throw contact::Error(reader.name() + ": no header line");
-    if (!line->starts_with('#')) return {std::move(*line), std::move(place)};
+    if (trimmed(*line).empty() || is_comment(*line, reader)) continue;
+    if (!told) {
+      told = told_separator(*line);
+      if (told) continue;
+    }
+    header.form.separator =
+        told ? *told : find_separator(*line, hints.separator);
+    if (header.form.separator != ',') {
+      const std::string_view lines = reader.ahead();
+      header.form.decimal =
+          find_decimal(lines.substr(0, lines.rfind('\n')),
+                       header.form.separator, hints.decimal_comma);
+    }
+    header.line = std::move(*line);
+    return header;
   }
 }
 
@@ -172,12 +266,11 @@ void read_points(const PointColumns& columns, PointLines& block) {
   block.last = block.good.size();
 }
 
-void read_all_points(LineReader& reader, const PointColumns& columns, bool tabs,
+void read_all_points(LineReader& reader, const PointColumns& columns,
                      const std::function<void(const PointLines&)>& each) {
   constexpr std::string_view mark = "ERROR: ";
   PointLines block;
   while (reader.next(block.lines)) {
-    if (tabs) std::ranges::replace(block.lines.text, '\t', ',');
     read_points(columns, block);
     if (block.bad_lines > 0) {
       std::string_view message = block.messages;
@@ -193,7 +286,7 @@ void write_riding(const PointColumns& columns, const PointLines& block,
                   std::size_t point, RowWriter& row) {
   const std::size_t riding = columns.riding.size();
   for (std::size_t i = 0; i < riding; ++i) {
-    row.field(block.riding[point * riding + i]);
+    row.field(block.riding[point * riding + i], columns.form);
   }
 }
 

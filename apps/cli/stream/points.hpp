@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "cli/number.hpp"
+#include "cli/stream/csv.hpp"
 #include "cli/stream/line_blocks.hpp"
 #include "cli/stream/row_blocks.hpp"
 #include "cli/table.hpp"
@@ -21,14 +22,38 @@ struct PointColumn {
   Allowed allowed;
 };
 
+/// A header line, where it stands, and how its file is written.
+struct PointHeader {
+  std::string line;
+  std::string place;  ///< "points.csv, line 1", for messages
+  CsvForm form = {};
+
+  /// Whether it names all of these columns.
+  bool has(std::span<const PointColumn> columns) const;
+  /// What was read, for messages: "the header has a, b (separator ;)".
+  std::string shown() const;
+  /// "PLACE: PROBLEM; the header has ..."
+  [[noreturn]] void fail(std::string_view problem) const;
+};
+
+/// The header of a file, with the form that it and the lines behind it have:
+/// the first line that is no comment, blank, or "sep=;". A comment begins with
+/// # or %, unless numbers stand on the next line. Throws contact::Error if
+/// there is none.
+/// @param hints  separator and decimal comma where the file leaves them open
+PointHeader read_header(LineReader& reader, const TableStyle& hints);
+
+/// Whether a column's name is this one, in small or capital letters; the mark
+/// of a comment in front of it is left out.
+bool is_named(std::string_view column, std::string_view name);
+
 /// Columns of a file of points: the needed ones, and others that ride along.
 struct PointColumns {
-  /// Reads a header line. Throws contact::Error if a needed column is missing
-  /// or occurs twice.
-  /// @param place  "points.csv, line 1", for messages
-  PointColumns(std::string_view header, std::span<const PointColumn> needed,
-               const std::string& place);
+  /// Reads a header. Throws contact::Error if a needed column is missing or
+  /// occurs twice.
+  PointColumns(const PointHeader& header, std::span<const PointColumn> needed);
 
+  CsvForm form;
   std::vector<PointColumn> needed;
   std::vector<std::size_t> at;  ///< field of each needed column
   /// Fields of the columns that ride along, and their names.
@@ -36,19 +61,6 @@ struct PointColumns {
   std::vector<std::string> riding;
   std::size_t count;
 };
-
-/// A header line as PointColumns reads it, and where it stands.
-struct PointHeader {
-  std::string line;
-  std::string place;
-
-  /// Whether it names all of these columns.
-  bool has(std::span<const PointColumn> columns) const;
-};
-
-/// The first line that does not start with #. Throws contact::Error if there
-/// is none.
-PointHeader read_header(LineReader& reader);
 
 /// Some points on their way through a program.
 struct PointLines : RowBlock {
@@ -78,8 +90,7 @@ class PointRows {
 
 /// All points of a file, block after block. Throws contact::Error for the
 /// first bad line.
-/// @param tabs  stand in the place of commas
-void read_all_points(LineReader& reader, const PointColumns& columns, bool tabs,
+void read_all_points(LineReader& reader, const PointColumns& columns,
                      const std::function<void(const PointLines&)>& each);
 
 /// The riding fields of a point as the last cells of its row.

@@ -10,6 +10,7 @@
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "cli/stream/file_name.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -32,13 +33,16 @@ constexpr std::pair<std::string_view, std::size_t CycleColumns::*> lies[] = {
 
 bool is_lie(std::string_view name) {
   return std::ranges::any_of(
-      lies, [&](const auto& lie) { return lie.first == name; });
+      lies, [&](const auto& lie) { return cli::is_named(name, lie.first); });
 }
 
 void name_lies(const cli::PointColumns& columns, const std::string& place,
                CycleColumns& to) {
   for (const auto& [name, at] : lies) {
-    if (std::ranges::count(columns.riding, name) == 0) continue;
+    const bool is_there = std::ranges::any_of(
+        columns.riding,
+        [name = name](const auto& it) { return cli::is_named(it, name); });
+    if (!is_there) continue;
     to.*at = to.names.size();
     to.names.emplace_back(name);
   }
@@ -50,26 +54,28 @@ void name_lies(const cli::PointColumns& columns, const std::string& place,
 
 // The columns of the motion; what they are is in `is_angles`.
 std::vector<std::string> motion_names(const cli::PointColumns& columns,
-                                      const std::string& place,
+                                      const cli::PointHeader& header,
                                       const Options& options, bool is_pin,
                                       bool& is_angles) {
   std::vector<std::string> angles;
   std::size_t rates = 0;
   for (const std::string& name : columns.riding) {
     if (is_pin && is_lie(name)) continue;
-    if (name.ends_with("_deg")) angles.push_back(name);
-    rates += std::ranges::count(rate_names, name);
+    if (cli::ends_in(name, "_deg")) angles.push_back(name);
+    rates += std::ranges::any_of(rate_names, [&name](const auto& rate) {
+      return cli::is_named(name, rate);
+    });
   }
   is_angles = !options.euler.empty() || rates == 0;
   if (!is_angles) return {rate_names.begin(), rate_names.end()};
   const std::size_t wanted = is_pin ? 1 : 3;
   if (angles.size() != wanted) {
-    cli::refuse_without(
-        place + ": the motion",
+    header.fail(contact::detail::needs(
+        "the motion",
         is_pin ? "one column of an angle, NAME_deg, or w_x_rad_per_s, "
                  "w_y_rad_per_s and w_z_rad_per_s"
                : "three columns of angles, NAME_deg, in the order of --euler, "
-                 "or w_x_rad_per_s, w_y_rad_per_s and w_z_rad_per_s");
+                 "or w_x_rad_per_s, w_y_rad_per_s and w_z_rad_per_s"));
   }
   return angles;
 }
@@ -125,17 +131,16 @@ void name_sto_columns(const Options& options, bool is_pin,
 
 void name_csv_columns(const Options& options, bool is_pin,
                       CycleColumns& columns) {
-  const auto& [line, place] = columns.header;
   std::vector<cli::PointColumn> states;
   for (const std::string& name : columns.names) {
     states.push_back({name, any_force});
   }
-  const cli::PointColumns all(line, states, place);
+  const cli::PointColumns all(columns.header, states);
   const auto motion =
-      motion_names(all, place, options, is_pin, columns.is_angles);
+      motion_names(all, columns.header, options, is_pin, columns.is_angles);
   columns.names.insert(columns.names.end(), motion.begin(), motion.end());
   columns.motion_end = columns.names.size();
-  if (is_pin) name_lies(all, place, columns);
+  if (is_pin) name_lies(all, columns.header.place, columns);
 }
 
 }  // namespace
@@ -154,7 +159,7 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
     columns.header = columns.sto->columns;
     name_sto_columns(options, is_pin, columns);
   } else {
-    columns.header = cli::read_header(reader);
+    columns.header = cli::read_header(reader, options.output);
     name_csv_columns(options, is_pin, columns);
   }
   if (columns.sto) columns.motion_end = columns.names.size();

@@ -16,16 +16,14 @@ using Eigen::Vector3d;
 
 // The values of all lines, column by column.
 std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
-                                            const cli::PointColumns& columns,
-                                            bool is_sto) {
+                                            const cli::PointColumns& columns) {
   std::vector<std::vector<double>> values(columns.needed.size());
-  cli::read_all_points(
-      reader, columns, is_sto, [&](const cli::PointLines& block) {
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          values[i].insert(values[i].end(), block.values[i].begin(),
-                           block.values[i].end());
-        }
-      });
+  cli::read_all_points(reader, columns, [&](const cli::PointLines& block) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      values[i].insert(values[i].end(), block.values[i].begin(),
+                       block.values[i].end());
+    }
+  });
   return values;
 }
 
@@ -120,9 +118,7 @@ CycleFile read_cycle(const Options& options, bool is_pin) {
   cli::LineReader reader(options.cycle);
   const CycleColumns columns = read_columns(reader, options, is_pin);
   const bool is_angles = columns.is_angles;
-  const auto& [line, place] = columns.header;
-  const auto values = read_lines(reader, {line, columns.needed, place},
-                                 columns.sto.has_value());
+  const auto values = read_lines(reader, {columns.header, columns.needed});
   contact::DutyCycle::Rows rows{
       values[0],
       vectors(values, 1, CycleColumns::motion_at, 1),

@@ -72,8 +72,8 @@ StoHeader read_sto_header(cli::LineReader& reader) {
       header.in_degrees = yes_or_no(*answer, place);
     }
   }
-  header.columns = cli::read_header(reader);
-  std::string& names = header.columns.line;
+  header.columns = cli::read_header(reader, {.separator = '\t'});
+  const std::string& names = header.columns.line;
   const auto found = 1 + std::ranges::count(names, '\t');
   if (found == 1) {
     cli::refuse_without(header.columns.place + ": a line of names",
@@ -84,7 +84,6 @@ StoHeader read_sto_header(cli::LineReader& reader) {
         fmt::format("{}: nColumns = {}", header.columns.place, *columns),
         fmt::format("{}, the number of names", found)));
   }
-  std::ranges::replace(names, '\t', ',');
   return header;
 }
 

@@ -14,7 +14,7 @@ struct StoHeader {
   /// inDegrees; without it radians, as OpenSim reads old files.
   std::optional<bool> in_degrees;
   std::optional<double> rows;
-  cli::PointHeader columns;  ///< with commas
+  cli::PointHeader columns;
 };
 
 /// Throws contact::Error without `endheader` or if nColumns is not the number

@@ -49,11 +49,9 @@ struct Columns {
         has_rate(!form.has_vectors() && header.has(rate)),
         needed(form.columns) {
     if (!has_vectors && !header.has(torque)) {
-      throw contact::Error(fmt::format(
-          "{}: {}", header.place,
-          contact::detail::needs("a measured moment",
-                                 "the column torque_N_m or the columns "
-                                 "M_t_x_N_m,M_t_y_N_m,M_t_z_N_m")));
+      header.fail(contact::detail::needs("a measured moment",
+                                         "the column torque_N_m or the columns "
+                                         "M_t_x_N_m,M_t_y_N_m,M_t_z_N_m"));
     }
     const auto add = [this](const std::vector<cli::PointColumn>& more) {
       needed.insert(needed.end(), more.begin(), more.end());
@@ -121,12 +119,12 @@ void add_names(const std::string& file, const cli::LineBlock& block,
 std::vector<MeasuredMoment> read_data(const Options& options, bool pin,
                                       std::vector<std::string>& names) {
   cli::LineReader reader(options.data);
-  const cli::PointHeader header = cli::read_header(reader);
+  const cli::PointHeader header = cli::read_header(reader, options.output);
   const Columns columns(header, pin);
   check_options(options, header, columns);
-  const cli::PointColumns point(header.line, columns.needed, header.place);
+  const cli::PointColumns point(header, columns.needed);
   std::vector<MeasuredMoment> data;
-  cli::read_all_points(reader, point, false, [&](const cli::PointLines& block) {
+  cli::read_all_points(reader, point, [&](const cli::PointLines& block) {
     add_names(reader.name(), block.lines, names);
     for (std::size_t i = 0; i < block.size(); ++i) {
       data.push_back(columns.datum(block, i, pin, options));

@@ -3,14 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
 
-#include "cli/number.hpp"
-#include "cli/stream/csv.hpp"
-#include "cli/stream/line_blocks.hpp"
+#include "cli/stream/points.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
@@ -19,74 +16,47 @@ namespace {
 
 using contact::detail::must_be;
 
-constexpr std::array<std::string_view, 5> names = {"joint", "table", "row",
-                                                   "column", "value"};
+const std::vector<cli::PointColumn> numbers = {{"row", {1, 1e6, ""}},
+                                               {"value", {-1e300, 1e300, ""}}};
 
-// Lines of a CSV file that are not comments, with their places.
-class Records {
- public:
-  explicit Records(const std::string& path) : reader_(path) {}
-
-  bool next() {
-    for (;;) {
-      place_ =
-          fmt::format("{}, line {}", reader_.name(), reader_.next_number());
-      const auto line = reader_.line();
-      if (!line) return false;
-      if (line->empty() || line->starts_with('#')) continue;
-      std::vector<std::string_view> fields;
-      const std::string_view why = cli::split_record(*line, fields);
-      if (!why.empty()) fail(std::string(why));
-      fields_.clear();
-      for (const auto field : fields) {
-        fields_.push_back(cli::field_value(field));
-      }
-      return true;
-    }
+// A column of texts among those that ride along.
+std::size_t text_at(const cli::PointColumns& columns,
+                    const cli::PointHeader& header, std::string_view name) {
+  const auto found = std::ranges::find_if(
+      columns.riding,
+      [name](const auto& column) { return cli::is_named(column, name); });
+  if (found == columns.riding.end()) {
+    header.fail(fmt::format("no column {}", name));
   }
-  const std::vector<std::string>& fields() const { return fields_; }
-  [[noreturn]] void fail(const std::string& why) const {
-    throw contact::Error(fmt::format("{}: {}", place_, why));
-  }
-
- private:
-  cli::LineReader reader_;
-  std::string place_;
-  std::vector<std::string> fields_;
-};
+  return static_cast<std::size_t>(found - columns.riding.begin());
+}
 
 }  // namespace
 
 Beside::Beside(const std::string& path, std::string_view joint,
-               std::string_view table) {
+               std::string_view table, const cli::TableStyle& hints) {
   if (path.empty()) return;
-  Records records(path);
-  if (!records.next()) throw contact::Error(path + ": no header line");
-  const std::vector<std::string> header = records.fields();
-  std::array<std::size_t, names.size()> at = {};
-  for (std::size_t i = 0; i < names.size(); ++i) {
-    at[i] = std::find(header.begin(), header.end(), names[i]) - header.begin();
-    if (at[i] == header.size()) {
-      records.fail(fmt::format("no column {}", names[i]));
+  cli::LineReader reader(path);
+  const cli::PointHeader header = cli::read_header(reader, hints);
+  const cli::PointColumns columns(header, numbers);
+  const std::size_t joint_at = text_at(columns, header, "joint");
+  const std::size_t table_at = text_at(columns, header, "table");
+  const std::size_t column_at = text_at(columns, header, "column");
+  cli::read_all_points(reader, columns, [&](const cli::PointLines& block) {
+    for (std::size_t i = 0; i < block.size(); ++i) {
+      const auto text = [&](std::size_t at) {
+        return cli::field_value(block.riding[i * columns.riding.size() + at]);
+      };
+      const double row = block.values[0][i];
+      if (row != std::floor(row)) {
+        throw contact::Error(
+            must_be(fmt::format("{}: row = {}", path, row), "a whole number"));
+      }
+      if (text(joint_at) != joint || text(table_at) != table) continue;
+      columns_[text(column_at)][static_cast<std::size_t>(row)] =
+          block.values[1][i];
     }
-  }
-  while (records.next()) {
-    const std::vector<std::string>& fields = records.fields();
-    if (fields.size() != header.size()) {
-      records.fail(fmt::format("{} fields where the header has {}",
-                               fields.size(), header.size()));
-    }
-    const auto row = cli::parse_number(fields[at[2]]);
-    const auto value = cli::parse_number(fields[at[4]]);
-    if (!row || !(*row >= 1) || *row != std::floor(*row) || *row > 1e6) {
-      records.fail(must_be("row " + fields[at[2]], "1 or above"));
-    }
-    if (!value) {
-      records.fail(must_be("value " + fields[at[4]], "a number"));
-    }
-    if (fields[at[0]] != joint || fields[at[1]] != table) continue;
-    columns_[fields[at[3]]][static_cast<std::size_t>(*row)] = *value;
-  }
+  });
   if (columns_.empty()) {
     throw contact::Error(fmt::format(
         "--beside {}: no rows for joint \"{}\", table {}", path, joint, table));

@@ -20,9 +20,10 @@ class Beside {
   /// @param path   "" for none
   /// @param joint  name of the joint
   /// @param table  "solution", "trace", "outer" or "inner"
+  /// @param hints  of its form, as cli::read_header() takes them
   /// Throws contact::Error if the file is wrong or has none.
   Beside(const std::string& path, std::string_view joint,
-         std::string_view table);
+         std::string_view table, const cli::TableStyle& hints);
 
   bool empty() const { return columns_.empty(); }
   /// Whether any row has a value for this column.

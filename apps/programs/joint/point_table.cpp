@@ -27,9 +27,9 @@ class Points {
  public:
   Points(const Options& options, bool pin)
       : reader_(options.points),
-        header_(cli::read_header(reader_)),
+        header_(cli::read_header(reader_, options.output)),
         form_(find_form(header_, pin, all_questions)),
-        columns_(header_.line, form_.columns, header_.place),
+        columns_(header_, form_.columns),
         pin_(pin),
         rate_(options.rate.value_or(1)) {
     if (options.rate && form_.has_vectors()) {
@@ -142,7 +142,7 @@ Problems summarise(Points& points, const NamedJoint& joint,
 PointResult write_points(const NamedJoint& joint, const Options& options,
                          const std::function<void()>& begin) {
   Points points(options, joint.joint.is_pin());
-  PointSeries series(points.question(), points.columns().riding);
+  PointSeries series(points.question(), points.columns());
   begin();
   const bool keeps = !options.output.plot.empty();
   const Problems problems =

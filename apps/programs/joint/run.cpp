@@ -74,7 +74,8 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
   const Beside beside(options.beside, setup.given[0].spec.name,
                       !outer          ? "trace"
                       : options.trace ? "inner"
-                                      : "outer");
+                                      : "outer",
+                      options.output);
   warn_of_states(setup, inputs);
   if (!outer) return write_trace(joint, inputs[0], beside, options.output);
   return write_outer(joint, inputs[0], options, beside);
@@ -194,7 +195,8 @@ cli::ExitStatus run(const Options& options) {
   if (options.measured_moment) {
     find_friction(*options.measured_moment, inputs, setup);
   }
-  const Beside beside(options.beside, setup.given[0].spec.name, "solution");
+  const Beside beside(options.beside, setup.given[0].spec.name, "solution",
+                      options.output);
   const auto begin = [&] { warn_of_states(setup, inputs); };
   const auto write = options.summary ? write_summary : write_solutions;
   cli::ExitStatus status =

@@ -116,8 +116,8 @@ struct Problems {
 // A table of points from a file or standard input.
 Problems write_points(const Options& options, const Method& method) {
   cli::LineReader reader(options.points);
-  const cli::PointHeader header = cli::read_header(reader);
-  const cli::PointColumns columns(header.line, point_columns, header.place);
+  const cli::PointHeader header = cli::read_header(reader, options.output);
+  const cli::PointColumns columns(header, point_columns);
   cli::Output output(options.output.output);
   const cli::Table table(options.output, column_names(method, columns.riding));
   cli::PointRows rows(reader);

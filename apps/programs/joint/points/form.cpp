@@ -49,9 +49,7 @@ Form find_form(const cli::PointHeader& header, bool pin,
       columns += form.columns[i].name;
     }
   }
-  throw contact::Error(
-      fmt::format("{}: {}", header.place,
-                  contact::detail::needs("a state", "the columns " + columns)));
+  header.fail(contact::detail::needs("a state", "the columns " + columns));
 }
 
 Input state_of(const Form& form, const cli::PointLines& block, std::size_t i,

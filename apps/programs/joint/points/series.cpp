@@ -44,10 +44,14 @@ std::vector<AnswerColumn> point_columns(Question question) {
   return found;
 }
 
-PointSeries::PointSeries(Question question, std::span<const std::string> riding)
-    : question_(question), columns_(point_columns(question)) {
+PointSeries::PointSeries(Question question, const cli::PointColumns& columns)
+    : question_(question),
+      form_(columns.form),
+      columns_(point_columns(question)) {
+  const std::vector<std::string>& riding = columns.riding;
   for (const TimeColumn& column : time_columns) {
-    const auto found = std::ranges::find(riding, column.name);
+    const auto found = std::ranges::find_if(
+        riding, [&](const auto& it) { return cli::is_named(it, column.name); });
     if (found == riding.end()) continue;
     has_time_ = true;
     time_at_ = static_cast<std::size_t>(found - riding.begin());
@@ -63,7 +67,7 @@ PointRow PointSeries::row(const Answer& a, const cli::PointLines& block,
   if (!time_name_.empty()) {
     const std::size_t riding = block.riding.size() / block.size();
     const auto time = cli::parse_number(
-        cli::field_value(block.riding[point * riding + time_at_]));
+        cli::field_value(block.riding[point * riding + time_at_], form_));
     row.time = seconds_ * time.value_or(nan);
   }
   std::ranges::transform(columns_, row.values.begin(),

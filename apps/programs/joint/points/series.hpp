@@ -29,8 +29,8 @@ struct PointRow {
 /// a column of the time.
 class PointSeries {
  public:
-  /// @param riding  names of the columns beside those of the state
-  PointSeries(Question question, std::span<const std::string> riding);
+  /// @param columns  of the states, and those beside them
+  PointSeries(Question question, const cli::PointColumns& columns);
 
   Question question() const { return question_; }
   const std::vector<AnswerColumn>& columns() const { return columns_; }
@@ -56,6 +56,7 @@ class PointSeries {
   void check_time(const PointRow& row);
 
   Question question_;
+  cli::CsvForm form_;
   std::vector<AnswerColumn> columns_;
   std::size_t time_at_ = 0;  // among the riding columns
   std::string_view time_name_;
