@@ -49,26 +49,117 @@ constexpr std::array<Clearances, 9> clearances = {{
     {375, {18, 125, 239, 353}},
 }};
 
-// The row of a designation; -1 if there is none.
-int row_of(std::string_view designation) {
-  std::string name;
-  for (const char c : designation.substr(0, designation.find('-'))) {
-    if (c != ' ') name += c;
+constexpr std::array<std::string_view, 3> group_names = {"C2", "CN", "C3"};
+
+// A designation in its parts: GE 50 DO-2RS, in small or capital letters.
+struct Name {
+  bool wide = false;  // GEH
+  int bore = 0;       // mm; 0: no name of such a bearing
+  std::string series = {};
+  std::string suffix = {};
+};
+
+bool is_letter(char c) { return c >= 'A' && c <= 'Z'; }
+bool is_digit(char c) { return c >= '0' && c <= '9'; }
+
+void drop(std::string_view& text, std::string_view what) {
+  text.remove_prefix(std::min(text.find_first_not_of(what), text.size()));
+}
+
+Name parsed(std::string_view designation) {
+  std::string capitals(designation);
+  for (char& c : capitals) {
+    if (c >= 'a' && c <= 'z') c = static_cast<char>(c - 'a' + 'A');
   }
-  const bool wide = name.starts_with("GEH");
-  if (!wide && !name.starts_with("GE")) return -1;
-  const char* const first = name.data() + (wide ? 3 : 2);
-  int bore = 0;
+  std::string_view text = capitals;
+  drop(text, " ");
+  Name name;
+  name.wide = text.starts_with("GEH");
+  if (!text.starts_with("GE")) return {};
+  text.remove_prefix(name.wide ? 3 : 2);
+  drop(text, " ");
   const auto [end, error] =
-      std::from_chars(first, name.data() + name.size(), bore);
-  if (error != std::errc() || bore <= 0) return -1;
-  const std::string_view suffix(end);
-  const bool g = wide ? suffix == "ES" : suffix == "FO";
+      std::from_chars(text.data(), text.data() + text.size(), name.bore);
+  if (error != std::errc()) return {};
+  text.remove_prefix(static_cast<std::size_t>(end - text.data()));
+  drop(text, " -");
+  auto letters = static_cast<std::size_t>(
+      std::ranges::find_if_not(text, is_letter) - text.begin());
+  const bool is_group =  // GE50-C3
+      letters == 1 && text[0] == 'C' && text.size() > 1 && is_digit(text[1]);
+  if (is_group) letters = 0;
+  name.series = text.substr(0, letters);
+  name.suffix = text.substr(letters);
+  return name;
+}
+
+// The row of a bore in series E or G; -1 if there is none.
+int row_of(int bore, int Size::*in_series) {
+  const auto found = std::ranges::find(sizes, bore, in_series);
+  return found == sizes.end() || bore <= 0
+             ? -1
+             : static_cast<int>(found - sizes.begin());
+}
+
+// The row of a bearing steel on steel.
+int row_of(const Name& name) {
   constexpr std::array<std::string_view, 4> of_e = {"", "E", "ES", "DO"};
-  if (!g && (wide || std::ranges::find(of_e, suffix) == of_e.end())) return -1;
-  const auto found =
-      std::ranges::find(sizes, bore, g ? &Size::bore_g : &Size::bore_e);
-  return found == sizes.end() ? -1 : static_cast<int>(found - sizes.begin());
+  const bool g = name.wide ? name.series == "ES" : name.series == "FO";
+  if (!g && (name.wide || std::ranges::find(of_e, name.series) == of_e.end())) {
+    return -1;
+  }
+  return row_of(name.bore, g ? &Size::bore_g : &Size::bore_e);
+}
+
+// The row of a lined bearing, whose ball and ring are those of series E or G.
+int row_of_lined(const Name& name) {
+  constexpr std::array<std::string_view, 9> of_e = {
+      "C", "CJ", "TE", "TXE", "TXA", "TGR", "TXGR", "ET", "UK"};
+  if (name.series == "FW") return row_of(name.bore, &Size::bore_g);
+  return std::ranges::find(of_e, name.series) == of_e.end() || name.wide
+             ? -1
+             : row_of(name.bore, &Size::bore_e);
+}
+
+// Throws where a suffix names another clearance than `group`.
+void check_group(std::string_view bearing, const Name& name,
+                 ClearanceGroup group) {
+  const auto is_part_of_word = [](char c) {
+    return is_letter(c) || is_digit(c);
+  };
+  for (std::size_t i = 0; i < group_names.size(); ++i) {
+    const std::string_view word = group_names[i];
+    const std::size_t at = name.suffix.find(word);
+    if (at == name.suffix.npos || i == static_cast<std::size_t>(group) ||
+        (at > 0 && is_part_of_word(name.suffix[at - 1])) ||
+        (at + 2 < name.suffix.size() && is_part_of_word(name.suffix[at + 2]))) {
+      continue;
+    }
+    throw Error(detail::needs(
+        bearing,
+        detail::message("the clearance group {} that it names", word)));
+  }
+}
+
+int checked_row(std::string_view designation, ClearanceGroup group) {
+  const std::string bearing =
+      detail::message("bearing {}", detail::printable(designation));
+  const Name name = parsed(designation);
+  if (const int row = row_of(name); row >= 0) {
+    check_group(bearing, name, group);
+    return row;
+  }
+  if (const int row = row_of_lined(name); row >= 0) {
+    throw Error(detail::needs(
+        bearing,
+        detail::message("its clearance, diameter = {:.6g} mm and ring_width = "
+                        "{} mm in its place: series {} is lined",
+                        sizes[row].ball_mm, sizes[row].ring_mm, name.series)));
+  }
+  throw Error(detail::must_be(
+      bearing,
+      "of series E, as GE50ES or GE50DO, or G, as GEH50ES or GE50FO, with a "
+      "bore of its tables, 6 to 300 mm"));
 }
 
 }  // namespace
@@ -78,13 +169,7 @@ SphericalBearing::SphericalBearing(std::string_view designation,
     : designation_(designation),
       group_(group),
       taken_(taken),
-      size_(row_of(designation)) {
-  if (size_ >= 0) return;
-  throw Error(detail::must_be(
-      detail::message("bearing {}", detail::printable(designation)),
-      "of series E, as GE50ES or GE50DO, or G, as GEH50ES or GE50FO, with a "
-      "bore of its tables, 6 to 300 mm"));
-}
+      size_(checked_row(designation, group)) {}
 
 double SphericalBearing::ball_diameter() const {
   return sizes[size_].ball_mm / 1e3;
@@ -115,8 +200,7 @@ double SphericalBearing::clearance(Fit::Clearance which) const {
 }
 
 std::string to_string(ClearanceGroup group) {
-  constexpr std::array names = {"C2", "CN", "C3"};
-  return names[static_cast<int>(group)];
+  return std::string(group_names[static_cast<int>(group)]);
 }
 
 std::string to_string(const SphericalBearing& bearing) {

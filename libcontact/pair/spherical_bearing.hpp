@@ -23,9 +23,11 @@ enum class ClearanceGroup { C2, CN, C3 };
 class SphericalBearing {
  public:
   /// @param designation  series E: GE50, GE50E, GE50ES, GE50DO; series G:
-  ///   GEH50ES, GE50FO; blanks do not count, and what stands behind "-" neither
+  ///   GEH50ES, GE50FO, in small or capital letters, with blanks and suffixes
+  ///   as in "GE 50 DO-2RS"
   /// @param taken        the one of the group's clearances that a joint has
-  /// @throws Error for a designation that is not in the tables
+  /// @throws Error for a designation that is not in the tables, one of a lined
+  ///   series, whose size the message says, or with the suffix of another group
   explicit SphericalBearing(std::string_view designation,
                             ClearanceGroup group = ClearanceGroup::CN,
                             Fit::Clearance taken = Fit::Clearance::mean);

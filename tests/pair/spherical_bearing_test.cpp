@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 #include <variant>
 
 #include "libcontact/files/joint_file.hpp"
@@ -15,6 +16,7 @@
 namespace contact::test {
 namespace {
 
+using namespace std::string_literals;
 using Taken = Fit::Clearance;
 
 TEST(SphericalBearing, IsAsPrinted) {
@@ -57,15 +59,37 @@ TEST(SphericalBearing, GroupsAreThoseOfAnotherMaker) {
 
 TEST(SphericalBearing, NamesOfMakers) {
   const SphericalBearing e("GE50ES");
-  for (const char* name : {"GE50", "GE 50 DO", "GE50E", "GE 50 ES-2RS"}) {
+  for (const char* name :
+       {"GE50", "GE 50 DO", "GE50E", "GE 50 ES-2RS", "ge50es", "GE 50 DO 2RS",
+        "GE50DO2RS", "GE50-ES-2RS", "ge50-2RS", "GE50ES CN"}) {
     EXPECT_EQ(SphericalBearing(name).ball_diameter(), e.ball_diameter());
   }
   EXPECT_EQ(SphericalBearing("GEH 50 ES-2LS").ball_diameter(),
             SphericalBearing("GE50FO").ball_diameter());
-  for (const char* name : {"", "GE", "GE51ES", "GEG50ES", "GE50UK", "6205",
-                           "GE-50ES", "GE0ES", "GEH6FO"}) {
+  for (const char* name :
+       {"", "GE", "GE51ES", "GEG50ES", "GE50UK", "6205", "GE-50ES", "GE0ES",
+        "GEH6FO", "GE50-UK", "GE50ES-C3", "GE50 C2", "GEH50UK"}) {
     EXPECT_NE(error_message([&] { SphericalBearing{name}; }), "") << name;
   }
+}
+
+// Their balls and rings are those of the series of their bores (GE50ES, GE30ES,
+// GE50FO), their clearances are not.
+TEST(SphericalBearing, LinedOnesAreNamedWithTheirSize) {
+  for (const auto& [name, size, series] :
+       {std::tuple("GE 50 TXE-2LS", "66 mm and ring_width = 28", "TXE"),
+        {"GE30UK", "40.7 mm and ring_width = 18", "UK"},
+        {"ge6c", "10 mm and ring_width = 4", "C"},
+        {"GE50-FW-2RS", "80 mm and ring_width = 36", "FW"}}) {
+    EXPECT_EQ(error_message([&] { SphericalBearing{name}; }),
+              "bearing "s + name + " requires its clearance, diameter = " +
+                  size + " mm in its place: series " + series + " is lined");
+  }
+  EXPECT_EQ(error_message([] { SphericalBearing{"GE50ES C3"}; }),
+            "bearing GE50ES C3 requires the clearance group C3 that it names");
+  EXPECT_EQ(
+      SphericalBearing("GE50ES-C3", ClearanceGroup::C3).radial_clearance(),
+      SphericalBearing("GE50ES", ClearanceGroup::C3).radial_clearance());
 }
 
 TEST(SphericalBearing, FillsAJointFile) {
