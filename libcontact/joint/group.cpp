@@ -33,8 +33,9 @@ void check_joints(const std::vector<Member>& joints, bool has_face) {
                       "at least 2, to hold moments across the axis"));
   }
   if (count_balls(joints) == 0 && !has_face) {
-    throw Error(
-        detail::needs(place, "a ball joint, to take the force along the axis"));
+    throw Error(detail::needs(
+        place,
+        "a ball joint or a thrust_face, to take the force along the axis"));
   }
   if (count_balls(joints) > 0 && has_face) {
     throw Error(detail::needs(

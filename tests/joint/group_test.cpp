@@ -209,7 +209,8 @@ TEST(JointGroup, RefusesWhatStaticsDoesNotSettle) {
       "the axis");
   EXPECT_EQ(
       message({pin(0, f), pin(1, f)}),
-      "joint group requires a ball joint, to take the force along the axis");
+      "joint group requires a ball joint or a thrust_face, to take the force "
+      "along the axis");
   EXPECT_EQ(message({ball(1, f), pin(1, f)}),
             "joint group: duplicate position 1 m");
   EXPECT_EQ(message({ball(0, f), pin(nan, f)}),
