@@ -23,6 +23,20 @@ EOF
   exit 1
 fi
 
+# That of the system that is, or would be, installed: older ones do not read the
+# presets, and install 30 packages first.
+needed=$(sed -n 's/^cmake_minimum_required(VERSION \(.*\))$/\1/p' CMakeLists.txt)
+if command -v cmake >/dev/null; then
+  found=$(cmake --version | sed -n '1s/.*version //p')
+else
+  found=$(apt-cache policy cmake | sed -n 's/^ *Candidate: //p')
+fi
+if dpkg --compare-versions "${found:-$needed}" lt "$needed"; then
+  echo "setup: cmake $found is too old: $needed is needed, as in Debian 12 or" \
+    "Ubuntu 24.04 and newer ones" >&2
+  exit 1
+fi
+
 missing=()
 for package in "${packages[@]}"; do
   status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
