@@ -59,6 +59,21 @@ std::vector<std::string_view> flags_in(std::string_view words) {
   return flags;
 }
 
+// ": did you mean "--load"?" of the first option that there is not.
+std::string nearest_option(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : app.get_options()) {
+    names.push_back(option->get_name());
+  }
+  for (const std::string& word : app.remaining()) {
+    if (!word.starts_with("--")) continue;
+    const std::string near = contact::detail::nearest(
+        std::string_view(word).substr(0, word.find('=')), names);
+    return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
+  }
+  return {};
+}
+
 // An empty text, as scripts pass it for a variable that is not set, must not
 // count as an option that was left out.
 void refuse_empty(const CLI::App& app) {
@@ -70,14 +85,27 @@ void refuse_empty(const CLI::App& app) {
   }
 }
 
-// Notes lists that look like thousands.
+// Lists that can only be one number.
+void refuse_cut_numbers(const CLI::App& app) {
+  for (const CLI::Option* option : app.get_options()) {
+    for (const std::string& text : option->results()) {
+      if (!has_cut_number(text)) continue;
+      refuse(option->get_name(), text,
+             "a list of numbers without zeros in front: thousands are written "
+             "without commas, decimals with a point");
+    }
+  }
+}
+
+// Notes lists that look like one number.
 void note_thousands(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!looks_like_thousands(text)) continue;
       note(app.get_name(),
            given(option->get_name(), text) +
-               " is a list of numbers: thousands are written without commas");
+               " is a list of numbers: thousands are written without commas, "
+               "decimals with a point");
     }
   }
 }
@@ -257,13 +285,15 @@ int Program::run(int argc, char** argv, std::string_view help,
       names.add("--plot", output_->plot);
     }
     refuse_empty(*app_);
+    refuse_cut_numbers(*app_);
     const ExitStatus status = body();
     note_thousands(*app_);
     return status;
   } catch (const CLI::ExtrasError&) {  // its text has them backwards
     complain(name(),
-             fmt::format("unexpected on the command line: {} (see {} --help)",
-                         fmt::join(app_->remaining(), " "), name()));
+             fmt::format("unexpected on the command line: {}{} (see {} --help)",
+                         fmt::join(app_->remaining(), " "),
+                         nearest_option(*app_), name()));
   } catch (const CLI::ParseError& error) {
     complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
   } catch (const std::exception& error) {

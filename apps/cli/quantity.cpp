@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 #include <cstring>
 #include <string>
@@ -115,24 +116,36 @@ std::optional<Dimension> unit_dimension(
   return std::nullopt;
 }
 
-// Nobody writes 0 as 000; two groups alone may as well be a list that ascends
-// from one number below 100 to one below 1000, which a note does not harm.
+// Two groups may as well be a list that ascends from one number below 100 to
+// one below 1000, which a note does not harm; so may "0,5kN", but hardly.
 bool looks_like_thousands(std::string_view text) {
-  const auto groups = split(text, separators);
+  const auto groups = split(text, ",");
   const auto is_digits = [](std::string_view group) {
     return group.find_first_not_of("0123456789") == group.npos;
   };
-  const std::string_view first = groups[0];
-  if (groups.size() < 2 || text.find(':') != text.npos || first.empty() ||
-      first.size() > 3 || first[0] == '0' || !is_digits(first)) {
-    return false;
+  if (groups.size() != 2 || !is_digits(groups[0])) return false;
+  if (groups[0] == "0") {
+    return groups[1].find_first_of("123456789") == 0 && !is_digits(groups[1]) &&
+           groups[1].find_first_of(".:") == groups[1].npos;
   }
-  bool has_zero = false;
-  for (std::size_t i = 1; i < groups.size(); ++i) {
-    if (groups[i].size() != 3 || !is_digits(groups[i])) return false;
-    has_zero = has_zero || groups[i][0] == '0';
+  return !groups[0].empty() && groups[0].size() < 3 && groups[0][0] != '0' &&
+         groups[1].size() == 3 && is_digits(groups[1]);
+}
+
+bool has_cut_number(std::string_view text) {
+  bool found = false;
+  for (const std::string_view group : split(text, ",")) {
+    const std::size_t digits =
+        std::min(group.find_first_not_of("0123456789"), group.size());
+    const std::string_view unit = group.substr(digits);
+    const bool is_whole =
+        digits > 0 && std::ranges::all_of(unit, [](unsigned char c) {
+          return std::isalpha(c) != 0 || c == ' ';
+        });
+    if (!is_whole) return false;
+    found = found || (digits > 1 && group[0] == '0');
   }
-  return has_zero || (groups.size() == 2 && first.size() < 3);
+  return found && text.find(',') != text.npos;
 }
 
 double parse_quantity(std::string_view option, std::string_view text,

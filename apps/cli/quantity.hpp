@@ -50,8 +50,12 @@ std::vector<std::string_view> split(std::string_view text,
                                     std::string_view cuts);
 
 /// Whether a list is more likely to be one number with commas between its
-/// thousands: "2,000", "12,500", "1,000,000".
+/// thousands, or a decimal one: "2,500", "12,500", "0,5kN".
 bool looks_like_thousands(std::string_view text);
+
+/// Whether a list has a number with a zero in front, as nobody writes one that
+/// stands alone: 100,000 and 0,05.
+bool has_cut_number(std::string_view text);
 
 /// A number without a unit within an interval. Throws contact::Error for
 /// anything else.

@@ -47,6 +47,21 @@ std::string padded(const std::string& cell, const std::string& name) {
   return fmt::format("{:>{}}", cell, width);
 }
 
+// The column that may be meant: nearest, or the shortest that goes on from
+// there with its unit, M_t_N_m for M_t.
+std::string near_column(const std::string& name,
+                        const std::vector<std::string>& names) {
+  std::string near = contact::detail::nearest(name, names);
+  if (!near.empty()) return near;
+  for (const std::string& column : names) {
+    if (column.starts_with(name + '_') &&
+        (near.empty() || column.size() < near.size())) {
+      near = column;
+    }
+  }
+  return near;
+}
+
 // Places of the names asked for, in their order; all if none is.
 std::vector<std::size_t> shown(const std::vector<std::string>& asked,
                                const std::vector<std::string>& names) {
@@ -56,7 +71,7 @@ std::vector<std::size_t> shown(const std::vector<std::string>& asked,
     const auto place = std::ranges::find(names, name) - names.begin();
     if (place == std::ssize(names)) {
       // A hundred names help only who is far from all of them.
-      const std::string near = contact::detail::nearest(name, names);
+      const std::string near = near_column(name, names);
       throw contact::Error(contact::detail::unknown(
           "column", name, near,
           near.empty() ? names : std::vector<std::string>()));
