@@ -14,12 +14,6 @@ namespace {
 using contact::JointSpec;
 using contact::TomlTable;
 
-JointSpec checked_spec(const TomlTable& file) {
-  JointSpec spec = contact::joint_from_table(file);
-  file.refuse_idle();
-  return spec;
-}
-
 // A file that another one names with its key `kind`, with settings: a joint or
 // a pair of materials.
 std::string file_toml(const std::string& kind,
@@ -44,7 +38,7 @@ FileJoint::FileJoint(const std::string& text, const std::string& source,
                                      folder, settings)) {}
 
 FileJoint::FileJoint(const TomlTable& file)
-    : FileJoint(file.toml_text(), checked_spec(file)) {}
+    : FileJoint(file.toml_text(), contact::joint_of_file(file)) {}
 
 FileJoint::FileJoint(std::string toml, JointSpec spec)
     : JointSet({}, {friction_or_none(spec)}, friction_refusal(spec)),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -16,6 +17,11 @@
 
 namespace contact {
 namespace {
+
+// The name of what a file does not name: that of the file, without its ending.
+std::string stem_of(const TomlTable& table) {
+  return std::filesystem::path(table.source()).stem().string();
+}
 
 ElasticPair pair_from_table(const TomlTable& table) {
   const Material inner = material_from_table(table.table("inner"));
@@ -35,8 +41,8 @@ KnownKeys material_pair_keys() {
 }
 
 MaterialPair material_pair_from_table(const TomlTable& table) {
-  MaterialPair pair{table.text("name"), pair_from_table(table),
-                    friction_from_table(table)};
+  MaterialPair pair{table.optional_text("name").value_or(stem_of(table)),
+                    pair_from_table(table), friction_from_table(table)};
   table.refuse_idle();
   return pair;
 }
@@ -74,8 +80,10 @@ Material read_material(const std::filesystem::path& path) {
 namespace {
 
 // Joint with these materials, or with those of the table.
-JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
-  std::string name = table.text("name");
+// @param name  if the table has none; "": it needs one
+JointSpec joint_of(const TomlTable& table, const MaterialPair* known,
+                   std::string name) {
+  if (name.empty() || table.has("name")) name = table.text("name");
   const TomlTable size = table.table("geometry");
   const auto fit = fit_from_table(size);
   const auto bearing = bearing_from_table(size);
@@ -106,7 +114,7 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known) {
 }  // namespace
 
 JointSpec joint_from_table(const TomlTable& table) {
-  return joint_of(table, nullptr);
+  return joint_of(table, nullptr, {});
 }
 
 KnownKeys joint_keys() {
@@ -125,7 +133,7 @@ KnownKeys joint_keys() {
 }
 
 JointSpec joint_of_file(const TomlTable& file, const MaterialPair* materials) {
-  JointSpec joint = joint_of(file, materials);
+  JointSpec joint = joint_of(file, materials, stem_of(file));
   file.refuse_idle();
   return joint;
 }

@@ -32,6 +32,57 @@ std::string shape_text(const ArrayShape& shape) {
              : detail::message("{} arrays of {} numbers", text, shape.columns);
 }
 
+// Line `number` of a text, from 1.
+std::string_view line_of(std::string_view text, unsigned number) {
+  for (unsigned i = 1; i < number; ++i) {
+    text.remove_prefix(std::min(text.find('\n'), text.size() - 1) + 1);
+  }
+  return text.substr(0, text.find_first_of("\r\n"));
+}
+
+// The rule that a number breaks which people write and TOML does not take: 10,5
+// .5 50. 0010 5mm; "" for other text.
+std::string number_rule(std::string_view value) {
+  constexpr std::string_view digits = "0123456789";
+  const auto has_digit = [&](std::string_view text, std::size_t at) {
+    return at < text.size() && digits.find(text[at]) != digits.npos;
+  };
+  if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
+  const std::size_t count =
+      std::min(value.find_first_not_of(digits), value.size());
+  const std::string_view rest = value.substr(count);
+  if (rest.starts_with(',') && count > 0 && has_digit(rest, 1)) {
+    return "a number whose decimals have a point, as 10.5, and thousands no "
+           "comma";
+  }
+  if (rest.starts_with('.') && !(count > 0 && has_digit(rest, 1))) {
+    return "a number with digits on both sides of its point, as 0.5 and 50.0";
+  }
+  if (count > 1 && value[0] == '0') return "a number without zeros in front";
+  const std::size_t letters = rest.find_first_not_of(" \t.0123456789e+-");
+  return count > 0 && letters != rest.npos
+             ? "a number alone: its unit is in the key, as in length_mm"
+             : "";
+}
+
+// Message on a line that the parser refuses.
+std::string parse_problem(std::string_view line, std::string_view parser) {
+  std::string_view value = line.substr(0, line.find('#'));
+  const std::size_t equals = value.find('=');
+  const auto trimmed = [](std::string_view text) {
+    constexpr std::string_view blanks = " \t";
+    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
+    return text.substr(0, text.find_last_not_of(blanks) + 1);
+  };
+  std::string rule;
+  if (equals != value.npos)
+    rule = number_rule(trimmed(value.substr(equals + 1)));
+  return rule.empty()
+             ? detail::printable(parser, longest_line)
+             : detail::must_be(detail::printable(trimmed(value), longest_line),
+                               rule);
+}
+
 const toml::table& as_table(const void* table) {
   return *static_cast<const toml::table*>(table);
 }
@@ -137,9 +188,10 @@ TomlTable::Parsed TomlTable::parsed(std::string_view text,
     return {std::make_shared<const KnownKeys>(std::move(keys)),
             toml::parse(text)};
   } catch (const toml::parse_error& error) {
+    const auto line = unsigned(error.source().begin.line);
     throw Error(detail::message(
-        "{}:{}: {}", source, unsigned(error.source().begin.line),
-        detail::printable(error.description(), longest_line)));
+        "{}:{}: {}", source, line,
+        parse_problem(line_of(text, line), error.description())));
   }
 }
 

@@ -201,7 +201,7 @@ TEST(CStatus, BadInputHasTheMessagesOfCpp) {
               " with geometry.radius_mm = -1: geometry.radius_mm = -1 must be "
               "above 0");
   refuses(contact_joint_parse("kind = 3", nullptr, nullptr, 0, &joint),
-          "joint:1: the file requires name");
+          "joint:1: the file requires the table [geometry]");
   contact_joint_numbers numbers = {};
   refuses(contact_joint_make(&numbers, &joint),
           "ball joint: radius = 0 must be above 0 m and finite");

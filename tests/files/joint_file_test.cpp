@@ -957,5 +957,15 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   }
 }
 
+// That of its file, without the ending.
+TEST(JointFile, NameOfAJointWithoutOne) {
+  EditedFile file("ball.toml");
+  const std::string text = file.text();
+  const std::string unnamed = text.substr(text.find('\n') + 1);
+  EXPECT_EQ(parse_joint(unnamed, "joints/left door.toml").name, "left door");
+  EXPECT_EQ(parse_joint(text, "joints/left door.toml").name, "test joint");
+  EXPECT_ERROR(parse_joint(unnamed, ""), "the file requires name");
+}
+
 }  // namespace
 }  // namespace contact::test
