@@ -97,7 +97,8 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
   warn(rows.make_one_period(), frames_of_maker);
   if (!rows.period) {
     throw contact::Error(contact::detail::needs(
-        "a cycle with uneven time steps",
+        rows.times.size() == 1 ? "a cycle of one row"
+                               : "a cycle with uneven time steps",
         "period, the time from the first row to its return"));
   }
   std::unique_ptr<Cycle> cycle;

@@ -1,6 +1,8 @@
 #include "libcontact/duty/duty_cycle.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
 #include "libcontact/base/text.hpp"
@@ -52,6 +54,30 @@ std::optional<double> even_period(const std::vector<double>& times) {
 }
 
 }  // namespace
+
+bool DutyCycle::Rows::is_steady() const {
+  return !times.empty() && forces.size() == times.size() &&
+         motion.size() == times.size() && !has_range(forces) &&
+         !has_range(motion);
+}
+
+DutyCycle::Rows DutyCycle::Rows::filled() const {
+  if (times.size() > 2 || !is_steady() ||
+      !(period.value_or(0) > times.back() - times.front())) {
+    return *this;  // what is wrong the spline says
+  }
+  constexpr double turn = 2 * std::numbers::pi;
+  const double wanted = 8 * std::ceil(motion[0].norm() * *period / turn);
+  if (!std::isfinite(wanted)) return *this;
+  const double count = std::clamp(wanted, 8.0, 8000.0);
+  Rows all = {{}, {}, {}, period};
+  for (double i = 0; i < count; ++i) {
+    all.times.push_back(times[0] + i / count * *period);
+    all.forces.push_back(forces[0]);
+    all.motion.push_back(motion[0]);
+  }
+  return all;
+}
 
 std::string DutyCycle::Rows::make_one_period() {
   if (times.size() < 2) return {};

@@ -135,7 +135,7 @@ DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame, TurnSequence sequence)
 }
 
 DutyCycle::DutyCycle(const Rows& rows, ForceFrame frame)
-    : splines_(std::make_shared<const Splines>(rows)), frame_(frame) {
+    : splines_(std::make_shared<const Splines>(rows.filled())), frame_(frame) {
   Quaterniond turn = Quaterniond::Identity();
   for (std::size_t i = 0; i < times().size(); ++i) {
     turns_.push_back(turn);

@@ -32,6 +32,11 @@ class DutyCycle {
     /// first.
     /// @return a note on what was left out, or ""
     std::string make_one_period();
+    /// Whether all rows have the same force and motion.
+    bool is_steady() const;
+    /// One or two such rows, with their period, as splines want them: eight for
+    /// each turn of 2 pi by `motion`, 8 to 8000. Others as they are.
+    Rows filled() const;
   };
 
   /// Intrinsic rotations one after the other, each about an axis of the body as
@@ -73,7 +78,8 @@ class DutyCycle {
   ///         deg from row to row, the last to the first too: one that jumps
   ///         back after a turn would be turned back by the spline.
   DutyCycle(const Rows& rows, ForceFrame frame, TurnSequence sequence);
-  /// Makes a cycle from angular velocities. The turn, from the axes of the
+  /// Makes a cycle from angular velocities; one or two rows are enough for a
+  /// steady one (Rows::filled). The turn, from the axes of the
   /// carrier at the first time, is integrated by Magnus' method of fourth
   /// order, four steps from each time to the next.
   DutyCycle(const Rows& rows, ForceFrame frame);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
+
 namespace contact::test {
 namespace {
 
@@ -129,6 +131,48 @@ TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
   rates.period = 20;
   for (Vector3d& rate : rates.motion) rate *= 25;
   EXPECT_TRUE(DutyCycle(rates, {}).notes(false).empty());
+}
+
+// One row, or two alike, are a steady turn: Q = exp(w t), whatever the period.
+TEST(CycleRows, SteadyTurn) {
+  const Vector3d rate(0.3, -4, 1);
+  for (const int count : {1, 2}) {
+    DutyCycle::Rows rows;
+    for (int i = 0; i < count; ++i) {
+      rows.times.push_back(2 + i);
+      rows.forces.emplace_back(0, -900, 20);
+      rows.motion.push_back(rate);
+    }
+    rows.period = 7.5;
+    EXPECT_EQ(rows.make_one_period(), "");
+    EXPECT_TRUE(rows.is_steady());
+    const DutyCycle cycle(rows, {});
+    EXPECT_EQ(cycle.period(), 7.5);
+    // Eight rows to each of the five turns that are begun.
+    EXPECT_EQ(cycle.times().size(), 40u);
+    for (const double time : {2.0, 3.1, 9.4}) {
+      const DutyCycle::State state = cycle.at(time);
+      EXPECT_LT((state.angular_velocity - rate).norm(), 1e-13);
+      EXPECT_LT((state.reaction - Vector3d(0, -900, 20)).norm(), 1e-12);
+      const Eigen::Quaterniond turn(
+          Eigen::AngleAxisd(rate.norm() * (time - 2), rate.normalized()));
+      EXPECT_LT(state.turn.angularDistance(turn), 1e-13);
+    }
+  }
+}
+
+// Rows that differ, without a period or with one that they outlast are not.
+TEST(CycleRows, FewRowsAreRefused) {
+  DutyCycle::Rows two{
+      {0, 1}, {{1, 0, 0}, {2, 0, 0}}, {{1, 0, 0}, {1, 0, 0}}, 3};
+  EXPECT_FALSE(two.is_steady());
+  EXPECT_THROW(DutyCycle(two, {}), Error);
+  two.forces[1] = two.forces[0];
+  EXPECT_NO_THROW(DutyCycle(two, {}));
+  two.period = 1;
+  EXPECT_THROW(DutyCycle(two, {}), Error);
+  two.period.reset();
+  EXPECT_THROW(DutyCycle(two, {}), Error);
 }
 
 }  // namespace

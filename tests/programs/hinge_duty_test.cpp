@@ -248,6 +248,28 @@ TEST_F(HingeDuty, InterferenceKeepsItsDebris) {
   EXPECT_TRUE(std::isnan(value(result.out, "effective_sliding_distance_m")));
 }
 
+// One row is a steady turn: the energy of a period is the power times it.
+TEST_F(HingeDuty, OneRowIsASteadyTurn) {
+  folder_.write("one.csv",
+                "time_s,R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,"
+                "w_z_rad_per_s\n0,0,-5000,0,0,0,2\n");
+  const std::string joint = " --joint data/joints/pin_joint.toml ";
+  const std::string run = "hinge-duty" + joint + "--cycle one.csv";
+  const double power =
+      CsvTable(out("hinge-joint" + joint + "--reaction 5000 --rate 2"))
+          .at("power_W");
+  EXPECT_NEAR(value(out(run + " --period 3s"), "energy_J") / (-3 * power), 1,
+              1e-12);
+  folder_.run_ill(run, 2,
+                  "hinge-duty: one.csv: a cycle of one row requires --period, "
+                  "the time from the first row to its return\n");
+  folder_.write("angle.csv", "time_s,R_x_N,R_y_N,R_z_N,a_deg\n0,0,-5000,0,2\n");
+  folder_.run_ill(
+      "hinge-duty" + joint + "--cycle angle.csv --period 3s", 2,
+      "hinge-duty: angle.csv: 1 row must be 4 or more, or alike and "
+      "with angular velocities: a steady turn\n");
+}
+
 // A row for 0 and for 100 % of the cycle is the same row.
 TEST_F(HingeDuty, LastRowThatRepeatsTheFirst) {
   const std::string source = "data/duty/pin_cycle.csv";

@@ -228,6 +228,14 @@ class Cycles(unittest.TestCase):
         with self.assertWarnsRegex(RuntimeWarning, "coefficient 1 mm"):
             cycle.wear_in(1e-9, 0)
 
+    def test_of_one_row_are_a_steady_turn(self):
+        pin = libcontact.Joint.from_file(source / "data/joints/pin_joint.toml")
+        cycle = pin.cycle([0], [[0, -5e3, 0]], rates=[[0, 0, 2]], period=3)
+        power = pin.solve([0, -5e3, 0], [0, 0, 2]).power
+        self.assertAlmostEqual(cycle.energy / (-3 * power), 1, delta=1e-12)
+        with self.assertRaisesRegex(libcontact.Error, "one row requires period"):
+            pin.cycle([0], [[0, -5e3, 0]], rates=[[0, 0, 2]])
+
     def test_of_bad_input_are_refused(self):
         c = columns(folder / "cycle_hip_in.csv")
         joint = libcontact.Joint.from_file(folder / "cycle_hip.toml")

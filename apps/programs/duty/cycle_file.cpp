@@ -27,11 +27,14 @@ std::vector<std::vector<double>> read_lines(cli::LineReader& reader,
   return values;
 }
 
-void check_times(const std::vector<double>& times, const std::string& name,
-                 const std::string& column) {
-  if (times.size() < 4) {
+void check_times(const contact::DutyCycle::Rows& rows, bool is_angles,
+                 const std::string& name, const std::string& column) {
+  const std::vector<double>& times = rows.times;
+  if (times.size() < 4 && (is_angles || !rows.is_steady())) {
     throw contact::Error(contact::detail::must_be(
-        fmt::format("{}: {} rows", name, times.size()), "4 or more"));
+        fmt::format("{}: {} row{}", name, times.size(),
+                    times.size() == 1 ? "" : "s"),
+        "4 or more, or alike and with angular velocities: a steady turn"));
   }
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] > times[i - 1]) continue;
@@ -51,8 +54,10 @@ void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
   const std::string note = rows.make_one_period();
   if (!note.empty()) cli::warn("hinge-duty", name + ": " + note);
   if (!rows.period) {
-    cli::refuse_without(name + ": a cycle with uneven time steps",
-                        "--period, the time from the first row to its return");
+    cli::refuse_without(
+        name + (rows.times.size() == 1 ? ": a cycle of one row"
+                                       : ": a cycle with uneven time steps"),
+        "--period, the time from the first row to its return");
   }
   const double span = rows.times.back() - rows.times.front();
   if (*rows.period > span) return;
@@ -92,11 +97,11 @@ void add_lies(const CycleColumns& columns,
   if (columns.motion_end == columns.names.size()) return;
   to.lie_column = columns.names[columns.motion_end];
   const auto column = [&](std::size_t at, std::size_t row) {
-    return at == 0 ? 0 : values[at][row];
+    return at == 0 ? 0 : values[at][row % values[at].size()];
   };
   for (std::size_t i = 0; i < to.cycle.times().size(); ++i) {
     if (columns.load_at != 0) {
-      to.places.push_back(values[columns.load_at][i]);
+      to.places.push_back(column(columns.load_at, i));
     } else {
       to.tilts.emplace_back(contact::degree * column(columns.tilt_x_at, i),
                             contact::degree * column(columns.tilt_y_at, i));
@@ -128,7 +133,7 @@ CycleFile read_cycle(const Options& options, bool is_pin) {
   if (columns.sto) {
     check_sto_rows(*columns.sto, rows.times.size(), reader.name());
   }
-  check_times(rows.times, reader.name(), columns.names[0]);
+  check_times(rows, is_angles, reader.name(), columns.names[0]);
   set_period(rows, reader.name(), options);
   if (is_pin && !is_angles) check_pin_rates(rows.motion, reader.name());
   CycleFile file{is_angles ? contact::DutyCycle(rows, frame, sequence)
