@@ -138,7 +138,10 @@ std::string tables() {
       "thickness.\"\"\"\n";
   for (const auto& key : material.inside) {
     for (const auto& name : spellings(key))
-      text += "    " + name + (key.key == "name" ? ": str\n" : ": float\n");
+      text += "    " + name +
+              (key.key == "name"    ? ": str\n"
+               : key.key == "liner" ? ": bool\n"
+                                    : ": float\n");
   }
   for (const auto& key : inside(keys, "coating").inside) {
     if (std::ranges::find(material.inside, key.key, &contact::KnownKey::key) !=
@@ -158,6 +161,7 @@ const char* type_of_keyword(std::string_view key) {
   if (key == "half_angle") return "_HalfAngle | Mapping[str, object] | None";
   if (key == "pressure") return "_Pressure | Mapping[str, object] | None";
   if (key == "inner" || key == "outer") return "Material | None";
+  if (key == "liner") return "bool | None";
   if (key == "wall") return "Wall | None";
   if (key == "coating") return "Layer | Sequence[Layer] | None";
   return "_Key";

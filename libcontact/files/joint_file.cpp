@@ -48,8 +48,7 @@ MaterialPair material_pair_from_table(const TomlTable& table) {
 }
 
 // [materials]: pair = "FILE", or [materials.inner] and [materials.outer].
-MaterialPair materials_from_table(const TomlTable& joint) {
-  const TomlTable table = joint.table("materials");
+MaterialPair given_materials(const TomlTable& table) {
   if (!table.has("pair")) return {"", pair_from_table(table), {}};
   table.refuse_both("pair", "inner");
   table.refuse_both("pair", "outer");
@@ -58,6 +57,17 @@ MaterialPair materials_from_table(const TomlTable& joint) {
   } catch (const Error& error) {
     table.fail("pair", error.what());
   }
+}
+
+// The same, and whether the outer body is a liner after all.
+MaterialPair materials_from_table(const TomlTable& joint) {
+  const TomlTable table = joint.table("materials");
+  MaterialPair pair = given_materials(table);
+  if (!table.has("liner")) return pair;
+  Material outer = pair.elastic.outer();
+  outer.liner = table.flag("liner");
+  pair.elastic = ElasticPair(pair.elastic.inner(), outer);
+  return pair;
 }
 
 }  // namespace
@@ -124,7 +134,8 @@ KnownKeys joint_keys() {
       {"inner_body"},
       table_key("materials", {{.key = "pair", .of_file = material_pair_keys()},
                               table_key("inner", material_keys()),
-                              table_key("outer", material_keys())}),
+                              table_key("outer", material_keys()),
+                              {"liner"}}),
       table_key("friction", friction_keys())};
   for (const auto& more : {geometry_keys(), law_keys(), wall_keys()}) {
     std::ranges::copy(more, std::back_inserter(keys));

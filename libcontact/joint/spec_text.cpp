@@ -34,6 +34,9 @@ class Toml {
   void text(std::string_view key, std::string_view value) {
     text_ += detail::message("{} = {}\n", key, quoted(value));
   }
+  void is_true(std::string_view key) {
+    text_ += detail::message("{} = true\n", key);
+  }
   std::string take() { return std::move(text_); }
 
  private:
@@ -76,6 +79,7 @@ void write(Toml& toml, const Material& material) {
   if (material.thermal_expansion) {
     toml.number("thermal_expansion_per_K", *material.thermal_expansion);
   }
+  if (material.liner) toml.is_true("liner");
 }
 
 void write(Toml& toml, std::string_view header, const Layer& layer) {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
@@ -75,6 +76,23 @@ double LayeredPair::relative_thickness() const {
     thinnest = std::min(thinnest, body->layers.front().thickness);
   }
   return thinnest / radius_;
+}
+
+std::vector<std::string> infinite_liner_notes(const LayeredBody& inner,
+                                              const LayeredBody& outer) {
+  std::vector<std::string> notes;
+  for (const auto& [body, which, key] :
+       {std::tuple{&inner, "inner", "coating"}, {&outer, "outer", "wall"}}) {
+    const Material& end = body->backing.material();
+    if (body->backing.kind() != Backing::Kind::medium || !end.liner) continue;
+    notes.push_back(detail::message(
+        "the {} body{} is taken without end, and is a liner: contacts that are "
+        "not small against its thickness are too large here and their "
+        "pressures too low; a [{}] with its thickness and what is behind it is "
+        "computed as it is",
+        which, end.name.empty() ? "" : ", " + end.name + ",", key));
+  }
+  return notes;
 }
 
 }  // namespace contact

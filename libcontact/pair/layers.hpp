@@ -1,6 +1,7 @@
 #pragma once
 
 #include <limits>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -70,6 +71,11 @@ struct LayeredBody {
 
   friend bool operator==(const LayeredBody&, const LayeredBody&) = default;
 };
+
+/// A sentence for each body that ends in the material of a liner: without
+/// layers, or as an elastic medium behind them.
+std::vector<std::string> infinite_liner_notes(const LayeredBody& inner,
+                                              const LayeredBody& outer);
 
 /// The two bodies of a joint whose walls count, validated once.
 class LayeredPair {

@@ -23,6 +23,9 @@ struct Material {
   /// at other temperatures than that of their clearance (pair/temperatures.hpp)
   /// only, which require it.
   std::optional<double> thermal_expansion = {};
+  /// Whether it comes as a layer of some thickness, as liners and cups do: a
+  /// body of it without end is noted (infinite_liner_notes()).
+  bool liner = false;
 
   friend bool operator==(const Material&, const Material&) = default;
 };

@@ -25,6 +25,14 @@ const LayeredPair* walls_of(const HalfAngleLaw& law) {
   return exact && exact->walls() ? &*exact->walls() : nullptr;
 }
 
+std::vector<std::string> liner_notes(const HalfAngleLaw& law,
+                                     const ElasticPair& pair) {
+  if (const LayeredPair* walls = walls_of(law)) {
+    return infinite_liner_notes(walls->inner(), walls->outer());
+  }
+  return infinite_liner_notes(pair.inner(), pair.outer());
+}
+
 double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
   const bool is_its_own = dynamic_cast<const ExactLaw*>(&law) != nullptr ||
                           dynamic_cast<const WornHalfAngle*>(&law) != nullptr;
@@ -61,6 +69,7 @@ double elastic_depth(const LayeredPair& bodies) {
 ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair) {
   add_pressures(pair);
   if (const LayeredPair* walls = walls_of(law)) add_layers(*walls);
+  add_liners(liner_notes(law, pair));
   add_half_angle(law, pair);
 }
 
@@ -68,6 +77,7 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                              const JointGeometry& geometry) {
   add_pressures(pair);
   if (const LayeredPair* walls = walls_of(law)) add_layers(*walls);
+  add_liners(liner_notes(law, pair));
   if (const auto& seat = geometry.seat()) {
     limits_.push_back(
         {&LargestContact::half_angle, seat->reach(), degree, "half-angle",
@@ -135,6 +145,12 @@ void ContactLimits::add_layers(const LayeredPair& walls) {
     }
     const bool is_elastic = of->backing.kind() == Backing::Kind::medium;
     if (depth > 0 && is_elastic) add(of->backing.material(), body, depth);
+  }
+}
+
+void ContactLimits::add_liners(const std::vector<std::string>& notes) {
+  for (const std::string& note : notes) {
+    limits_.push_back({&LargestContact::half_angle, 0, degree, "", "", note});
   }
 }
 

@@ -33,6 +33,7 @@ struct LargestContact {
 /// - both of the layers under the surface, and of what is behind them, once the
 ///   contact is as wide on each side as they are deep: the pressure that comes
 ///   down to them is less than the peak, and not computed,
+/// - any contact on a liner that is taken without end (infinite_liner_notes()),
 /// - the half-angle that the joint has at infinite load. Laws of the paper may
 ///   give more. The laws `exact` and `worn` know that of their own walls and
 ///   loading; all others are for infinite bodies under a force at the centre,
@@ -88,6 +89,7 @@ class ContactLimits {
 
   void add_pressures(const ElasticPair& pair);
   void add_layers(const LayeredPair& walls);
+  void add_liners(const std::vector<std::string>& notes);
   void add_pressure(double limit, const std::string& what,
                     double least_half_angle = 0);
   void add_half_angle(const HalfAngleLaw& law, const ElasticPair& pair);

@@ -957,6 +957,45 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   }
 }
 
+// A liner without a wall is warned of, whatever its law; a wall, or saying that
+// it is meant, ends that. The note is of the contact: all doors have it.
+TEST(JointFile, LinersWithoutAWall) {
+  const auto notes = [](const JointSpec& joint) {
+    return joint.contact().limits().notes({.half_angle = 0.1});
+  };
+  const std::string bush =
+      "name = 'bush'\nkind = 'pin'\ngeometry = { radius_mm = 10, "
+      "radial_clearance_um = 20, length_mm = 20 }\n[materials]\npair = '" +
+      std::string(CONTACT_DATA_DIR) + "/materials/steel_ptfe_liner.toml'\n";
+  for (const char* law : {"", "[half_angle]\nlaw = 'exact'\n"}) {
+    const JointSpec joint = parse_joint(bush + law, "bush.toml");
+    EXPECT_TRUE(joint.pair().outer().liner);
+    const auto said = notes(joint);
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_TRUE(said[0].starts_with(
+        "the outer body, woven PTFE liner, is taken without end, and is a "
+        "liner: "));
+    EXPECT_EQ(joint.contact().limits().passed({.half_angle = 0.1}), said);
+    EXPECT_TRUE(joint.contact().limits().notes({}).empty());
+    // The text of the joint is the joint.
+    EXPECT_EQ(parse_joint(joint.canonical_text(), ""), joint);
+    const JointSpec meant =
+        parse_joint(bush + "liner = false\n" + law, "bush.toml");
+    EXPECT_TRUE(notes(meant).empty());
+  }
+  const std::string wall =
+      "[[wall.layer]]\nthickness_mm = 0.3\n[wall.backing]\n"
+      "youngs_modulus_GPa = 207\npoissons_ratio = 0.292\n";
+  EXPECT_TRUE(notes(parse_joint(bush + wall, "bush.toml")).empty());
+  // Behind a wall it has no end either.
+  EXPECT_EQ(notes(parse_joint(bush + wall + "liner = true\n", "b.toml")).size(),
+            1u);
+  for (const char* name : {"hip_cocr_uhmwpe", "hip_cocr_uhmwpe_infinite",
+                           "spherical_plain_bearing_infinite", "hip_cup"}) {
+    EXPECT_TRUE(notes(sample_joint(name)).empty()) << name;
+  }
+}
+
 // That of its file, without the ending.
 TEST(JointFile, NameOfAJointWithoutOne) {
   EditedFile file("ball.toml");

@@ -377,6 +377,24 @@ class Files(unittest.TestCase):
             soft.load_parameter(2000)
             self.assertIn("5 MPa", soft.notes(2000)[0])
 
+    def test_warn_of_a_liner_without_a_wall(self):
+        keys = dict(
+            kind="pin", diameter_mm=20, radial_clearance_um=20, length_mm=20,
+            pair=libcontact.examples["materials/steel_ptfe_liner.toml"])
+        bush = libcontact.Joint(**keys)
+        said = "outer body, woven PTFE liner, is taken without end"
+        with self.assertWarnsRegex(libcontact.ContactWarning, said):
+            bush.peak_pressure(1e4)
+        of_materials = {k: v for k, v in keys.items() if k != "pair"} | {
+            "inner": libcontact.materials["carbon steel"],
+            "outer": libcontact.materials["woven PTFE liner"]}
+        with self.assertWarnsRegex(libcontact.ContactWarning, said):
+            libcontact.Joint(**of_materials).peak_pressure(1e4)
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            libcontact.Joint(**keys, liner=False).peak_pressure(1e4)
+            bush.replace({"materials.liner": False}).peak_pressure(1e4)
+
     def test_pickle_copy_and_compare(self):
         other = hip.replace({"materials.inner.youngs_modulus_MPa": 2e5})
         for joint in hip, other, libcontact.Joint(**walled):

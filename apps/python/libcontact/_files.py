@@ -144,7 +144,8 @@ def without_names(tables: Any) -> Any:
         del inside["file"]
     materials = inside.get("materials", {})
     if _file_of(materials) == "pair":
-        bodies = {name: materials[name] for name in ("inner", "outer")}
+        names = ("inner", "outer", "liner")
+        bodies = {name: materials[name] for name in names if name in materials}
         own = {"friction": materials["friction"]} if "friction" in materials else {}
         return own | inside | {"materials": bodies}
     return inside

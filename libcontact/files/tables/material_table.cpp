@@ -25,6 +25,7 @@ Material material_from_table(const TomlTable& table, Rigid rigid) {
   // Polymers have 1e-4 to 3e-4: beyond this the power of ten was mistaken.
   material.thermal_expansion =
       table.optional_number("thermal_expansion", {-1e-3, 1e-3});
+  material.liner = table.flag("liner");
   return material;
 }
 
@@ -33,7 +34,8 @@ KnownKeys material_keys() {
           {"youngs_modulus", Dimension::stress},
           {"poissons_ratio"},
           {"limit_pressure", Dimension::stress},
-          {"thermal_expansion", Dimension::inverse_temperature}};
+          {"thermal_expansion", Dimension::inverse_temperature},
+          {"liner"}};
 }
 
 }  // namespace contact
