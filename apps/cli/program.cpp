@@ -74,6 +74,20 @@ std::string nearest_option(const CLI::App& app) {
   return {};
 }
 
+// ": did you mean "--joint FILE"?" where a joint's file stands alone.
+std::string lone_joint(const CLI::App& app, int argc, char** argv) {
+  const CLI::Option* joint = app.get_option_no_throw("--joint");
+  if (joint == nullptr || joint->count() > 0) return {};
+  for (int i = 1; i < argc; ++i) {
+    const std::string_view word = argv[i];
+    const bool is_value =
+        i > 1 && std::string_view(argv[i - 1]).starts_with("--");
+    if (is_value || !word.ends_with(".toml")) continue;
+    return fmt::format(": did you mean \"--joint {}\"?", word);
+  }
+  return {};
+}
+
 // An empty text, as scripts pass it for a variable that is not set, must not
 // count as an option that was left out.
 void refuse_empty(const CLI::App& app) {
@@ -295,7 +309,8 @@ int Program::run(int argc, char** argv, std::string_view help,
                          fmt::join(app_->remaining(), " "),
                          nearest_option(*app_), name()));
   } catch (const CLI::ParseError& error) {
-    complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
+    complain(name(), fmt::format("{}{} (see {} --help)", error.what(),
+                                 lone_joint(*app_, argc, argv), name()));
   } catch (const std::exception& error) {
     complain(name(), error.what());
   }

@@ -67,6 +67,10 @@ std::string number_rule(std::string_view value) {
 
 // Message on a line that the parser refuses.
 std::string parse_problem(std::string_view line, std::string_view parser) {
+  if (parser.find("utf-8") != parser.npos) {
+    return detail::must_be("the file",
+                           "UTF-8: it is UTF-16, Latin-1 or no text");
+  }
   std::string_view value = line.substr(0, line.find('#'));
   const std::size_t equals = value.find('=');
   const auto trimmed = [](std::string_view text) {

@@ -996,6 +996,15 @@ TEST(JointFile, LinersWithoutAWall) {
   }
 }
 
+TEST(JointFile, OtherEncodings) {
+  for (const char* text : {"\xFF\xFEn", "# M\xFCller\n"}) {
+    EXPECT_ERROR(
+        parse_joint(text, "j.toml"),
+        "j.toml:1: the file must be UTF-8: it is UTF-16, Latin-1 or no "
+        "text");
+  }
+}
+
 // That of its file, without the ending.
 TEST(JointFile, NameOfAJointWithoutOne) {
   EditedFile file("ball.toml");
