@@ -1,4 +1,5 @@
 // Whole runs of hinge-separation against closed forms.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <Eigen/Core>
@@ -13,6 +14,7 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 #include "separation/results/summary.hpp"
+#include "support/numbers.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test {
@@ -299,6 +301,81 @@ force_N = [[3, 0, 0], [5, 0, 0], [-2, 0, 0], [-2, 0, 0], [7, 0, 0], [0, 0, 0],
     EXPECT_NEAR(value(rows, i, "stone.vx_m_per_s"), impulse / 2, 1e-13);
     EXPECT_NEAR(value(rows, i, "stone.x_m"), moved / 2, 1e-13);
   }
+}
+
+// A boom of 15 kg m^2 that a spring of 2 N m turns from rest at -90 deg over a
+// hard spot of some width that ends at -20 deg: a triangle of the table down to
+// `least`. The moment's work up to an angle, J.
+constexpr double hard_spot_end = -20;
+double hard_spot_work(double angle_deg, double width, double least) {
+  const double from = (angle_deg - (hard_spot_end - width)) / width;
+  const double share = std::clamp(from, 0., 1.);
+  const double triangle =
+      share < 0.5 ? 2 * share * share : 1 - 2 * (1 - share) * (1 - share);
+  return 2 * (angle_deg + 90) * degree +
+         (least - 2) * width * degree / 2 * triangle;
+}
+
+struct HardSpot {
+  double width;  // deg
+  double loss;   // J, of the pi J that the spring gives up to +0 deg
+  const char* run;
+  double accuracy;
+};
+constexpr const char* tight =
+    "relative_tolerance = 1e-11\nabsolute_tolerance = 1e-11";
+class HardSpots : public testing::TestWithParam<HardSpot> {};
+// By adaptive steps as exact as their tolerance says; by fixed ones of 20 ms to
+// their fourth order.
+INSTANTIATE_TEST_SUITE_P(
+    Widths, HardSpots,
+    testing::Values(
+        HardSpot{0.1, 0.5, "", 1e-7}, HardSpot{5, 2, "", 1e-7},
+        HardSpot{0.1, 2, tight, 1e-8}, HardSpot{1, 0.5, tight, 1e-8},
+        HardSpot{5, 2, tight, 1e-8}, HardSpot{20, 2, tight, 1e-8},
+        HardSpot{20, 2, "integrator = \"rk4\"\nstep_s = 0.02", 1e-6},
+        // It turns back in the spot, and at -90 deg, again and again.
+        HardSpot{0.1, 4, tight, 1e-8}, HardSpot{1, 4, tight, 1e-8},
+        HardSpot{5, 4, tight, 1e-8}, HardSpot{20, 4, tight, 1e-8}));
+
+TEST_P(HardSpots, TakeTheirWork) {
+  const auto& [width, loss, run, accuracy] = GetParam();
+  const double least = 2 - loss / (width * degree / 2);
+  const std::string text =
+      R"(
+name = "spot"
+[carrier]; name = "g"; fixed = true
+[[body]]; name = "boom"; mass_kg = 5; com_m = [1.5, 0, 0]
+principal_inertia_kg_m2 = [0.01, 3.75, 3.75]; start = { angle_deg = -90 }
+hinge = { kind = "axis", axis = [0, 0, 1] }
+[[event]]; name = "open"; angle_deg = 0; breaks = "hinge"
+[[force]]; name = "spring"; kind = "motor"; body = "boom"
+)"_toml +
+      fmt::format("angle_deg = [{}, {}, {}]\nmoment_N_m = [2, {}, 2]\n",
+                  hard_spot_end - width, hard_spot_end - width / 2,
+                  hard_spot_end, least) +
+      fmt::format("[run]\nend_time_s = {}\noutput_step_s = 0.1\n{}\n",
+                  loss > 3 ? 40 : 8, run);
+  const Case c = parse_case(text, "spot.toml");
+  const Outcome outcome = run_case(c, {});
+  ASSERT_EQ(outcome.failure, "");
+  const auto& release = outcome.memory.bodies[0].release;
+  if (loss < 3) {
+    const double rate = std::sqrt(2 * (pi - loss) / 15);
+    EXPECT_NEAR(release.rate, rate, accuracy * rate);
+    return;
+  }
+  EXPECT_EQ(release.time, separation::History::not_yet);
+  const Rows& rows = outcome.memory.rows;
+  int turns = 0;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double angle = value(rows, i, "boom.angle_deg");
+    const double rate = value(rows, i, "boom.rate_deg_per_s") * degree;
+    EXPECT_NEAR(15 * rate * rate / 2, hard_spot_work(angle, width, least),
+                accuracy * pi);
+    if (i > 0) turns += rate * value(rows, i - 1, "boom.rate_deg_per_s") < 0;
+  }
+  EXPECT_GE(turns, 5);
 }
 
 // The carrier stays where it is, but for the rounding of dense output, and so

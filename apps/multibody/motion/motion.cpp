@@ -8,6 +8,7 @@
 #include <limits>
 #include <utility>
 
+#include "multibody/motion/force_kinks.hpp"
 #include "multibody/motion/hinge_changes.hpp"
 #include "multibody/motion/hinge_events.hpp"
 #include "multibody/motion/motion_start.hpp"
@@ -85,6 +86,7 @@ Motion::Motion(const System& system, std::vector<HingeFriction> friction,
   hinges_ = std::make_unique<HingeChanges>(*equations_, *view_, options_);
   hinge_events_ = std::make_unique<HingeEvents>(*equations_, *view_, *stepper_,
                                                 *hinges_, options_);
+  kinks_ = std::make_unique<ForceKinks>(*equations_, *view_);
   user_events_ = std::make_unique<UserEvents>(*view_);
   resume(start_state(*equations_, start));
   // Hinges at rest at the start have not come to rest.
@@ -133,6 +135,20 @@ bool Motion::redo_step_to(double time) {
   stepper_->set_next_step(time - stepper_->begin());
   stepper_->restart_at_begin();
   return stepper_->step(time);
+}
+
+// The last step again, as long as forces have kinks in it: where it passed one,
+// what it made of the rest was about another piece of their tables.
+bool Motion::end_at_kink() {
+  const double planned = stepper_->next_step();
+  constexpr int most = 50;
+  for (int i = 0; i < most; ++i) {
+    const std::optional<double> time = kinks_->first(*stepper_);
+    if (!time) break;
+    if (!redo_step_to(*time)) return false;
+    stepper_->set_next_step(std::max(stepper_->next_step(), planned));
+  }
+  return true;
 }
 
 // The state at a time of the last step by a step that ends there, so that no
@@ -198,7 +214,7 @@ bool Motion::step() {
   show_step(std::min(stepper_->end(), before_break));
   if (pass_break()) show_step(stepper_->end());
   const double from = stepper_->end();
-  if (!stepper_->step(equations_->next_break)) {
+  if (!stepper_->step(equations_->next_break) || !end_at_kink()) {
     if (keep_directions()) return true;
     now_ = from;
     view_->show(now_, stepper_->begin_state());

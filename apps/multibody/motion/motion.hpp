@@ -23,6 +23,7 @@ enum class Stop {
 
 class Equations;
 class HingeChanges;
+class ForceKinks;
 class HingeEvents;
 class Stepper;
 class UserEvents;
@@ -129,6 +130,7 @@ class Motion {
   bool pass_break();
   void show_step(double time);
   bool redo_step_to(double time);
+  bool end_at_kink();
   bool keep_directions();
   std::vector<StepEvent> find_events();
   bool handle(const std::vector<StepEvent>& found);
@@ -143,6 +145,7 @@ class Motion {
   std::unique_ptr<Equations> equations_;
   std::unique_ptr<MotionSample> view_;
   std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<ForceKinks> kinks_;
   std::unique_ptr<HingeEvents> hinge_events_;
   std::unique_ptr<UserEvents> user_events_;
   std::unique_ptr<HingeChanges> hinges_;

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <limits>
 #include <span>
+#include <vector>
 
 /// Forces of an application on its bodies.
 namespace multibody {
@@ -44,12 +45,20 @@ struct BodyForce {
   }
 };
 
+/// A variable of the bodies' places over which a force has kinks, as a table
+/// has at its rows.
+struct KinkedVariable {
+  double value;
+  std::span<const double> kinks;  ///< increasing
+};
+
 /// Forces and moments given from outside: thrust, springs, pushers, air. Not
 /// uniform gravity (MotionOptions::gravity), reactions or hinge friction.
 ///
 /// Called at every evaluation of the accelerations, also at trial states that
 /// a step then discards: it must be a function of its arguments, cheap, and
-/// must not allocate or throw. Smooth between the times of next_break().
+/// must not allocate or throw. Smooth between the times of next_break() and
+/// the places of add_kinks().
 class ForceModel {
  public:
   virtual ~ForceModel() = default;
@@ -64,6 +73,15 @@ class ForceModel {
   virtual double next_break([[maybe_unused]] double time) const {
     return std::numeric_limits<double>::infinity();
   }
+
+  /// Appends the variables over which forces that act at a time have kinks, and
+  /// their values with the bodies in these places: steps end where one passes a
+  /// kink, however narrow what lies behind it is.
+  /// @param during  a time in the step; between two breaks they are the same
+  virtual void add_kinks(
+      [[maybe_unused]] double during,
+      [[maybe_unused]] std::span<const BodyMotion> bodies,
+      [[maybe_unused]] std::vector<KinkedVariable>& to) const {}
 };
 
 }  // namespace multibody

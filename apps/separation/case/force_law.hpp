@@ -48,6 +48,10 @@ class ForceLaw {
   /// @param begin  of the force, s
   virtual void add_breaks([[maybe_unused]] double begin,
                           [[maybe_unused]] std::vector<double>& breaks) const {}
+  /// Appends the variables over which it has kinks, as ForceModel::add_kinks().
+  virtual void add_kinks(
+      [[maybe_unused]] const ForceInstant& at,
+      [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
   /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
   /// Used part of the stroke less its length, m, for a force that ends when its

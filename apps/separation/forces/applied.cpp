@@ -32,6 +32,13 @@ struct Applied final : ForceLaw {
     force.add_breaks(begin, breaks);
     moment.add_breaks(begin, breaks);
   }
+  // A force or a moment that the file has not is a table of one row.
+  void add_kinks(const ForceInstant& at,
+                 std::vector<multibody::KinkedVariable>& to) const override {
+    const auto& rows =
+        force.at.size() < moment.at.size() ? moment.at : force.at;
+    separation::add_kinks(variable, rows, at, to);
+  }
 };
 
 // A vector, or with a table one for each of its rows.

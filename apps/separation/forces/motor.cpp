@@ -24,6 +24,10 @@ struct Motor final : ForceLaw {
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     if (variable == Variable::time) moment.add_breaks(begin, breaks);
   }
+  void add_kinks(const ForceInstant& at,
+                 std::vector<multibody::KinkedVariable>& to) const override {
+    separation::add_kinks(variable, moment.at, at, to);
+  }
   bool ends_with_hinge() const override { return true; }
 };
 

@@ -35,4 +35,10 @@ TablePlace place_in(Variable over, const ForceInstant& at) {
   return {0, 0};
 }
 
+void add_kinks(Variable over, const std::vector<double>& rows,
+               const ForceInstant& at,
+               std::vector<multibody::KinkedVariable>& to) {
+  if (over == Variable::angle) to.push_back({place_in(over, at).x, rows});
+}
+
 }  // namespace separation

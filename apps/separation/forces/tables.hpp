@@ -53,6 +53,11 @@ struct RowsOver {
 };
 RowsOver read_variable(const ForceTable& from);
 
+/// Appends rows over the hinge's angle, and the angle.
+void add_kinks(Variable over, const std::vector<double>& rows,
+               const ForceInstant& at,
+               std::vector<multibody::KinkedVariable>& to);
+
 /// Point at which a table is read, and the origin of its rows.
 struct TablePlace {
   double x;

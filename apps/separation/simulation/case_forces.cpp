@@ -64,6 +64,14 @@ void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
   }
 }
 
+void CaseForces::add_kinks(double during, std::span<const BodyMotion> bodies,
+                           std::vector<multibody::KinkedVariable>& to) const {
+  for (const Active& active : active_) {
+    if (!active.is_on(during)) continue;
+    active.force->law->add_kinks(instant(active, during, bodies), to);
+  }
+}
+
 std::optional<BodyForce> CaseForces::of(
     int force, double time, std::span<const BodyMotion> bodies) const {
   const Force* wanted = &case_.forces[force];

@@ -39,6 +39,8 @@ class CaseForces final : public multibody::ForceModel {
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const override;
   double next_break(double time) const override;
+  void add_kinks(double during, std::span<const multibody::BodyMotion> bodies,
+                 std::vector<multibody::KinkedVariable>& to) const override;
   /// Load by one force of the case on its body; none before its begin, after
   /// its end, and without stroke.
   std::optional<multibody::BodyForce> of(

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "multibody/motion/crossings.hpp"
+#include "multibody/motion/equations.hpp"
+#include "multibody/motion/stepper.hpp"
+
+namespace multibody {
+
+/// Kinks of the forces over the bodies' places (ForceModel::add_kinks()) within
+/// a step. A step that stays between two of them sees one smooth piece; what is
+/// narrower than a step is not stepped over.
+class ForceKinks {
+ public:
+  /// Refers to both.
+  ForceKinks(const Equations& equations, MotionSample& view)
+      : equations_(equations), view_(view) {}
+
+  /// The first time before the end of the last step at which a kink is passed.
+  /// A kink in which the step begins or ends, to 1e-10 of it (of 1 rad or 1 m
+  /// if it is less), is none: forces are continuous there.
+  std::optional<double> first(Stepper& stepper);
+
+ private:
+  /// A variable with its values in the last step.
+  struct Track {
+    std::span<const double> kinks;
+    StepFunction::Values values;
+    double soon;  ///< value just after the beginning
+  };
+  bool sample(Stepper& stepper);
+  std::optional<double> leaves(Stepper& stepper, std::size_t variable);
+  std::optional<double> passes(Stepper& stepper, std::size_t variable,
+                               double kink, double before);
+
+  const Equations& equations_;
+  MotionSample& view_;
+  std::vector<KinkedVariable> now_;
+  std::vector<Track> tracks_;
+};
+
+}  // namespace multibody
