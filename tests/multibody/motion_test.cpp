@@ -495,6 +495,22 @@ void look_around(const Motion& motion, multibody::test::Random& random,
   const double time =
       begin + random.uniform(0, 1) * (motion.sample().time() - begin);
   if (random.uniform(0, 1) < 0.5) motion.look_back(time, ask);
+  if (random.uniform(0, 1) < 0.5) {
+    // The same, of one body alone; to the rounding of the polynomials.
+    motion.look_back(time, [&](const MotionSample& sample) {
+      for (int i = 0; i <= 4; ++i) {
+        const BodyMotion& all = sample.motions()[i];
+        const BodyMotion one = motion.place_back(i, time);
+        EXPECT_LE((one.position - all.position).norm(),
+                  1e-13 * (1 + all.position.norm()));
+        EXPECT_LE((one.velocity - all.velocity).norm(),
+                  1e-13 * (1 + all.velocity.norm()));
+        EXPECT_LE((one.rotation - all.rotation).norm(), 1e-13);
+        EXPECT_LE((one.angular_velocity - all.angular_velocity).norm(),
+                  1e-13 * (1 + all.angular_velocity.norm()));
+      }
+    });
+  }
   if (random.uniform(0, 1) < 0.5) ask(motion.sample());
 }
 

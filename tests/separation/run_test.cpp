@@ -263,6 +263,79 @@ start = )" + start + '\n',
   }
 }
 
+// Two capsules of the radii 0.3 and 0.2 along z, b flying along x past a at
+// some speed and at some distance of their axes; turning about its own, too. On
+// straight ways the distance is sqrt(x^2 + y^2) - 0.5.
+struct FastPassage {
+  double speed;  // m/s
+  double row;    // s
+};
+class FastPassages : public testing::TestWithParam<FastPassage> {};
+INSTANTIATE_TEST_SUITE_P(
+    Speeds, FastPassages,
+    testing::Values(FastPassage{1, 1}, FastPassage{1, 0.01},
+                    FastPassage{30, 0.05}, FastPassage{100, 0.5},
+                    FastPassage{1000, 0.5}, FastPassage{1000, 0.01},
+                    FastPassage{1e4, 1}, FastPassage{1e4, 0.01}));
+
+TEST_P(FastPassages, HaveTheirSmallestDistance) {
+  const auto [speed, row] = GetParam();
+  constexpr double passes_at = 1.2345678;  // s
+  for (const double beside : {0., 0.4, 0.4999, 0.5001, 0.7, 3.}) {
+    const std::string text =
+        R"(
+name = "fly-by"
+[carrier]; name = "a"; mass_kg = 100; principal_inertia_kg_m2 = [10, 10, 10]
+shape = [{ kind = "capsule", from_m = [0, 0, -0.5], to_m = [0, 0, 0.5], radius_m = 0.3 }]
+[[body]]; name = "b"; mass_kg = 50; principal_inertia_kg_m2 = [5, 5, 5]
+shape = [{ kind = "capsule", from_m = [0, 0, -0.1], to_m = [0, 0, 0.1], radius_m = 0.2 }]
+)"_toml +
+        fmt::format(
+            "[run]\nend_time_s = 2\noutput_step_s = {}\n[body.start]\n"
+            "position_m = [{}, {}, 0]\nvelocity_m_per_s = [{}, 0, 0]\n"
+            "angular_velocity_rad_per_s = [0, 0, {}]\n",
+            row, -speed * passes_at, beside, speed, speed < 200 ? 0.5 : 0);
+    const auto pair =
+        run_case(parse_case(text, "fly-by.toml"), {}).memory.pairs[0];
+    // Of the distances, and of places some 1e4 m away.
+    constexpr double accuracy = 1e-8;
+    if (beside > 0.5) {
+      EXPECT_NEAR(pair.smallest, beside - 0.5, accuracy) << beside;
+      continue;
+    }
+    const double before = std::sqrt(0.25 - beside * beside) / speed;
+    // Gaps of up to 1e-8 of the size, which is the distance of the centres and
+    // some, may be taken for a touch.
+    const double near = 1e-8 + 4e-8 / speed;
+    EXPECT_EQ(pair.smallest, 0) << beside;
+    EXPECT_NEAR(pair.overlap_from, passes_at - before, near) << beside;
+    EXPECT_NEAR(pair.overlap_to, passes_at + before, near) << beside;
+    EXPECT_EQ(pair.time, pair.overlap_from);
+  }
+}
+
+// The time of a touch is not that of the next row.
+TEST(SmallestClearance, TouchesHaveTheirTime) {
+  const Case c = parse_case(R"(
+name = "re-contact"; run = { end_time_s = 4, output_step_s = 0.1 }
+[carrier]; name = "a"; mass_kg = 100; principal_inertia_kg_m2 = [10, 10, 10]
+shape = [{ kind = "capsule", from_m = [0, 0, 0], to_m = [1, 0, 0], radius_m = 0.3 }]
+[[body]]; name = "b"; mass_kg = 50; principal_inertia_kg_m2 = [5, 5, 5]
+shape = [{ kind = "capsule", from_m = [0, 0, 0], to_m = [1, 0, 0], radius_m = 0.2 }]
+start = { position_m = [0.2, 3, 0], velocity_m_per_s = [0, -2, 0] }
+)"_toml,
+                            "c.toml");
+  for (const bool rows : {false, true}) {
+    separation::RunOptions options;
+    options.rows = rows;
+    const auto pair = run_case(c, options).memory.pairs[0];
+    EXPECT_EQ(pair.smallest, 0);
+    EXPECT_NEAR(pair.time, 1.25, 1e-8);
+    EXPECT_EQ(pair.overlap_from, pair.time);
+    EXPECT_NEAR(pair.overlap_to, 1.75, 1e-8);
+  }
+}
+
 // Forces that jump three times, at times that rounding does not hit: momentum
 // and place are those of the table's integrals, to rounding.
 class TimeTables : public testing::TestWithParam<std::string> {};

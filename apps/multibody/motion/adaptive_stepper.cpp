@@ -49,7 +49,7 @@ class AdaptiveStepper final : public Stepper {
     ERKStepWFtolerances(memory_, weights);
     ERKStepSetTableNum(memory_, table);
     ERKStepSetInterpolantType(memory_, ARK_INTERP_HERMITE);
-    ERKStepSetInterpolantDegree(memory_, 5);
+    ERKStepSetInterpolantDegree(memory_, dense_degree);
     ERKStepSetMaxNumSteps(memory_, -1);
     ERKStepSetMaxErrTestFails(memory_, most_failures);
     if (std::isfinite(options_.longest_step)) {
@@ -71,6 +71,8 @@ class AdaptiveStepper final : public Stepper {
     std::copy_n(known ? N_VGetArrayPointer(other_) : to_.data(), state.size(),
                 state.begin());
   }
+
+  int degree() const override { return dense_degree; }
 
   int largest_error() override {
     int largest = -1;
@@ -138,6 +140,8 @@ class AdaptiveStepper final : public Stepper {
   // fewest evaluations at tolerances of 1e-6 to 1e-12 among those whose dense
   // output keeps up.
   static constexpr ARKODE_ERKTableID table = ARKODE_DORMAND_PRINCE_7_4_5;
+
+  static constexpr int dense_degree = 5;
 
   // Failures in a row. Friction may reverse within microseconds of the opening
   // of a lock, after steps of a tenth of a second; each failure makes the step

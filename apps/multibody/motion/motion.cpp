@@ -13,6 +13,7 @@
 #include "multibody/motion/hinge_events.hpp"
 #include "multibody/motion/motion_start.hpp"
 #include "multibody/motion/state_check.hpp"
+#include "multibody/motion/step_path.hpp"
 #include "multibody/motion/user_events.hpp"
 
 namespace multibody {
@@ -86,6 +87,7 @@ Motion::Motion(const System& system, std::vector<HingeFriction> friction,
   hinges_ = std::make_unique<HingeChanges>(*equations_, *view_, options_);
   hinge_events_ = std::make_unique<HingeEvents>(*equations_, *view_, *stepper_,
                                                 *hinges_, options_);
+  path_ = std::make_unique<StepPath>(*equations_, *stepper_);
   kinks_ = std::make_unique<ForceKinks>(*equations_, *view_);
   user_events_ = std::make_unique<UserEvents>(*view_);
   resume(start_state(*equations_, start));
@@ -422,6 +424,10 @@ void Motion::look_back(
   } const back{*view_, view_->time(), view_->state()};
   view_->show(*stepper_, time);
   look(*view_);
+}
+
+BodyMotion Motion::place_back(int body, double time) const {
+  return path_->place(body, time);
 }
 
 MotionState Motion::save() {

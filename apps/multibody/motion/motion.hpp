@@ -25,6 +25,7 @@ class Equations;
 class HingeChanges;
 class ForceKinks;
 class HingeEvents;
+class StepPath;
 class Stepper;
 class UserEvents;
 
@@ -113,6 +114,10 @@ class Motion {
   void look_back(double time,
                  const std::function<void(const MotionSample&)>& look) const;
 
+  /// The carrier (0) or a body (1 +) at such a time: for many looks at few
+  /// bodies.
+  BodyMotion place_back(int body, double time) const;
+
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;
 
@@ -145,6 +150,7 @@ class Motion {
   std::unique_ptr<Equations> equations_;
   std::unique_ptr<MotionSample> view_;
   std::unique_ptr<Stepper> stepper_;
+  std::unique_ptr<StepPath> path_;
   std::unique_ptr<ForceKinks> kinks_;
   std::unique_ptr<HingeEvents> hinge_events_;
   std::unique_ptr<UserEvents> user_events_;

@@ -5,6 +5,7 @@
 namespace multibody {
 
 void Stepper::restart(double time, std::span<const double> state) {
+  ++serial_;
   begin_ = end_ = time;
   from_.assign(state.begin(), state.end());
   to_.assign(state.begin(), state.end());
@@ -14,6 +15,7 @@ void Stepper::restart(double time, std::span<const double> state) {
 }
 
 bool Stepper::step(double limit) {
+  ++serial_;
   begin_known_ = end_known_;
   begin_rates_.swap(end_rates_);
   end_known_ = false;

@@ -45,6 +45,10 @@ class Stepper {
   /// The same as nearly as it can be had for next to nothing: Hermite's cubic
   /// between the ends.
   void estimate(double time, std::span<double> state);
+  /// Degree of interpolate() as a polynomial in time; -1: it is none.
+  virtual int degree() const { return -1; }
+  /// Another one for every step that is made, also again.
+  long serial() const { return serial_; }
   /// The number of the state whose error in the last step is the largest
   /// against what is allowed: what keeps steps short. -1: errors are not known.
   virtual int largest_error() { return -1; }
@@ -60,6 +64,7 @@ class Stepper {
   double begin_ = 0;
   double end_ = 0;
   double next_step_ = 0;
+  long serial_ = 0;
   std::vector<double> from_, to_;
   // Rates at the ends of a step.
   bool begin_known_ = false, end_known_ = false;

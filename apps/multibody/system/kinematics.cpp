@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 
 Vector3d vector_at(const double* s) { return {s[0], s[1], s[2]}; }
 
-BodyMotion body_at(const double* s, const Matrix3d& axes) {
+BodyMotion free_body(const double* s, const Matrix3d& axes) {
   const Matrix3d r = rotation_at(s + StateLayout::rotation);
   return {vector_at(s + StateLayout::position),
           vector_at(s + StateLayout::velocity), r * axes.transpose(),
@@ -50,22 +50,27 @@ void set_relative_rate(const Link& link, double* s, const Vector3d& rate) {
   with_hinge(link.kind, [&](auto hinge) { hinge.set_rate(s, rate); });
 }
 
+BodyMotion carrier_at(const double* s) {
+  return free_body(s, Matrix3d::Identity());
+}
+
+BodyMotion body_at(const Link& link, JointMode mode, const double* s,
+                   const BodyMotion& carrier) {
+  if (mode == JointMode::released) return free_body(s, link.axes);
+  return with_hinge(link.kind, [&](auto hinge) {
+    return hung_body(hinge, link, s, carrier);
+  });
+}
+
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies) {
-  bodies[0] = body_at(state, Matrix3d::Identity());
+  bodies[0] = carrier_at(state);
   for (int i = 0; i < system.size(); ++i) {
-    const Link& link = system.links()[i];
-    const double* s = state + layout.offset(i);
-    if (modes[i] == JointMode::released) {
-      const double angle = bodies[1 + i].hinge_angle;
-      bodies[1 + i] = body_at(s, link.axes);
-      bodies[1 + i].hinge_angle = angle;
-      continue;
-    }
-    bodies[1 + i] = with_hinge(link.kind, [&](auto hinge) {
-      return hung_body(hinge, link, s, bodies[0]);
-    });
+    const double angle = bodies[1 + i].hinge_angle;
+    bodies[1 + i] = body_at(system.links()[i], modes[i],
+                            state + layout.offset(i), bodies[0]);
+    if (modes[i] == JointMode::released) bodies[1 + i].hinge_angle = angle;
   }
 }
 

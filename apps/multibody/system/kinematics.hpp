@@ -19,6 +19,12 @@ Eigen::Vector3d relative_rate(const Link& link, const double* link_state);
 void set_relative_rate(const Link& link, double* link_state,
                        const Eigen::Vector3d& rate);
 
+/// The carrier, and a body on it or released (then without a hinge angle).
+/// @param numbers  its own
+BodyMotion carrier_at(const double* numbers);
+BodyMotion body_at(const Link& link, JointMode mode, const double* numbers,
+                   const BodyMotion& carrier);
+
 /// @param bodies  1 + number of bodies; the hinge angle of a body that is
 ///                released stays what it is
 void set_bodies(const System& system, const StateLayout& layout,

@@ -18,13 +18,50 @@ Clearance::Clearance(const std::vector<std::vector<Shape>>& shapes,
   }
 }
 
+namespace {
+
+RelativePlace place_in(const BodyMotion& a, const BodyMotion& b) {
+  return {a.rotation.transpose() * b.rotation,
+          a.rotation.transpose() * (b.position - a.position)};
+}
+
+}  // namespace
+
+std::size_t Clearance::solid_pairs(std::size_t pair) const {
+  return solids_[pairs_[pair].a].size() * solids_[pairs_[pair].b].size();
+}
+
+Clearance::SolidLook Clearance::look(std::size_t pair, std::size_t solids,
+                                     double time, const BodyMotion& a,
+                                     const BodyMotion& b) const {
+  const auto& of_b = solids_[pairs_[pair].b];
+  const Solid& solid_a = solids_[pairs_[pair].a][solids / of_b.size()];
+  const Solid& solid_b = of_b[solids % of_b.size()];
+  const RelativePlace place = place_in(a, b);
+  const Nearest found =
+      nearest(solid_a, solid_b, place, std::numeric_limits<double>::infinity());
+  const Vector3d apart = b.position - a.position;
+  SolidLook look{
+      time, found.distance,
+      a.rotation.transpose() *
+          (b.velocity - a.velocity - a.angular_velocity.cross(apart)),
+      a.rotation.transpose() * (b.angular_velocity - a.angular_velocity),
+      solid_b.reach()};
+  // n (v + w x r) of all points r of b: n v + r (n x w).
+  const Vector3d lever =
+      place.rotation.transpose() * found.normal.cross(look.turn);
+  const double along = found.normal.dot(look.velocity);
+  const double margin = solid_b.margin() * lever.norm();
+  look.most_rate = along + lever.dot(solid_b.farthest(lever)) + margin;
+  look.least_rate = along + lever.dot(solid_b.farthest(-lever)) - margin;
+  return look;
+}
+
 Nearest Clearance::nearest_of(const Pair& pair,
                               std::span<const BodyMotion> bodies) const {
   const BodyMotion& a = bodies[pair.a];
   const BodyMotion& b = bodies[pair.b];
-  const RelativePlace b_in_a = {
-      a.rotation.transpose() * b.rotation,
-      a.rotation.transpose() * (b.position - a.position)};
+  const RelativePlace b_in_a = place_in(a, b);
   Nearest best{std::numeric_limits<double>::infinity()};
   for (const Solid& of_a : solids_[pair.a]) {
     for (const Solid& of_b : solids_[pair.b]) {

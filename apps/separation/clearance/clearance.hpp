@@ -35,6 +35,25 @@ class Clearance {
   double distance(std::size_t pair,
                   std::span<const multibody::BodyMotion> bodies) const;
 
+  /// A solid of a and one of b on their way, in the axes of a.
+  struct SolidLook {
+    double time;
+    double distance;  ///< as distance()
+    /// Of b's centre of mass against a, m/s, and of b, rad/s.
+    Eigen::Vector3d velocity, turn;
+    double radius;  ///< no point of the solid of b is farther from there, m
+    /// Two planes that prove the distance go apart with at least, and at most,
+    /// such a speed, m/s; whatever point of b is the next.
+    double least_rate = 0, most_rate = 0;
+
+    double speed() const { return velocity.norm() + turn.norm() * radius; }
+  };
+  /// Pairs of a solid of a and one of b.
+  std::size_t solid_pairs(std::size_t pair) const;
+  SolidLook look(std::size_t pair, std::size_t solids, double time,
+                 const multibody::BodyMotion& a,
+                 const multibody::BodyMotion& b) const;
+
   /// Nearest points of the two bodies of a pair, inertial axes, m; none if they
   /// overlap or the result is not certified.
   std::optional<std::pair<Eigen::Vector3d, Eigen::Vector3d>> nearest_points(

@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <boost/math/tools/minima.hpp>
 #include <cmath>
 
 #include "libcontact/base/complaint.hpp"
@@ -12,6 +11,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
+#include "separation/clearance/passage.hpp"
 
 namespace separation {
 namespace {
@@ -380,7 +380,8 @@ void Recorder::look_at_changes(const Simulation& simulation) {
 
 void Recorder::note_distance(std::size_t i, double distance, double time) {
   PairRecord& pair = memory_.pairs[i];
-  if (distance < pair.smallest) {
+  // A touch has its time from the search, which comes after the look.
+  if (distance < pair.smallest || (distance <= 0 && time < pair.time)) {
     pair.smallest = distance;
     pair.time = time;
   }
@@ -409,38 +410,39 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
     if (!keep && least > 0 && least > known - negligible) continue;
     const double distance = clearance_->distance(i, sample.motions());
     way.know(distance);
+    const PairRecord& pair = memory_.pairs[i];
+    const bool overlapped =
+        pair.overlap_from <= way.since() && pair.overlap_to == way.since();
+    const bool changes = overlapped != (distance <= 0);
     note_distance(i, distance, time);
     if (keep) add(distance);
-    const bool may_be_smaller =
-        way.least_since() < memory_.pairs[i].smallest - negligible;
-    if (refine_ && may_be_smaller && way.since() < time &&
+    const bool may_be_smaller = way.least_since() < pair.smallest - negligible;
+    if (refine_ && (changes || may_be_smaller) && way.since() < time &&
         way.since() >= simulation.motion().step_begin()) {
       search_distance(simulation, i);
     }
   }
 }
 
-// The smallest distance of a pair between the last look and this one, if the
-// parabola through both and the middle has one.
+// The smallest distance of a pair between the last look and this one, for each
+// of its solids with each.
 void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
-  const auto distance = [&](double time) {
-    double value = 0;
-    simulation.motion().look_back(time, [&](const MotionSample& sample) {
-      value = clearance_->distance(i, sample.motions());
-    });
-    note_distance(i, value, time);
-    return value;
-  };
-  const double begin = ways_[i].since();
-  const double end = simulation.sample().time();
-  const std::array<double, 3> at = {distance(begin),
-                                    distance((begin + end) / 2), distance(end)};
-  const double bend = at[0] - 2 * at[1] + at[2];
-  const double slope = (at[2] - at[0]) / 2;
-  if (!(bend > negligible * (1 + at[1])) || !(std::abs(slope) < bend)) return;
-  constexpr int bits = 20;
-  std::uintmax_t steps = 30;
-  boost::math::tools::brent_find_minima(distance, begin, end, bits, steps);
+  const auto [a, b] = clearance_->pairs()[i];
+  const multibody::Motion& motion = simulation.motion();
+  const MotionSample& sample = simulation.sample();
+  for (std::size_t solids = 0; solids < clearance_->solid_pairs(i); ++solids) {
+    const auto look = [&](double time) {
+      const auto seen =
+          clearance_->look(i, solids, time, motion.place_back(a, time),
+                           motion.place_back(b, time));
+      note_distance(i, seen.distance, time);
+      return seen;
+    };
+    const auto now = clearance_->look(i, solids, sample.time(),
+                                      sample.motions()[a], sample.motions()[b]);
+    search_passage(look, look(ways_[i].since()), now, memory_.pairs[i].smallest,
+                   negligible);
+  }
 }
 
 void Recorder::look_at_energy(const Simulation& simulation, bool first) {
