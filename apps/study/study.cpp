@@ -8,6 +8,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/files/repeated_setting.hpp"
 #include "study/model/joint_model.hpp"
 #include "study/model/separation_model.hpp"
@@ -76,6 +77,39 @@ std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
     if (matches(pattern, whole)) result.push_back(why);
   }
   return result;
+}
+
+// Parts of a name between its dots, in the order of the alphabet; of vectors
+// without the number of the component.
+std::vector<std::string> parts_of(std::string_view name) {
+  std::vector<std::string> parts(1);
+  for (const char c : name.substr(0, name.find_last_of('['))) {
+    if (c == '.') {
+      parts.emplace_back();
+    } else {
+      parts.back() += c;
+    }
+  }
+  std::ranges::sort(parts);
+  return parts;
+}
+
+// The name that was meant, perhaps: by slips of letters, with the same parts in
+// another order, or with one part more.
+std::string nearest_quantity(std::string_view word,
+                             const std::vector<std::string>& all) {
+  std::string near = contact::detail::nearest(word, all);
+  const auto parts = parts_of(word);
+  for (std::size_t more : {0, 1}) {
+    for (const std::string& name : all) {
+      const auto others = parts_of(name);
+      if (near.empty() && others.size() == parts.size() + more &&
+          std::ranges::includes(others, parts)) {
+        near = name;
+      }
+    }
+  }
+  return near;
 }
 
 }  // namespace
@@ -157,9 +191,9 @@ std::vector<std::string> Study::matching(const std::string& pattern,
   }
   if (!found.empty()) return found;
   // All of them would fill a page.
-  const std::string message =
-      contact::detail::unknown("quantity", pattern, all);
-  table.fail(key, message.substr(0, message.find(" (")) +
+  table.fail(key, contact::detail::unknown("quantity",
+                                           contact::detail::printable(pattern),
+                                           nearest_quantity(pattern, all), {}) +
                       "; --quantities lists those of the nominal run");
 }
 

@@ -683,6 +683,31 @@ TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
   EXPECT_EQ(message("body[1].mass_kg", "body[2].mass_kg"), "(no error)");
 }
 
+// The names of a distance are in the order of the bodies, not of the file.
+TEST_F(StudyFolder, TheNearestQuantityIsNamed) {
+  write("c.toml", std::string(arm_case) +
+                      "[[body]]\nname = 'tip'\nmass_kg = 1\n"
+                      "start = { position_m = [9, 0, 0] }\n"
+                      "[[body.shape]]\nkind = 'box'\nsize_m = [1, 1, 1]\n"
+                      "[[body]]\nname = 'cone'\nmass_kg = 1\n"
+                      "start = { position_m = [0, 9, 0] }\n"
+                      "[[body.shape]]\nkind = 'box'\nsize_m = [1, 1, 1]\n"
+                      "[[clearance]]\na = 'cone'\nb = 'tip'\n");
+  for (const auto& [name, meant] :
+       {std::pair{"clearance.cone.tip.smallest_m",
+                  "clearance.tip.cone.smallest_m"},
+        {"smallest_m", "clearance.smallest_m"},
+        {"arm.peak_reacton_N", "arm.peak_reaction_N"},
+        {"peak_reaction_N", "arm.peak_reaction_N"}}) {
+    EXPECT_TRUE(has_text(
+        message_of(arm("[[requirement]]\nquantity = '" + std::string(name) +
+                       "'\nat_most = 1\nsuccess = 0.9\n" +
+                       dispersion("body[arm].mass_kg", 1, 1.1))),
+        "did you mean \"" + std::string(meant) + "\"?"))
+        << name;
+  }
+}
+
 // A release or an event that the nominal run does not come to.
 TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
   write("c.toml", arm_case);
