@@ -51,6 +51,23 @@ TEST(CycleRows, ReturnIsLeftOut) {
   }
 }
 
+// Numbers of some nine digits return, others are a row of their own, in
+// whichever column.
+TEST(CycleRows, RowsBesideTheFirstOneStay) {
+  for (const auto& [share, stays] :
+       {std::pair{1e-10, false}, {1e-8, true}, {1e-6, true}, {0.9e-3, true}}) {
+    // Of the ranges 200 N and 2.
+    DutyCycle::Rows force = swing(20, 1);
+    force.forces.back().z() -= 200 * share;
+    DutyCycle::Rows motion = swing(20, 1);
+    motion.motion.back().x() += 2 * share;
+    for (DutyCycle::Rows* rows : {&force, &motion}) {
+      EXPECT_EQ(rows->make_one_period().empty(), stays) << share;
+      EXPECT_EQ(rows->times.size(), stays ? 21u : 20u) << share;
+    }
+  }
+}
+
 // A stated longer period means the row.
 TEST(CycleRows, ReturnWithinALongerPeriodStays) {
   DutyCycle::Rows rows = swing(20, 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <random>
@@ -118,6 +119,35 @@ TEST(PlayJointIdentity, DerivativesAreThoseOfForceAndMoment) {
     // ball's friction is differentiated by differences itself.
     std::printf("derivatives of a %s: %.1e\n", to_string(kind).c_str(), worst);
     EXPECT_LT(worst, kind == JointKind::ball ? 1e-6 : 1e-7);
+  }
+}
+
+// N = F (1 + a d delta/dt) while it is positive: bodies that part do not hold
+// each other, however fast they are driven apart.
+TEST(PlayJointIdentity, PartingNeverPulls) {
+  for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
+    const PlayJoint& of = joint(kind);
+    const double a = of.damping().damping();
+    ASSERT_GT(a, 0);
+    Motions motions(kind);
+    for (int i = 0; i < 50; ++i) {
+      PlayMotion motion = motions.next();
+      Vector3d n = motion.position;
+      if (kind == JointKind::pin) n -= motion.axis.dot(n) * motion.axis;
+      n.normalize();
+      for (const double share : {0.5, 0.99, 1.01, 3., 100.}) {
+        motion.velocity = -share / a * n;
+        const double elastic = of.force_law().force(of.penetration(motion));
+        const double expected = std::max(0., 1 - share) * elastic;
+        PlayDerivatives derivatives;
+        for (const PlayForce& f : {of(motion), of(motion, derivatives)}) {
+          // The rate is a product of vectors that are 1 to their rounding.
+          EXPECT_NEAR(f.normal_force, expected, 1e-12 * share * elastic);
+          EXPECT_GE(f.normal_force, 0);
+          EXPECT_NEAR(-f.force.dot(n), expected, 1e-9 * f.force.norm());
+        }
+      }
+    }
   }
 }
 
