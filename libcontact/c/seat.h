@@ -27,7 +27,8 @@ typedef struct contact_seat_options {
   size_t table_size; /* bytes */
 } contact_seat_options;
 
-/* Takes 0.1 to 1 s, and more with a table. CONTACT_BAD_INPUT for a joint
+/* Takes some milliseconds, the first contact at a rim 0.1 to 1 s, and much
+ * more with a table. CONTACT_BAD_INPUT for a joint
  * without [seat], a friction stress, loading through the back, layers thinner
  * than 0.001 radii, and a table that is of another joint. options: NULL for no
  * table. */

@@ -147,9 +147,9 @@ struct RoundedRim {
 ///
 /// Where the contact of the seat without end lies inside the rims, that contact
 /// answers, to the last bit. Else a grid is solved: make one object per joint,
-/// as the constructor takes 0.1 to 1 s for its matrices. A contact much
-/// narrower than its zone gets finer grids, made when first asked for and kept.
-/// Any number of threads may ask.
+/// as the first of these takes 0.1 to 1 s for its matrices. A contact much
+/// narrower than its zone gets finer grids, made when first asked for and kept
+/// too. Any number of threads may ask.
 ///
 /// Accuracy (seat/seat_test.cpp, against two-grid references): docs/seats.md,
 /// "Accuracy".

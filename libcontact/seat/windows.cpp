@@ -51,8 +51,11 @@ SeatWindows::SeatWindows(const LayeredPair& pair, const SeatZone& zone,
       cells_(cells),
       order_(order),
       clearance_(clearance),
-      unit_force_(pair.surfaces().effective_modulus() * pair.radius() / 4) {
-  solver(0, 0);
+      unit_force_(pair.surfaces().effective_modulus() * pair.radius() / 4) {}
+
+std::size_t SeatWindows::grids() const {
+  const std::lock_guard lock(making_);
+  return solvers_.size();
 }
 
 std::shared_ptr<const SeatPatchSolver> SeatWindows::solver(int end,

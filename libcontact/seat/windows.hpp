@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -19,8 +20,8 @@ struct SeatSolution {
 };
 
 /// The grids of one seat: one over its whole zone, and for contacts that lie at
-/// one rim and are much narrower than the zone finer ones about them, made when
-/// first asked for and kept. Any number of threads may ask.
+/// one rim and are much narrower than the zone finer ones about them, all made
+/// when first asked for and kept. Any number of threads may ask.
 class SeatWindows {
  public:
   SeatWindows(const LayeredPair& pair, const SeatZone& zone, int cells,
@@ -30,6 +31,9 @@ class SeatWindows {
   /// @param force  F_x >= 0, F_z, N
   /// @return whether it was found to full accuracy
   bool balance(Eigen::Vector2d force, SeatSolution& solution) const;
+
+  /// Number of those that were made.
+  std::size_t grids() const;
 
   /// E rho/4, N/m: the unit of SeatPatch::force.
   double unit_force() const { return unit_force_; }

@@ -6,6 +6,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/seat/contact.hpp"
 #include "libcontact/seat/patch.hpp"
+#include "libcontact/seat/windows.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
@@ -107,6 +108,15 @@ TEST(Seat, PressuresAddUpToTheLoad) {
   }
   EXPECT_TRUE(
       std::isnan(seat.pressure(seat.under(towards(80, 0, 1e4)), {0, 0})));
+}
+
+TEST(Seat, MakesItsGridsWhenTheyAreAskedFor) {
+  const LayeredPair pair(0.025, steel, bronze);
+  const detail::SeatWindows windows(pair, cup(60), 12, 30, 2.5e-5);
+  EXPECT_EQ(windows.grids(), 0u);
+  detail::SeatSolution solution;
+  EXPECT_TRUE(windows.balance({4e4, 8e4}, solution));
+  EXPECT_GE(windows.grids(), 1u);
 }
 
 // To the last bit.
