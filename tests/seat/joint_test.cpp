@@ -202,6 +202,35 @@ TEST(SeatJoint, TurnsWithTheAxis) {
             1e-6);
 }
 
+// At rest too, with the direction in which it would slip.
+TEST(SeatJoint, RestTurnsWithTheAxis) {
+  const Eigen::Matrix3d turn =
+      (Eigen::AngleAxisd(0.7, Vector3d(1, 2, 3).normalized()))
+          .toRotationMatrix();
+  const Vector3d axis = turn * Vector3d::UnitZ();
+  JointSpec turned = bearing();
+  turned.geometry = turned.geometry.with_seat(
+      turned.geometry.seat()->about({axis.x(), axis.y(), axis.z()}));
+  const SeatJoint upright(bearing()), aside(turned);
+  // At the rim, and free.
+  for (const Vector3d& reaction :
+       {Vector3d(6e4, 1e4, 8e4), Vector3d(2e3, 1e3, 2e4)}) {
+    const Vector3d moment(10, 30, 5);
+    const SeatRestSolution s =
+        upright.at_rest({.reaction = reaction, .moment = moment});
+    const SeatRestSolution t =
+        aside.at_rest({.reaction = turn * reaction, .moment = turn * moment});
+    ASSERT_EQ(s.slip.contact.status, SeatStatus::ok);
+    EXPECT_EQ(s.slip.contact.is_free, reaction.z() < 5e4);
+    // Ten times the tolerance of rest.
+    EXPECT_LT((t.direction - turn * s.direction).norm(), 1e-5);
+    EXPECT_NEAR(t.utilisation / s.utilisation, 1, 1e-5);
+    EXPECT_LT((t.slip.friction_moment - turn * s.slip.friction_moment).norm() /
+                  s.slip.friction_moment.norm(),
+              1e-5);
+  }
+}
+
 TEST(SeatJoint, SaysWhatItCannotCarry) {
   const SeatJoint joint(bearing());
   const SeatJointSolution s =
@@ -303,15 +332,19 @@ TEST(SeatTable, IsReadAgain) {
     EXPECT_EQ(message(spec, flipped), "a table that is damaged or cut off");
   }
   // The number of squares, and where the parts of the first one are, wrong but
-  // with a check sum of their own.
+  // with a check sum of their own: also if only the last of them is not there.
   JointSpec bare = spec;
   bare.friction = {};
   bare.name = "";
   const std::size_t head =
       bytes.find('\n') + 1 + bare.canonical_text().size() + 1;
   const std::size_t squares = head + 76;
+  std::uint64_t count = 0;
+  std::memcpy(&count, bytes.data() + squares - 8, 8);
+  const int halves_end = static_cast<int>(count) - 3;
   for (const std::size_t place : {head + 32, squares + 19 * 4}) {
-    for (const int number : {1 << 30, 0}) {
+    for (const int number : {1 << 30, 0, halves_end}) {
+      if (number == halves_end && place == head + 32) continue;
       std::string forged = bytes.substr(0, bytes.size() - 4);
       std::memcpy(forged.data() + place, &number, 4);
       boost::crc_32_type crc;
@@ -334,7 +367,7 @@ TEST(SeatTable, MirrorsAcrossTheEquator) {
   spec.geometry = spec.geometry.with_seat({65 * degree, 115 * degree});
   SeatJoint joint(spec, {.cells = 12, .longitudes = 40});
   joint.use(std::make_shared<const SeatTable>(
-      joint.contact(), SeatTable::Options{.least_load = 9e4,
+      joint.contact(), SeatTable::Options{.least_load = 6e4,
                                           .most_load = 1.2e5,
                                           .accuracy = 1e-2,
                                           .checks = 5}));
@@ -343,7 +376,9 @@ TEST(SeatTable, MirrorsAcrossTheEquator) {
                         .angular_velocity = {up * 0.2, up * 0.5, 0.3}});
   };
   const SeatJointSolution s = solve(1), t = solve(-1);
-  ASSERT_FALSE(s.contact.is_free);
+  for (const SeatJointSolution& of : {s, t}) {
+    ASSERT_FALSE(of.contact.is_free || of.contact.solution);
+  }
   // Rounding of the direction.
   EXPECT_NEAR(s.contact.rims[0].intensity / t.contact.rims[1].intensity, 1,
               1e-9);
