@@ -106,6 +106,8 @@ SeatTable::SeatTable(const SeatContact& contact, const Options& options)
           "above 0 N");
   require(options.most_load > options.least_load, "most_load",
           options.most_load, "above least_load");
+  require(std::isfinite(options.most_load), "most_load", options.most_load,
+          "finite");
   require(options.accuracy > 0, "accuracy", options.accuracy, "above 0");
   const SeatZone& zone = contact.zone();
   low_ = {load_place(options.least_load), 0};

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <algorithm>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -30,7 +31,7 @@ class SeatTable {
  public:
   struct Options {
     double least_load;  ///< N, above 0
-    double most_load;   ///< N, above least_load
+    double most_load;   ///< N, above least_load, finite
     /// Errors allowed, over the load: shift, as load, and friction at f0 = 1.
     double accuracy = 1e-3;
     int most_states = 1800;  ///< 10 to 20 s
@@ -45,8 +46,11 @@ class SeatTable {
     double friction = 0;  ///< sums of section "Friction" about a random axis
     double peak = 0;      ///< error of the largest pressure, over itself
 
-    /// Over the load.
-    double error() const { return std::max(load, friction); }
+    /// Over the load; NaN without a state, which says nothing.
+    double error() const {
+      return states > 0 ? std::max(load, friction)
+                        : std::numeric_limits<double>::quiet_NaN();
+    }
   };
 
   /// @param contact  has to outlive the table

@@ -359,6 +359,13 @@ TEST(SeatTable, IsReadAgain) {
                                    {.least_load = 2, .most_load = 1});
                        }),
                        "most_load = 1 must be above least_load"));
+  // It was made, empty, with an error of 0.
+  EXPECT_TRUE(has_text(error_message([&] {
+                         SeatTable(joint.contact(),
+                                   {.least_load = 1, .most_load = INFINITY});
+                       }),
+                       "most_load = inf must be finite"));
+  EXPECT_TRUE(std::isnan(SeatTable::Check().error()));
 }
 
 // Loads on both sides of a symmetric ring.
