@@ -38,47 +38,65 @@ std::vector<SeatReadout::Run> SeatReadout::runs(int j) const {
   return runs;
 }
 
-SeatReadout::Run SeatReadout::run_of(int cell, int j) const {
-  Run run{cell, cell};
-  while (run.first > 0 && patch_.contact(run.first - 1, j) > 0) --run.first;
-  while (run.last + 1 < cells_.size() && patch_.contact(run.last + 1, j) > 0) {
-    ++run.last;
+std::optional<SeatReadout::Cell> SeatReadout::cell(int k, int j) const {
+  const int size = cells_.size(), opposite = solver_.order() - j;
+  if (k >= 0 && k < size) return Cell{k, j, 1, 0};
+  if (k < 0 && k >= -size && cells_.window.from == 0) {
+    return Cell{-1 - k, opposite, -1, 0};
   }
+  if (k >= size && k < 2 * size && cells_.window.to == pi) {
+    return Cell{2 * size - 1 - k, opposite, -1, 2 * pi};
+  }
+  return {};
+}
+
+bool SeatReadout::touches(int k, int j) const {
+  const auto at = cell(k, j);
+  return at && patch_.contact(at->i, at->j) > 0;
+}
+
+// The five cells in contact that are nearest to one, or those there are.
+SeatReadout::Run SeatReadout::around(int k, int j) const {
+  Run run{k, k};
+  while (run.last < k + 2 && touches(run.last + 1, j)) ++run.last;
+  while (run.first > run.last - 4 && touches(run.first - 1, j)) --run.first;
+  while (run.last < run.first + 4 && touches(run.last + 1, j)) ++run.last;
   return run;
 }
 
 // Parabola of f = p/g about the middle of the cell, whose means over cells with
 // the weight w_i sin v are a_i p_i.
-Eigen::Vector3d SeatReadout::parabola(int cell, int j) const {
-  const Run in = run_of(cell, j);
-  const int first = std::max(in.first, std::min(cell - 2, in.last - 4));
-  const int last = std::min(in.last, std::max(cell + 2, in.first + 4));
-  const int count = last - first + 1;
+Vector3d SeatReadout::parabola(int k, int j) const {
+  const Run run = around(k, j);
+  const int count = run.last - run.first + 1;
   const int terms = std::min(3, count);
-  const double middle = cells_.mean_angle(cell);
   Eigen::MatrixXd moments(count, 3);
   Eigen::VectorXd means(count);
-  for (int k = 0; k < count; ++k) {
-    const int i = first + k;
-    const double v = cells_.mean_angle(i);
-    moments.row(k) << 1, v - middle,
-        cells_.mean_square(i) + middle * (middle - 2 * v);
-    means(k) = cells_.mean_shape(i) * patch_.pressure(i, j);
+  for (int n = 0; n < count; ++n) {
+    const Cell of = *cell(run.first + n, j);
+    const double mean = cells_.mean_angle(of.i);
+    const double x = of.offset + of.sign * mean - cells_.mean_angle(k);
+    moments.row(n) << 1, x, cells_.mean_square(of.i) - mean * mean + x * x;
+    means(n) = cells_.mean_shape(of.i) * patch_.pressure(of.i, of.j);
   }
-  Eigen::Vector3d f = Eigen::Vector3d::Zero();
+  Vector3d f = Vector3d::Zero();
   f.head(terms) = moments.leftCols(terms).colPivHouseholderQr().solve(means);
   return f;
+}
+
+// In a cell. Where the contact ends the parabola goes on below 0.
+double SeatReadout::pressure(const Vector3d& f, int k, double v) const {
+  const double x = v - cells_.mean_angle(k);
+  const double value = f(0) + x * (f(1) + x * f(2));
+  return value > 0 ? cells_.shape(v) * value : 0;
 }
 
 double SeatReadout::pressure(double v, int j) const {
   const double* begin = cells_.bound.data();
   const auto above = std::upper_bound(begin, begin + cells_.bound.size(), v);
-  const int cell =
+  const int at =
       std::clamp(static_cast<int>(above - begin) - 1, 0, cells_.size() - 1);
-  if (patch_.contact(cell, j) == 0) return 0;
-  const Eigen::Vector3d f = parabola(cell, j);
-  const double x = v - cells_.mean_angle(cell);
-  return cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
+  return touches(at, j) ? pressure(parabola(at, j), at, v) : 0;
 }
 
 double SeatReadout::pressure(double v, double longitude) const {
@@ -87,7 +105,9 @@ double SeatReadout::pressure(double v, double longitude) const {
   const double at = turn / solver_.longitude(1);
   const int j = std::min(static_cast<int>(at), last - 1);
   const double share = at - j;
-  return (1 - share) * pressure(v, j) + share * pressure(v, j + 1);
+  // At a rim both may be infinite.
+  const double p = share < 1 ? (1 - share) * pressure(v, j) : 0;
+  return share > 0 ? p + share * pressure(v, j + 1) : p;
 }
 
 double SeatReadout::half_width(double direction) const {
@@ -127,11 +147,10 @@ SeatReadout::Peak SeatReadout::peak(double low, double high, int j) const {
     const double from = std::max(low, cells_.bound(i));
     const double to = std::min(high, cells_.bound(i + 1));
     if (patch_.contact(i, j) == 0 || !(to >= from)) continue;
-    const Eigen::Vector3d f = parabola(i, j);
+    const Vector3d f = parabola(i, j);
     for (int k = 0; k <= parts; ++k) {
       const double v = from + (to - from) * k / parts;
-      const double x = v - cells_.mean_angle(i);
-      const double p = cells_.shape(v) * (f(0) + x * (f(1) + x * f(2)));
+      const double p = pressure(f, i, v);
       if (p > peak.pressure) peak = {p, v, solver_.longitude(j)};
     }
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "libcontact/seat/patch.hpp"
@@ -16,7 +17,8 @@ class SeatReadout {
       : cells_(solver.cells()), solver_(solver), patch_(patch) {}
 
   /// Pressure at a node's longitude and any polar angle: g(v) times the
-  /// parabola through the means of five cells, 1e-3 away from rims.
+  /// parabola through the means of five cells, 1e-3 away from rims. Never below
+  /// 0, infinite at a rim that is reached.
   double pressure(double v, int j) const;
   /// Pressure at any longitude, linear between its nodes.
   double pressure(double v, double longitude) const;
@@ -73,11 +75,21 @@ class SeatReadout {
   struct Best {
     double value, polar_angle;
   };
+  // A cell of a node's meridian, which goes on over the poles of the zone:
+  // there cells have numbers below 0 or from size() on, and angles offset +
+  // sign v.
+  struct Cell {
+    int i, j;
+    double sign, offset;
+  };
   double longitude(int k) const;
   Best best(const Eigen::Vector3d& axis, double from, double to, int k) const;
   std::vector<Run> runs(int j) const;
-  Run run_of(int cell, int j) const;
-  Eigen::Vector3d parabola(int cell, int j) const;
+  std::optional<Cell> cell(int k, int j) const;
+  bool touches(int k, int j) const;
+  Run around(int k, int j) const;
+  Eigen::Vector3d parabola(int k, int j) const;
+  double pressure(const Eigen::Vector3d& parabola, int k, double v) const;
   double end(const Run& run, int j, int side) const;
   double rim_strength(int rim, int j) const;
 

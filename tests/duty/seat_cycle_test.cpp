@@ -132,7 +132,9 @@ TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
   EXPECT_NEAR(ball.at(middle).pv / seat.at(middle).pv, 1, 0.02);
   // p within 0.02 radii of the rim is cut: a little of the volume is missing.
   const auto points = seat.grid(4000);
-  const double defect = seat.volume_defect(worn(seat, points));
+  const auto wear = worn(seat, points);
+  for (const WearMap::Wear& one : wear) EXPECT_GE(one.pv, 0);
+  const double defect = seat.volume_defect(wear);
   EXPECT_LT(defect, 0.002);
   EXPECT_GT(defect, -0.03);
 }

@@ -1,9 +1,13 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <random>
 #include <string>
+#include <tuple>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/seat/contact.hpp"
 #include "libcontact/seat/patch.hpp"
 #include "libcontact/seat/windows.hpp"
@@ -108,6 +112,103 @@ TEST(Seat, PressuresAddUpToTheLoad) {
   }
   EXPECT_TRUE(
       std::isnan(seat.pressure(seat.under(towards(80, 0, 1e4)), {0, 0})));
+}
+
+JointSpec shipped(const std::string& name) {
+  return read_joint(CONTACT_DATA_DIR "/joints/" + name + ".toml");
+}
+
+// Where the contact ends a parabola goes on below 0; it ran to -14 % of the
+// peak beside the pole, and to minus infinity at rims.
+TEST(Seat, PressuresAreNeverBelowZero) {
+  const struct {
+    const char* joint;
+    double load, direction;
+  } cases[] = {{"hip_cup", 5000, 43},
+               {"hip_cup", 1000, 66},
+               {"hip_cup", 5000, 89},
+               {"ball_stud", 3000, 90},
+               {"spherical_plain_bearing_ge50", 1e5, 60}};
+  for (const auto& [name, load, direction] : cases) {
+    const JointSpec spec = shipped(name);
+    const SeatZone zone = *spec.geometry.seat();
+    const SeatContact seat(spec, zone);
+    const SeatState state = seat.under(towards(direction, 0, load));
+    ASSERT_EQ(state.status, SeatStatus::ok) << name;
+    const auto p = [&](double v, double longitude_deg) {
+      return seat.pressure(state, {v, longitude_deg * degree});
+    };
+    constexpr int parts = 360;
+    double least = 0;
+    for (int i = 0; i <= parts; ++i) {
+      const double v =
+          i == parts ? zone.to() : zone.from() + zone.width() * i / parts;
+      for (int k = 0; k <= 180; ++k) {
+        const double here = p(v, k);
+        ASSERT_FALSE(std::isnan(here)) << name << " " << v << " " << k;
+        least = std::min(least, here);
+      }
+    }
+    EXPECT_EQ(least, 0) << name;
+    // At the rims themselves, and beyond, where the model has no seat.
+    for (const int rim : {0, 1}) {
+      const bool is_there =
+          rim == 0 ? zone.has_lower_rim() : zone.has_upper_rim();
+      if (!is_there) continue;
+      const double at = rim == 0 ? zone.from() : zone.to();
+      const double arc = state.rims[rim].half_arc / degree;
+      for (double k = 0; k <= 180; k += 3) {
+        if (std::abs(k - arc) < 4) continue;  // two longitudes
+        EXPECT_EQ(p(at, k), k < arc ? INFINITY : 0) << name << " " << k;
+      }
+      for (const double beyond : {1e-9, 1e-3, 0.05}) {
+        EXPECT_EQ(p(at + (rim == 0 ? -beyond : beyond), 0), 0) << name;
+      }
+    }
+  }
+}
+
+// Against a grid twice as fine, at places drawn at random.
+TEST(Seat, PressuresAreThoseOfAFinerGrid) {
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  for (const auto& [name, load, direction] :
+       {std::tuple{"hip_cup", 5000.0, 66.0}, {"ball_stud", 3000.0, 160.0}}) {
+    const JointSpec spec = shipped(name);
+    const SeatZone zone = *spec.geometry.seat();
+    const SeatContact seat(spec, zone);
+    const SeatContact fine(spec, zone, {.cells = 56, .longitudes = 180});
+    const Eigen::Vector3d force = towards(direction, 0, load);
+    const SeatState state = seat.under(force), finer = fine.under(force);
+    const double cell = zone.width() / 28;
+    const auto is_inside = [&](double v, double longitude) {
+      for (int k = 0; k < 8; ++k) {
+        const double up = 2 * cell * std::cos(k * pi / 4);
+        const double across = 2 * cell * std::sin(k * pi / 4) / std::sin(v);
+        if (v + up < zone.from() || v + up > zone.to()) return false;
+        if (!(fine.pressure(finer, {v + up, longitude + across}) > 0)) {
+          return false;
+        }
+      }
+      return true;
+    };
+    double squares = 0, largest = 0;
+    int count = 0;
+    for (int i = 0; i < 4000; ++i) {
+      const double v = zone.from() + zone.width() * uniform(random);
+      const double longitude = pi * uniform(random);
+      const double error = std::abs(seat.pressure(state, {v, longitude}) -
+                                    fine.pressure(finer, {v, longitude})) /
+                           finer.peak_pressure;
+      if (!is_inside(v, longitude)) continue;
+      ++count;
+      squares += error * error;
+      largest = std::max(largest, error);
+    }
+    ASSERT_GT(count, 100) << name;
+    EXPECT_LT(std::sqrt(squares / count), 3e-3) << name;
+    EXPECT_LT(largest, 2e-2) << name;
+  }
 }
 
 TEST(Seat, MakesItsGridsWhenTheyAreAskedFor) {
