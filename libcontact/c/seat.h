@@ -84,7 +84,9 @@ typedef struct contact_seat_solution {
 
   double shift[3];         /* shift of the ball's centre from concentric, m */
   double pressure_at_load; /* pressure where F pierces the seat, Pa */
-  double peak_pressure;    /* largest p report_distance off rims, Pa */
+  /* Largest p report_distance off rims, Pa; NaN where it is below the mean
+   * pressure: the contact lies nearer to a rim. */
+  double peak_pressure;
   double peak_polar_angle; /* its place, rad */
   double peak_longitude;
   double lower_end; /* ends of the contact in the plane of the load, rad */

@@ -112,13 +112,27 @@ const SeatCycle::Instant* SeatCycle::largest(const Of& of) const {
   return found;
 }
 
+template <class Of, class Mean>
+const SeatCycle::Instant* SeatCycle::largest(const Of& of,
+                                             const Mean& mean) const {
+  const Instant* found = largest(of);
+  for (const Instant& row : rows_) {
+    if (!found || row.solution.contact.status != SeatStatus::ok) continue;
+    if (std::isnan(of(row)) && mean(row) > of(*found)) return nullptr;
+  }
+  return found;
+}
+
 const SeatCycle::Instant* SeatCycle::largest_peak() const {
   return largest(
-      [](const Instant& i) { return i.solution.contact.peak_pressure; });
+      [](const Instant& i) { return i.solution.contact.peak_pressure; },
+      [](const Instant& i) { return i.solution.contact.mean_pressure(); });
 }
 
 const SeatCycle::Instant* SeatCycle::largest_pv() const {
-  return largest([](const Instant& i) { return i.pv.largest; });
+  return largest(
+      [](const Instant& i) { return i.pv.largest; },
+      [](const Instant& i) { return i.pv.total / i.solution.contact.area; });
 }
 
 double SeatCycle::pv_integral() const {

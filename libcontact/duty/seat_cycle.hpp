@@ -55,11 +55,12 @@ class SeatCycle {
 
   /// Share of the time in which the contact is at a rim.
   double rim_share() const;
-  /// The row with the largest pressure; null if none has one.
+  /// The row with the largest pressure; null if none has one, and where a row
+  /// without one has a larger mean (SeatState::peak_pressure).
   const Instant* largest_peak() const;
   /// The row whose contact is nearest to a rim; null if none has one.
   const Instant* least_gap() const;
-  /// The row with the largest p v.
+  /// The row with the largest p v, in the same way.
   const Instant* largest_pv() const;
   /// Integral of p v over contact and time, J; rows without a contact left out.
   double pv_integral() const;
@@ -71,6 +72,8 @@ class SeatCycle {
  private:
   template <class Of>
   const Instant* largest(const Of& of) const;
+  template <class Of, class Mean>
+  const Instant* largest(const Of& of, const Mean& mean) const;
 
   std::shared_ptr<const SeatJoint> joint_;
   std::vector<Instant> rows_;

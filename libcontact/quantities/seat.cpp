@@ -21,7 +21,11 @@ double rim_pressure(const SeatCycle& cycle) {
 
 constexpr Quantity<S> of_seat[] = {
     {"free", "", Dimension::number, "1 if the contact reaches no rim",
-     [](const S& s) { return s.is_free ? 1 : 0; }},
+     [](const S& s) {
+       return s.status == SeatStatus::ok
+                  ? double(s.is_free)
+                  : std::numeric_limits<double>::quiet_NaN();
+     }},
     {"peak_pressure", "p_peak", Dimension::stress,
      "largest pressure report_distance (0.02 radii) or more from every rim",
      [](const S& s) { return s.peak_pressure; }},

@@ -87,13 +87,10 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   state.force = force;
   const double load = force.norm();
   if (!(load > 0 && std::isfinite(load))) return state;
-  const double direction = detail::polar_angle(force);
   if (const auto half_angle = free_half_angle(force)) {
-    state.is_free = true;
-    set_free(*half_angle, direction, state);
-    return state;
+    return free_state(force, *half_angle);
   }
-  if (!zone_.carries(direction)) {
+  if (!zone_.carries(detail::polar_angle(force))) {
     state.status = SeatStatus::out_of_seat;
     return state;
   }
@@ -121,8 +118,11 @@ SeatState SeatContact::confined(const Eigen::Vector3d& force,
   auto solution = near.solution
                       ? std::make_shared<detail::SeatSolution>(*near.solution)
                       : std::make_shared<detail::SeatSolution>();
-  const bool converged = windows_->balance(in_plane(force), *solution);
-  state.status = converged ? SeatStatus::ok : SeatStatus::not_converged;
+  if (!windows_->balance(in_plane(force), *solution)) {
+    state.status = SeatStatus::not_converged;
+    return state;
+  }
+  state.status = SeatStatus::ok;
   state.solution = std::move(solution);
   set_confined(detail::polar_angle(force), state);
   return state;
@@ -130,10 +130,14 @@ SeatState SeatContact::confined(const Eigen::Vector3d& force,
 
 double SeatContact::unit_force() const { return windows_->unit_force(); }
 
-void SeatContact::set_free(double half_angle, double direction,
-                           SeatState& state) const {
-  const double load = state.force.norm();
+SeatState SeatContact::free_state(const Eigen::Vector3d& force,
+                                  double half_angle) const {
+  const double load = force.norm();
+  const double direction = detail::polar_angle(force);
+  SeatState state;
+  state.force = force;
   state.status = SeatStatus::ok;
+  state.is_free = true;
   state.shift = contact_.shift(load, half_angle) / load * state.force;
   state.pressure_at_load = contact_.pressure(0, load, half_angle);
   state.peak_pressure = contact_.peak_pressure(load, half_angle);
@@ -143,7 +147,9 @@ void SeatContact::set_free(double half_angle, double direction,
   state.half_width = half_angle;
   state.force_ratio = contact_.sum_of_pressures(load, half_angle) / load;
   state.area = contact_.area(half_angle);
+  for (SeatRim& rim : state.rims) rim.intensity = rim.half_arc = 0;
   set_rims(state);
+  return state;
 }
 
 void SeatContact::set_confined(double direction, SeatState& state) const {
@@ -179,16 +185,20 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
             covered.col(j).dot(solver.cells().unit.matrix());
   }
   state.area = radius_ * radius_ * area;
+  // The largest pressure lies nearer to a rim than the reported distance.
+  if (state.peak_pressure < state.mean_pressure()) {
+    state.peak_pressure = nan;
+    state.peak_place = {};
+  }
   set_rims(state);
 }
 
 void SeatContact::set_rims(SeatState& state) const {
-  if (zone_.has_lower_rim()) {
-    state.rims[0].distance = state.lower_end - zone_.from();
-  }
-  if (zone_.has_upper_rim()) {
-    state.rims[1].distance = zone_.to() - state.upper_end;
-  }
+  constexpr double none = std::numeric_limits<double>::infinity();
+  state.rims[0].distance =
+      zone_.has_lower_rim() ? state.lower_end - zone_.from() : none;
+  state.rims[1].distance =
+      zone_.has_upper_rim() ? zone_.to() - state.upper_end : none;
   for (SeatRim& rim : state.rims) {
     rim.gap = radius_ * rim.distance;
     if (!(zone_.edge().radius > 0 && rim.intensity > 0)) continue;
@@ -309,6 +319,13 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   if (std::string why = note(state); !why.empty()) return {std::move(why)};
   constexpr double beside = 10 * degree;
   std::vector<std::string> all;
+  if (std::isnan(state.peak_pressure) && state.area > 0) {
+    all.push_back(detail::message(
+        "no largest pressure: {:.3g} mm or more from the rims, the distance "
+        "that is reported, it is below the mean of the contact, {:.4g} MPa; K "
+        "tells what is at the rim",
+        radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6));
+  }
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
     if (!is_reached && !(state.rims[rim].distance < beside)) continue;

@@ -24,7 +24,7 @@ struct SeatSolution;
 
 enum class SeatStatus {
   ok,
-  not_converged,  ///< the best contact that was found
+  not_converged,  ///< the contact was not found to full accuracy
   out_of_seat,    ///< no pressure on the seat can carry the load
   no_load,        ///< the force is 0 or not finite
 };
@@ -57,15 +57,20 @@ struct SeatPlace {
 SeatPlace seat_place(const Eigen::Vector3d& force,
                      const Eigen::Vector3d& place);
 
+/// Whether angles from z are angles from a seat's axis, either way round.
+inline bool is_about_z(const SeatZone& zone) {
+  return zone.axis()[0] == 0 && zone.axis()[1] == 0;
+}
+
 /// State of a contact at a rim of its seat.
 struct SeatRim {
   /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
   /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
   /// pressure at the rim itself is infinite in the model.
-  double intensity = 0;
+  double intensity = std::numeric_limits<double>::quiet_NaN();
   double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
   /// How far the contact follows the rim to each side, rad; pi: all round.
-  double half_arc = 0;
+  double half_arc = std::numeric_limits<double>::quiet_NaN();
   /// Largest pressure on the rim's rounding, Pa, and how far the contact goes
   /// on beyond the rim as drawn, m: SeatContact::rounded_rim() at K with
   /// SeatEdge::radius. NaN of a sharp rim and one that is not reached.
@@ -73,11 +78,12 @@ struct SeatRim {
   double reach = std::numeric_limits<double>::quiet_NaN();
   /// From the contact's end to the rim in the plane of the load, rad; 0 if
   /// reached, infinite without a rim.
-  double distance = std::numeric_limits<double>::infinity();
-  double gap = std::numeric_limits<double>::infinity();  ///< the same, m
+  double distance = std::numeric_limits<double>::quiet_NaN();
+  double gap = std::numeric_limits<double>::quiet_NaN();  ///< the same, m
 };
 
-/// The contact of a ball in a seat that ends, under one load.
+/// The contact of a ball in a seat that ends, under one load. All but the force
+/// is NaN unless the status is ok.
 struct SeatState {
   SeatStatus status = SeatStatus::no_load;
   /// Whether it does not reach a rim: all is then from the exact laws of the
@@ -89,6 +95,8 @@ struct SeatState {
   /// Pressure where the load pierces the seat, Pa; NaN where there is no seat.
   double pressure_at_load = std::numeric_limits<double>::quiet_NaN();
   /// The largest pressure at the reported distance or more from every rim, Pa.
+  /// NaN where it is below mean_pressure(): then the contact lies almost within
+  /// that distance, and K alone tells of its pressure.
   double peak_pressure = std::numeric_limits<double>::quiet_NaN();
   SeatPlace peak_place = {};
   std::array<SeatRim, 2> rims = {};  ///< lower, upper
@@ -106,6 +114,9 @@ struct SeatState {
 
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< F, N
 
+  double mean_pressure() const {  ///< S F/area, Pa
+    return force_ratio * force.norm() / area;
+  }
   /// Distance from the nearer rim, m.
   double gap() const { return std::min(rims[0].gap, rims[1].gap); }
   /// The larger K, Pa m^(1/2); above 0 at a rim.
@@ -124,7 +135,8 @@ struct SeatState {
 /// p v over a contact in a seat that ends, while the ball turns in it.
 struct SeatPv {
   double total = std::numeric_limits<double>::quiet_NaN();  ///< integral, W
-  /// At the reported distance or more from every rim, W/m^2.
+  /// At the reported distance or more from every rim, W/m^2; NaN where it is
+  /// below the mean over the contact, as SeatState::peak_pressure.
   double largest = std::numeric_limits<double>::quiet_NaN();
   /// Unit vector from the ball's centre to where it is.
   Eigen::Vector3d place =
@@ -224,10 +236,11 @@ class SeatContact {
   bool is_free(const Eigen::Vector3d& force, double half_angle) const;
   // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
+  // One that reaches none.
+  SeatState free_state(const Eigen::Vector3d& force, double half_angle) const;
   // On the grid, whether a rim is reached or not.
   SeatState confined(const Eigen::Vector3d& force, const SeatState& near) const;
   double unit_force() const;
-  void set_free(double half_angle, double direction, SeatState& state) const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;
   void add_rounding_notes(const SeatState& state, int rim,

@@ -4,6 +4,8 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <numbers>
 #include <optional>
 
 #include "libcontact/base/complaint.hpp"
@@ -25,6 +27,7 @@ using Eigen::Vector3d;
 constexpr int degrees = 130;
 // Tolerance of R: ten times the error that SeatContact leaves.
 constexpr double tolerance = 1e-7;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const SeatZone& zone_of(const JointSpec& joint) {
   if (!joint.geometry.seat()) {
@@ -126,7 +129,8 @@ bool SeatJoint::is_free(const Vector3d& reaction) const {
 
 SeatJointSolution SeatJoint::free_solution(const JointSolution& s) const {
   SeatJointSolution result;
-  result.contact = contact_.under(side_ * s.normal_force * s.normal);
+  result.contact =
+      contact_.free_state(side_ * s.normal_force * s.normal, s.half_angle);
   result.reaction = s.reaction;
   result.friction_force = s.friction_force;
   result.friction_moment = s.friction_moment;
@@ -136,15 +140,20 @@ SeatJointSolution SeatJoint::free_solution(const JointSolution& s) const {
   return result;
 }
 
-// A force that the seat carries: friction may hold a ball that its reaction
-// alone would drive out.
+// A force that the seat carries, and has a contact for: friction may hold a
+// ball that its reaction alone would drive out, or onto the rim itself, where
+// the shift is without bound.
 Vector3d SeatJoint::start(const Vector3d& force) const {
   const SeatZone& zone = contact_.zone();
   const double direction = detail::polar_angle(force);
-  if (zone.carries(direction)) return force;
   const double pi = std::numbers::pi;
-  const double inside =
-      direction > zone.to() ? 0.98 * zone.to() : pi - 0.98 * (pi - zone.from());
+  constexpr double share = 0.98;  // of the way to the last that it carries
+  double inside = direction;
+  if (zone.to() <= pi / 2) inside = std::min(inside, share * zone.to());
+  if (zone.from() >= pi / 2) {
+    inside = std::max(inside, pi - share * (pi - zone.from()));
+  }
+  if (inside == direction) return force;
   return force.norm() * detail::plane_axes(force) *
          Vector3d(std::sin(inside), 0, std::cos(inside));
 }
@@ -161,8 +170,7 @@ bool SeatJoint::find_contact(const Vector3d& force, Work& work) const {
   if (work.state.solution) {
     work.harmonics = sums_->of(*work.state.solution, contact_.unit_force());
   }
-  return work.state.status == SeatStatus::ok ||
-         work.state.status == SeatStatus::not_converged;
+  return work.state.status == SeatStatus::ok;
 }
 
 SeatJoint::Pull SeatJoint::friction(const Work& work,
@@ -207,10 +215,10 @@ SeatJointSolution SeatJoint::slide(const Joint::Slip& slip, Work& work) const {
   Vector3d step = Vector3d::Zero();
   Broyden<3> newton(Eigen::Matrix3d::Identity());
   s.contact.status = SeatStatus::not_converged;
+  s.contact.force.setConstant(nan);
   int outside = 0;
   for (int round = 0; round < 40; ++round) {
     if (!find_contact(force, work)) {
-      s.contact.force = side_ * reaction;
       s.contact.status = work.state.status;
       if (round == 0 || ++outside == 8) break;
       step /= 2;  // too far out of the seat
@@ -294,16 +302,31 @@ SeatRestSolution SeatJoint::rest(const Joint::Hold& hold, Work& work) const {
     step *= std::min(1.0, 0.5 * (1 + y.norm()) / step.norm());
     y += step;
   }
-  result.slip.contact.status = SeatStatus::not_converged;
+  SeatJointSolution none;
+  none.contact.status = SeatStatus::not_converged;
+  none.contact.force.setConstant(nan);
+  none.evaluations = result.slip.evaluations;
+  result.slip = none;
   return result;
 }
 
-// The contact in the seat's axes.
+// The contact in the seat's axes. Without one notes ask where the load points.
 SeatState SeatJoint::in_seat(const SeatJointSolution& s) const {
   SeatState state = s.contact;
-  state.force = from_seat_.transpose() * s.contact.force;
+  const bool is_found = s.contact.status == SeatStatus::ok;
+  const Vector3d force = is_found ? s.contact.force : side_ * s.reaction;
+  state.force = from_seat_.transpose() * force;
   state.shift = from_seat_.transpose() * s.contact.shift;
   return state;
+}
+
+// The same, on the grid if it is from the table.
+SeatState SeatJoint::on_grid(const SeatJointSolution& s,
+                             const SeatState& near) const {
+  SeatState state = in_seat(s);
+  const bool is_read =
+      state.status == SeatStatus::ok && !state.is_free && !state.solution;
+  return is_read ? contact_.under(state.force, near) : state;
 }
 
 SeatMomentSet SeatJoint::moment_set(const SeatJointSolution& solution) const& {
@@ -317,8 +340,7 @@ SeatMomentSet SeatJoint::moment_set(const SeatJointSolution& solution) const& {
 
 std::vector<double> SeatJoint::pressures(
     const SeatJointSolution& solution, std::span<const Vector3d> places) const {
-  SeatState state = in_seat(solution);
-  if (!state.is_free && !state.solution) state = contact_.under(state.force);
+  const SeatState state = on_grid(solution, {});
   std::vector<double> all;
   for (const Vector3d& place : places) {
     all.push_back(contact_.pressure(
@@ -346,10 +368,7 @@ double SeatJoint::pressure_off_rims(const SeatJointSolution& solution,
 
 SeatPv SeatJoint::pv(const SeatJointSolution& solution, const Vector3d& rate,
                      SeatState& near) const {
-  SeatState state = in_seat(solution);
-  if (!state.is_free && !state.solution) {
-    state = contact_.under(state.force, near);
-  }
+  SeatState state = on_grid(solution, near);
   SeatPv pv = contact_.pv(state, from_seat_.transpose() * rate);
   pv.place = from_seat_ * pv.place;
   near = std::move(state);

@@ -24,7 +24,7 @@ struct SeatWork;
 /// are in the axes of the reaction; forces and moments act on the body.
 struct SeatJointSolution {
   /// The contact, with F, the force on the seat, in place of R. Its status is
-  /// that of the whole.
+  /// that of the whole: unless it is ok, all but R is NaN.
   SeatState contact;
   Eigen::Vector3d reaction = Eigen::Vector3d::Zero();  ///< R, N
   /// R_t, N: R = F + R_t if the carrier has the ball, else R = -F + R_t, to
@@ -133,6 +133,8 @@ class SeatJoint {
   };
   using Work = detail::SeatWork;
   SeatState in_seat(const SeatJointSolution& solution) const;
+  SeatState on_grid(const SeatJointSolution& solution,
+                    const SeatState& near) const;
   SeatJointSolution slide(const Joint::Slip& slip, Work& work) const;
   SeatRestSolution rest(const Joint::Hold& hold, Work& work) const;
   bool is_free(const JointSolution& s) const;

@@ -182,14 +182,16 @@ SeatReadout::Slip SeatReadout::slip(const Vector3d& axis,
   const double low = window.from + (window.rim[0] ? rim_distance : 0);
   const double high = window.to - (window.rim[1] ? rim_distance : 0);
   const int last = solver_.order();
-  Slip slip{0, 0, Vector3d::Constant(nan)};
-  double most = 0;
+  Slip slip{0, nan, Vector3d::Constant(nan)};
+  const Eigen::MatrixXd share = covered();
+  double most = 0, area = 0;
   int cell = 0, node = 0;
   for (int k = 1 - last; k <= last; ++k) {
     const int j = std::abs(k);
     const double weight =
         solver_.longitude_weight(j) / (j == 0 || j == last ? 1 : 2);
     for (int i = 0; i < cells_.size(); ++i) {
+      area += weight * cells_.unit(i) * share(i, j);
       if (patch_.contact(i, j) == 0) continue;
       const double v = cells_.mean_angle(i);
       const double p = patch_.pressure(i, j);
@@ -223,6 +225,10 @@ SeatReadout::Slip SeatReadout::slip(const Vector3d& axis,
   const double v =
       at[1].polar_angle + x * (at[2].polar_angle - at[0].polar_angle) / 2;
   slip.place = direction(v, longitude(node) + x * solver_.longitude(1));
+  // It lies nearer to a rim.
+  if (slip.largest < slip.total / area) {
+    return {slip.total, nan, Vector3d::Constant(nan)};
+  }
   return slip;
 }
 

@@ -40,8 +40,9 @@ class SeatReadout {
 
   /// p |w x r| over the contact, r the unit vector from the ball's centre.
   struct Slip {
-    double total;           ///< integral over the sphere
-    double largest;         ///< at some distance or more from every rim
+    double total;  ///< integral over the sphere
+    /// At some distance or more from every rim; NaN if below the mean.
+    double largest;
     Eigen::Vector3d place;  ///< r there
   };
   /// The total by the nodes, the largest from the best node by parabolas.

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <limits>
 #include <numbers>
 #include <type_traits>
 #include <utility>
@@ -21,6 +22,7 @@ using namespace detail;  // the numbers of a state
 namespace {
 
 constexpr double pi = std::numbers::pi;
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int degrees = 64;
 
 // Weights of a cubic through four even places, 0 <= x <= 1.
@@ -319,6 +321,10 @@ void SeatTable::set_peak(const Numbers& numbers, SeatState& state) const {
     state.peak_pressure = numbers(rim_peak + n);
     state.peak_place = {n < 2 ? zone.from() + near : zone.to() - near,
                         n % 2 * pi};
+  }
+  if (state.peak_pressure < numbers(sum) / numbers(area)) {  // the mean
+    state.peak_pressure = nan;
+    state.peak_place = {};
   }
 }
 

@@ -28,12 +28,12 @@ JointSpec bearing(JointBody inner) {
           .friction = FrictionLaw(0.05)};
 }
 
-// The force on the seat, if there were no friction, swings 20 deg about X in
+// The force on the seat, if there were no friction, swings about X in
 // its axes; the body does not turn but for a rate about X.
-DutyCycle cycle(double side) {
+DutyCycle cycle(double side, double swing = 20 * degree) {
   DutyCycle::Rows rows;
   for (int i = 0; i < 24; ++i) {
-    const double v = 20 * degree * std::sin(2 * pi * i / 24);
+    const double v = swing * std::sin(2 * pi * i / 24);
     rows.times.push_back(i / 24.0);
     rows.forces.push_back(side * load * Vector3d(0, std::sin(v), std::cos(v)));
     rows.motion.push_back({0.01 * std::cos(2 * pi * i / 24), 0, 0});
@@ -137,6 +137,36 @@ TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
   const double defect = seat.volume_defect(wear);
   EXPECT_LT(defect, 0.002);
   EXPECT_GT(defect, -0.03);
+}
+
+// Peaks that are looked for far from the rim are below the mean of contacts at
+// it: such rows have none, nor has the cycle where their mean is the larger.
+TEST(SeatCycle, HasNoPeakThatMayBeExceeded) {
+  for (const double report_distance : {0.02, 0.7}) {
+    JointSpec spec = bearing(JointBody::body);
+    spec.geometry = spec.geometry.with_seat(
+        SeatZone::cup(60 * degree)
+            .with_edge({.report_distance = report_distance}));
+    const SeatCycle in_seat(cycle(-1, 55 * degree), spec);
+    int hidden = 0;
+    double mean = 0, largest = 0;
+    for (const auto& row : in_seat.rows()) {
+      const SeatState& s = row.solution.contact;
+      ASSERT_EQ(s.status, SeatStatus::ok);
+      if (std::isnan(s.peak_pressure)) {
+        ++hidden;
+        mean = std::max(mean, s.mean_pressure());
+      } else {
+        largest = std::max(largest, s.peak_pressure);
+      }
+    }
+    EXPECT_EQ(hidden > 0, report_distance > 0.1);
+    const auto* found = in_seat.largest_peak();
+    ASSERT_EQ(found != nullptr, largest >= mean) << largest << " " << mean;
+    if (found) {
+      EXPECT_EQ(found->solution.contact.peak_pressure, largest);
+    }
+  }
 }
 
 // A cycle whose contacts reach no rim: the map of the seat without end, whose

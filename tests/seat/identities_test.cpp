@@ -220,6 +220,64 @@ TEST(Seat, MakesItsGridsWhenTheyAreAskedFor) {
   EXPECT_GE(windows.grids(), 1u);
 }
 
+void expect_no_numbers(const SeatState& state) {
+  for (const double number :
+       {state.shift.x(), state.pressure_at_load, state.peak_pressure,
+        state.lower_end, state.upper_end, state.half_width, state.force_ratio,
+        state.area, state.gap(), state.intensity(), state.rim_pressure(),
+        state.rims[0].half_arc, state.rims[1].half_arc, state.rims[0].distance,
+        state.rims[1].distance}) {
+    EXPECT_TRUE(std::isnan(number));
+  }
+  EXPECT_FALSE(state.solution);
+}
+
+// A load next to the last that a cup carries had a shift of kilometres.
+TEST(Seat, WhatIsNotFoundHasNoNumbers) {
+  const JointSpec spec = shipped("hip_cup");
+  const SeatContact seat(spec, *spec.geometry.seat());
+  const SeatState state = seat.under(towards(89.99, 0, 2000));
+  EXPECT_EQ(state.status, SeatStatus::not_converged);
+  expect_no_numbers(state);
+  expect_no_numbers(seat.under(towards(91, 0, 2000)));
+  expect_no_numbers(seat.under({0, 0, 0}));
+  EXPECT_TRUE(std::isnan(seat.pressure(state, {1, 0})));
+}
+
+// A contact that lies nearer to its rim than peaks are reported has none: the
+// ring's under 100 N was 0, or a quarter of the mean.
+TEST(Seat, PeaksAreAboveTheMeanOrThereIsNone) {
+  const JointSpec spec = shipped("spherical_plain_bearing_ge50");
+  const SeatContact seat(spec, *spec.geometry.seat());
+  for (const double direction : {20.0, 60.0}) {
+    const SeatState state = seat.under(towards(direction, 0, 100));
+    ASSERT_EQ(state.status, SeatStatus::ok);
+    EXPECT_TRUE(std::isnan(state.peak_pressure)) << direction;
+    EXPECT_TRUE(std::isnan(state.peak_place.polar_angle));
+    EXPECT_GT(state.intensity(), 0);
+    EXPECT_TRUE(has_text(seat.notes(state).at(0),
+                         "no largest pressure: 0.66 mm or more from the rims"));
+    const SeatPv pv = seat.pv(state, {0.2, 0.1, 0.3});
+    EXPECT_GT(pv.total, 0);
+    EXPECT_TRUE(std::isnan(pv.largest));
+    EXPECT_TRUE(std::isnan(pv.place.x()));
+  }
+  const SeatContact coarse(spec, *spec.geometry.seat(),
+                           {.cells = 14, .longitudes = 48});
+  std::mt19937_64 random(1);
+  std::uniform_real_distribution<double> uniform(0, 1);
+  int there = 0;
+  for (int i = 0; i < 24; ++i) {
+    const double load = 100 * std::pow(1e4, uniform(random));
+    const SeatState state =
+        coarse.under(towards(90 * uniform(random), 0, load));
+    ASSERT_EQ(state.status, SeatStatus::ok);
+    EXPECT_FALSE(state.peak_pressure < state.mean_pressure());
+    there += state.peak_pressure > 0 ? 1 : 0;
+  }
+  EXPECT_GT(there, 12);
+}
+
 // To the last bit.
 TEST(Seat, FreeContactIsTheExactLaw) {
   const SeatContact seat(bearing(), cup(60));

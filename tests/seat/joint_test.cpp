@@ -11,6 +11,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/files/joint_file.hpp"
 #include "libcontact/seat/table.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
@@ -231,6 +232,62 @@ TEST(SeatJoint, RestTurnsWithTheAxis) {
   }
 }
 
+// The load turns through all directions: from one to the next results change
+// by little, or there is a status without numbers. At 90 deg of a cup, where it
+// pointed along the rim, the shift was 2 km and the peak 7 GPa.
+TEST(SeatJoint, TurnsTheLoadWithoutAJump) {
+  for (const char* name :
+       {"hip_cup", "ball_stud", "spherical_plain_bearing_ge50",
+        "spherical_plain_thrust_bearing"}) {
+    JointSpec spec =
+        read_joint(CONTACT_DATA_DIR "/joints/" + std::string(name) + ".toml");
+    if (!spec.friction) spec.friction = FrictionLaw(0.1);
+    const SeatZone zone = *spec.geometry.seat();
+    const SeatJoint joint(spec, {.cells = 14, .longitudes = 48});
+    const Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
+    const Vector3d across = axis.unitOrthogonal();
+    const double side =
+        spec.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+    // Towards the last direction that a cup carries, about which steps are
+    // 0.1 deg, else 2, the shift is without bound.
+    const double limit = std::min(zone.to() / degree, 90.0);
+    SeatJointSolution last;
+    int found = 0;
+    double step = 0;
+    for (double deg = 0; deg <= 180; deg += step) {
+      const double b = deg * degree;
+      const SeatJointSolution s =
+          joint.solve({.reaction = side * 2000 *
+                                   (std::cos(b) * axis + std::sin(b) * across),
+                       .angular_velocity = {0.3, -0.5, 0.4}});
+      const SeatState& at = s.contact;
+      if (at.status != SeatStatus::ok) {
+        EXPECT_TRUE(at.force.array().isNaN().all()) << name << " " << deg;
+        EXPECT_TRUE(at.shift.array().isNaN().all());
+        EXPECT_TRUE(s.friction_moment.array().isNaN().all());
+        EXPECT_TRUE(s.friction_force.array().isNaN().all());
+        EXPECT_TRUE(std::isnan(at.peak_pressure) && std::isnan(s.power));
+        EXPECT_TRUE(std::isnan(at.gap()) && std::isnan(at.intensity()));
+      } else if (++found; last.contact.status == SeatStatus::ok) {
+        const double allowed = step < 1 ? 0.5 : 1.0;
+        EXPECT_LT((at.shift - last.contact.shift).norm() / at.shift.norm(),
+                  allowed)
+            << name << " " << deg;
+        EXPECT_FALSE(std::abs(std::log(at.peak_pressure /
+                                       last.contact.peak_pressure)) > allowed)
+            << name << " " << deg;
+        EXPECT_LT((s.friction_moment - last.friction_moment).norm() /
+                      s.friction_moment.norm(),
+                  allowed)
+            << name << " " << deg;
+      }
+      last = s;
+      step = std::abs(deg - limit) < 3 ? 0.1 : 2;
+    }
+    EXPECT_GT(found, 40) << name;
+  }
+}
+
 TEST(SeatJoint, SaysWhatItCannotCarry) {
   const SeatJoint joint(bearing());
   const SeatJointSolution s =
@@ -247,6 +304,14 @@ TEST(SeatJoint, SaysWhatItCannotCarry) {
                                                .angular_velocity = {0, 0, 1}}))
                            .at(0),
                        "points 90 deg from the seat's axis"));
+  // Beside friction's numbers there is none of the contact either, at rest too.
+  EXPECT_TRUE(s.contact.force.array().isNaN().all());
+  EXPECT_TRUE(
+      std::isnan(joint.pressures(s, std::vector{Vector3d(0, 0, 1)})[0]));
+  const SeatRestSolution rest =
+      joint.at_rest({.reaction = {1e4, 0, -1e3}, .moment = {0, 1, 1}});
+  EXPECT_TRUE(std::isnan(rest.utilisation));
+  EXPECT_TRUE(rest.slip.contact.force.array().isNaN().all());
   JointSpec none = bearing();
   none.geometry = JointGeometry::ball(0.025, 2.5e-5);
   EXPECT_TRUE(
@@ -366,6 +431,32 @@ TEST(SeatTable, IsReadAgain) {
                        }),
                        "most_load = inf must be finite"));
   EXPECT_TRUE(std::isnan(SeatTable::Check().error()));
+}
+
+// As of contacts on the grid.
+TEST(SeatTable, PeaksAreAboveTheMeanOrThereIsNone) {
+  JointSpec spec = bearing();
+  spec.geometry = spec.geometry.with_seat(
+      SeatZone::cup(60 * degree).with_edge({.report_distance = 0.3}));
+  const SeatJoint joint(spec, {.cells = 10, .longitudes = 30});
+  const SeatTable table(
+      joint.contact(),
+      {.least_load = 2e4, .most_load = 3e4, .accuracy = 0.05, .checks = 3});
+  int there = 0, hidden = 0;
+  for (double v = 30; v < 53; ++v) {
+    SeatState state;
+    if (!table.find(
+            2.5e4 * Vector3d(std::sin(v * degree), 0, std::cos(v * degree)),
+            state)) {
+      continue;
+    }
+    EXPECT_FALSE(state.peak_pressure < state.mean_pressure()) << v;
+    const bool is_hidden = std::isnan(state.peak_pressure);
+    EXPECT_EQ(std::isnan(state.peak_place.polar_angle), is_hidden);
+    (is_hidden ? hidden : there) += 1;
+  }
+  EXPECT_GT(there, 2);
+  EXPECT_GT(hidden, 2);
 }
 
 // Loads on both sides of a symmetric ring.
