@@ -595,6 +595,24 @@ TEST_F(StudyFolder, LoadsThatSwingAreAtTheRimForAShare) {
   EXPECT_GE(numbers.at("seat_largest_p_peak_Pa"), numbers.at("p_peak_Pa"));
 }
 
+// A ring's contact so near to its rim that it has no largest pressure: it was
+// 0, and the verdict on it "met".
+TEST_F(StudyFolder, RequirementsOnPeaksThatAreNotThereFail) {
+  const Study study(write(
+      "s.toml",
+      "name = 'ring'\njoint = '" CONTACT_DATA_DIR
+      "/joints/spherical_plain_bearing_ge50.toml'\nruns = 1\nload = { "
+      "reaction_N = 100, in_seat = true, beta_deg = 20 }\n[[requirement]]\n"
+      "quantity = 'p_peak_Pa'\nat_most = 7e7\nsuccess = 0.5\n"
+      "[[dispersion]]\nkey = 'load.reaction_N'\nkind = 'list'\n"
+      "values = [100]\n"));
+  const Row row = study.row(1);
+  EXPECT_EQ(row.failure, "");
+  const double value = study.value_of(0, row);
+  EXPECT_TRUE(std::isnan(value)) << value;
+  EXPECT_FALSE(study.plan().requirements[0].holds(value));
+}
+
 TEST_F(StudyFolder, LoadsThatLeaveTheSeatFail) {
   const auto study = [&](const char* beta) {
     return write(
@@ -652,6 +670,9 @@ TEST_F(StudyFolder, LoadsOfJointsThatEndAreChecked) {
   const std::string bush = "relieved_bush";
   EXPECT_EQ(message(hip, "in_seat = true"),
             ": load.in_seat = true requires a joint with a [seat]");
+  EXPECT_EQ(message("hip_cup", "in_seat = true"),
+            ": load.in_seat = true requires a seat about z, which beta is "
+            "counted from");
   EXPECT_EQ(message(hip, "swing_deg = 1"),
             ": load.swing_deg = 1 requires in_seat");
   EXPECT_EQ(message(hip, "tilt_deg = 1"), ": load.tilt_deg = 1 requires a pin");

@@ -95,11 +95,22 @@ cli::ExitStatus write(const Options& options,
   return status;
 }
 
+// Angles from z say where a reaction points on seats about z only.
+void check_angles(const std::vector<cli::Joint>& joints, const Inputs& inputs) {
+  for (const cli::Joint& joint : joints) {
+    const auto& seat = joint.spec.geometry.seat();
+    if (!inputs.forces() || !seat || is_about_z(*seat)) continue;
+    cli::refuse_without("--reaction with a seat about another axis than z",
+                        "--reaction-xyz");
+  }
+}
+
 }  // namespace
 
 cli::ExitStatus run_in_seat(const Options& options) {
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   const Inputs inputs(options, joints[0].is_pin());
+  check_angles(joints, inputs);
   warn_of_validity("hinge-joint", joints);
   return inputs.question() == Question::rest
              ? write(options, joints, inputs,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <limits>
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
@@ -72,6 +73,9 @@ EndedLoad read_ended_load(const contact::TomlTable& load,
   if (ended.in_seat && !geometry.seat()) {
     load.needs("in_seat", "a joint with a [seat]");
   }
+  if (ended.in_seat && !is_about_z(*geometry.seat())) {
+    load.needs("in_seat", "a seat about z, which beta is counted from");
+  }
   if (load.has("swing") && !ended.in_seat) load.needs("swing", "in_seat");
   ended.swing =
       load.optional_number("swing", {0, std::numbers::pi / 2}).value_or(0);
@@ -118,7 +122,9 @@ Result run_in_seat(const contact::JointSpec& joint,
       return {seat.notes(row.solution).front(), {}};
     }
     add(contact::seat_cycle_quantities(), cycle, result);
-    peak = cycle.largest_peak()->solution.contact.peak_pressure;
+    const auto* highest = cycle.largest_peak();
+    peak = highest ? highest->solution.contact.peak_pressure
+                   : std::numeric_limits<double>::quiet_NaN();
     if (effort.remarks) result.warnings = cycle.notes();
   }
   add(joint, {0, peak}, effort, result);
