@@ -68,7 +68,7 @@ namespace detail {
                                  bool is_vector);
 /// Arrays of a pickle beside those that there are.
 [[noreturn]] void refuse_pickled_names(const py::dict& arrays);
-/// The quantities that are asked for.
+/// The quantities that are asked for, each once.
 std::vector<std::string> chosen_names(const Fields& names, const Out& out);
 [[noreturn]] void refuse_field(const std::string& name,
                                std::vector<std::string> known);
@@ -239,8 +239,10 @@ class ChosenColumns {
     if (q.is_vector()) shape.push_back(3);
     const py::str key(q.key.data(), q.key.size());
     if (!is_given) arrays_[key] = py::array_t<Number>(shape);
+    // Held too: `out` is the caller's, whose threads may take it from there.
+    const py::object array = kept_.emplace_back(arrays_[key]);
     Number* const to = static_cast<Number*>(
-        detail::memory_of("out[\"" + std::string(q.key) + "\"]", arrays_[key],
+        detail::memory_of("out[\"" + std::string(q.key) + "\"]", array,
                           py::dtype::of<Number>(), shape));
     columns_.push_back([to, of](std::size_t i, const Row& row) {
       if constexpr (std::is_same_v<Value, const Eigen::Vector3d&>) {
@@ -252,6 +254,7 @@ class ChosenColumns {
   }
 
   py::dict arrays_;
+  std::vector<py::object> kept_;
   std::vector<std::function<void(std::size_t, const Row&)>> columns_;
 };
 
@@ -312,15 +315,6 @@ py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
            [fields](const Answers<Row>& a,
                     const py::array_t<std::size_t, py::array::c_style>& which) {
              return detail::taken(a, fields, which);
-           })
-      // As protocol 2 does, at all: 0 and 1 would make the base class, which
-      // nothing can.
-      .def("__reduce__",
-           [](const py::object& self) {
-             return py::make_tuple(
-                 py::module_::import("copyreg").attr("__newobj__"),
-                 py::make_tuple(py::type::of(self)),
-                 self.attr("__getstate__")());
            })
       .def(py::pickle(
           [fields](const Answers<Row>& a) {

@@ -23,4 +23,5 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_case(m);
   contact_python::bind_run(m);
   contact_python::refuse_uninitialised(m);
+  contact_python::pickle_by_any_protocol(m);
 }

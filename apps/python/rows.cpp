@@ -117,7 +117,14 @@ Rows::Rows(std::initializer_list<Argument> arguments) {
                                    "of shapes that broadcast together"));
     }
   }
-  for (const auto length : shape_) size_ *= length;
+  py::ssize_t size = 1;
+  for (const auto length : shape_) {
+    if (!__builtin_mul_overflow(size, length, &size)) continue;
+    throw contact::Error(contact::detail::must_be(
+        "arguments of " + text_of(shape_) + " rows together",
+        "of fewer rows than memory has bytes"));
+  }
+  size_ = static_cast<std::size_t>(size);
   for (const Argument& argument : arguments) {
     begin_.push_back(argument.data);
     Shape strides(shape_.size(), 0);
@@ -174,7 +181,12 @@ std::vector<std::string> detail::chosen_names(const Fields& names,
   }
   if (names) {
     if (const auto* one = std::get_if<std::string>(&*names)) return {*one};
-    return std::get<std::vector<std::string>>(*names);
+    const auto& several = std::get<std::vector<std::string>>(*names);
+    for (auto name = several.begin(); name != several.end(); ++name) {
+      if (std::find(several.begin(), name, *name) == name) continue;
+      throw contact::Error(contact::detail::duplicate("field", *name));
+    }
+    return several;
   }
   std::vector<std::string> all;
   for (const auto& item : *out) all.push_back(item.first.cast<std::string>());

@@ -129,6 +129,27 @@ class Results(unittest.TestCase):
             with self.assertRaises(libcontact.Error):
                 hip.solve(*rows, out=wrong)
 
+    def test_are_named_once(self):
+        reaction, rate = random_rows(3000)
+        solution = hip.solve(reaction, rate)
+        for call, rows, field in (
+            (hip.solve, (reaction, rate), "power"),
+            (hip.solve_contact, (reaction, rate), "power"),
+            (hip.at_rest, (reaction, rate), "utilisation"),
+            (hip.pv, (reaction, rate), "pv_max"),
+            (hip.step, (reaction, rate, rate, np.eye(3)), "moment"),
+            (hip.moment_set(solution).prox, (np.eye(3), rate), "moment"),
+        ):  # fmt: skip
+            with self.assertRaisesRegex(libcontact.Error, f"^duplicate field {field}$"):
+                call(*rows, fields=[field, "status", field])
+
+    def test_are_at_most_what_can_be_counted(self):
+        def spread(place):
+            return np.ones((*(65536 if d == place else 1 for d in range(4)), 3))
+
+        with self.assertRaisesRegex(libcontact.Error, "65536, 65536.* of fewer rows"):
+            hip.step(*map(spread, range(3)), np.ones((65536, 3, 3)))
+
     def test_are_the_same_on_several_threads(self):
         rows = random_rows(10_000)
         alone, shared = hip.solve(*rows), hip.solve(*rows, threads=3)

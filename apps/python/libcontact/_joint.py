@@ -273,7 +273,9 @@ class _Made:
         super().__init__(*state)
         self._state = copy.deepcopy(state)
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        if not hasattr(self, "_state"):  # __init__() did not run
+            return super().__reduce__()
         return type(self), self._state
 
 

@@ -78,7 +78,9 @@ class Joints(_core.Joints):
 
     __hash__ = None  # type: ignore[assignment]
 
-    def __reduce__(self) -> tuple[Any, ...]:
+    def __reduce__(self) -> str | tuple[Any, ...]:
+        if not hasattr(self, "_joint"):  # __init__() did not run
+            return super().__reduce__()
         return Joints, (self._joint, self._keys)
 
     def _repr_html_(self) -> str:
