@@ -10,11 +10,13 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/float_environment.hpp"
 #include "libcontact/c/status.h"
 #include "libcontact/files/setting.hpp"
 
 /// Boundary of the C interface: no C++ exception gets out, and
-/// contact_last_message() says what has failed.
+/// contact_last_message() says what has failed. The floating-point environment
+/// is the host's again.
 namespace contact::c {
 
 /// Keeps the message of the exception that is being handled; the status.
@@ -24,6 +26,7 @@ contact_status report_exception() noexcept;
 template <class Work>
 contact_status call(const Work& work) noexcept {
   try {
+    const detail::FloatEnvironment ours;
     return work();
   } catch (...) {
     return report_exception();

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "hosts/fmu/model.hpp"
+#include "libcontact/base/float_environment.hpp"
 
 /// Parts of FMI's functions that do not depend on its version.
 namespace contact_hosts::fmu {
@@ -26,7 +27,8 @@ struct Instance {
   double start_time = 0;  // FMI 2.0 gives it before the initialization
 };
 
-/// Runs the body of a function of FMI; the host is told what is thrown.
+/// Runs the body of a function of FMI; the host is told what is thrown, and
+/// its floating-point environment is kept.
 template <class Work>
 Status guarded(void* instance, const Work& work) noexcept {
   if (!instance) return error;
@@ -36,6 +38,7 @@ Status guarded(void* instance, const Work& work) noexcept {
     return status;
   };
   try {
+    const contact::detail::FloatEnvironment ours;
     work(i);
     return ok;
   } catch (const NoValue& none) {
@@ -49,6 +52,7 @@ Status guarded(void* instance, const Work& work) noexcept {
 /// @return null if it cannot be made; the host is told why
 inline Instance* make_instance(Instance parts, const char* token) noexcept {
   try {
+    const contact::detail::FloatEnvironment ours;
     parts.model = make_model(parts.resources);
     if (!token || parts.model->token() != token) {
       throw std::runtime_error(
