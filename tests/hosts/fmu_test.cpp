@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 
+#include "c/trapping_host.hpp"
 #include "hosts/fmu_importer.hpp"
 #include "hosts/joint_handle.hpp"
 #include "separation/c/run.h"
@@ -278,6 +279,56 @@ TEST_P(Versions, RunACase) {
   // Beyond its end it says so, as what a host may do otherwise.
   EXPECT_EQ(it.step(13, 1e3), 2);
   EXPECT_EQ(last_message(), "the case ends at 40.000000 s");
+}
+
+// Neither traps nor a rounding mode of the host get in, and none gets lost.
+TEST_P(Versions, KeepTheFloatEnvironmentOfTheirHost) {
+  for (const auto& [file, output] :
+       {std::pair{folder + "ball.toml", "peak_pressure"},
+        {cases + "two_stage_turn.toml", "stage.angle_deg"}}) {
+    const auto fmu = fmu_of(file, GetParam());
+    const auto answer = [&fmu, &output = output] {
+      const FmuInstance it(*fmu);
+      if (output == std::string("peak_pressure")) {
+        it.set("reaction", Vector3d(100, 300, 2000));
+        it.set("rate", Vector3d(.3, .2, 1));
+      }
+      it.enter();
+      it.start();
+      EXPECT_EQ(it.step(0, .01), 0) << last_message();
+      return it.get(output);
+    };
+    const double wanted = answer();
+    double found = 0;
+    bool is_kept = false;
+    {
+      const TrappingHost host;
+      found = answer();
+      is_kept = host.is_kept();
+    }
+    EXPECT_TRUE(is_kept) << file;
+    EXPECT_EQ(found, wanted) << file;
+    EXPECT_NE(found, 0) << file;
+  }
+}
+
+TEST_P(Versions, StepForwardOnly) {
+  const double nan = std::nan("");
+  for (const std::string& file :
+       {folder + "ball.toml", cases + "two_stage_turn.toml"}) {
+    const auto fmu = fmu_of(file, GetParam());
+    const FmuInstance it(*fmu);
+    it.enter();
+    it.start();
+    for (const auto& [time, length] :
+         {std::pair(0., -1.), {0., nan}, {nan, .1}, {0., INFINITY}}) {
+      EXPECT_EQ(it.step(time, length), 3) << file << ' ' << length;
+      EXPECT_NE(last_message().find("must have a length of 0 or more"),
+                std::string::npos)
+          << last_message();
+    }
+    EXPECT_EQ(it.step(0, .01), 0) << last_message();
+  }
 }
 
 TEST_P(Versions, SayWhatIsWrong) {

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <fstream>
 #include <locale>
@@ -71,6 +72,11 @@ void Model::initialize(double time, bool exchange) {
 }
 
 void Model::advance(double time, double length) {
+  if (!(length >= 0) || !std::isfinite(time + length)) {
+    throw std::runtime_error("a step of " + text_of(length) + " s from " +
+                             text_of(time) +
+                             " s must have a length of 0 or more");
+  }
   step(time, length);
   values_[time_] = time + length;
 }

@@ -117,11 +117,11 @@ bool Run::move_on(double time) {
 
 Run::Status Run::advance_to(double time) {
   if (status_ == Status::failed) return status_;
-  if (!outputs_.has(next_)) return status_ = Status::finished;
   if (!(time >= time_ - outputs_.instant())) {
     throw contact::Error(must_be(fmt::format("time = {}", time),
                                  fmt::format("{} s or later", time_)));
   }
+  if (!outputs_.has(next_)) return status_ = Status::finished;
   status_ = Status::running;
   message_.clear();
   for (const long last = outputs_.after(time); next_ < last; ++next_) {
