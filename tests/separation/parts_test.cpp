@@ -307,6 +307,20 @@ TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
   folder_.write("c", bytes_);
   execute("DELETE FROM state");
   EXPECT_EQ(message(), stranger);
+  // What reads as a checkpoint does, but by SQL that the file has in it.
+  for (const char* const forged :
+       {"ALTER TABLE blocks RENAME TO b; CREATE VIEW blocks AS SELECT * FROM b",
+        "ALTER TABLE state RENAME TO s; CREATE VIEW state AS SELECT * FROM s",
+        "CREATE TRIGGER t BEFORE DELETE ON state BEGIN SELECT 1; END",
+        "CREATE INDEX i ON blocks (number + 1)", "CREATE TABLE more (x)"}) {
+    folder_.write("c", bytes_);
+    execute(forged);
+    EXPECT_EQ(message(), stranger) << forged;
+    EXPECT_EQ(error_message(
+                  [this] { separation::CheckpointWriter(file_, "a run", 1); }),
+              stranger)
+        << forged;
+  }
   folder_.write("c", "");
   execute("CREATE TABLE state (state)");
   EXPECT_EQ(message(), stranger);

@@ -279,7 +279,10 @@ TEST(Run, RefusesWhatCannotBe) {
   EXPECT_EQ(other.time(), 0);
   run.advance_to(INFINITY);
   EXPECT_EQ(run.time(), c.end_time);
-  EXPECT_EQ(run.advance_to(0), Status::finished);
+  EXPECT_EQ(run.advance_to(c.end_time), Status::finished);
+  for (const double earlier : {0., double{NAN}}) {
+    EXPECT_THROW(run.advance_to(earlier), Error) << earlier;
+  }
 }
 
 }  // namespace

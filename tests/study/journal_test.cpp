@@ -202,4 +202,25 @@ TEST_F(JournalFile, OthersAreRefused) {
   EXPECT_EQ(message("g", "study", 1997), "");
 }
 
+// What reads as a journal does, but by SQL that the file has in it.
+TEST_F(JournalFile, SqlOfOthersIsNotRun) {
+  for (const char* const forged :
+       {"ALTER TABLE rows RENAME TO r; CREATE VIEW rows AS SELECT * FROM r",
+        "ALTER TABLE study RENAME TO s; CREATE VIEW study AS SELECT * FROM s",
+        "CREATE TRIGGER t BEFORE INSERT ON rows BEGIN "
+        "SELECT RAISE(IGNORE); END",
+        "CREATE INDEX i ON rows (y + 1)"}) {
+    for (const auto use : {Journal::Use::read, write_it}) {
+      std::filesystem::remove(path("a"));
+      fill("a", 2);
+      cli::Database(path("a"), cli::Database::Use::write).run(forged);
+      EXPECT_NE(error_message([&] {
+                  const Journal journal(path("a"), "study", {"x", "y"}, use);
+                }).find("the study of this journal must be the same"),
+                std::string::npos)
+          << forged;
+    }
+  }
+}
+
 }  // namespace

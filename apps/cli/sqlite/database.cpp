@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <sqlite3.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <limits>
 #include <thread>
+#include <utility>
 
 namespace cli {
 namespace {
@@ -111,6 +113,9 @@ Database::Database(const std::string& name, Use use) : name_(name) {
   database_.reset(database);
   if (code != SQLITE_OK) fail(name_, database);
   sqlite3_busy_timeout(database, patience);
+  // What sqlite.org/security.html recommends for files of strangers.
+  sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
+  sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
 }
 
 void Database::Close::operator()(sqlite3* database) const {
@@ -122,6 +127,16 @@ void Database::run(const std::string& sql) const {
       SQLITE_OK) {
     fail(name_, handle());
   }
+}
+
+bool Database::has_only(std::vector<std::string> tables) const {
+  Statement sql(*this, "SELECT sql FROM sqlite_master");
+  for (bool more = sql.run(); more; more = sql.next()) {
+    const auto table = std::ranges::find(tables, sql.text(0));
+    if (table == tables.end()) return false;
+    tables.erase(table);
+  }
+  return tables.empty();
 }
 
 std::int64_t Database::ask(const std::string& sql) const {

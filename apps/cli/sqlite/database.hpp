@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "libcontact/base/error.hpp"
 
@@ -66,7 +67,8 @@ class Statement {
 };
 
 /// A file of SQLite, used by one thread at a time. Other programs may read and
-/// write it meanwhile; a statement waits for theirs.
+/// write it meanwhile; a statement waits for theirs. What SQL a file has in it
+/// is whoever's that made it: ask has_only() before its tables are read.
 class Database {
  public:
   enum class Use { write, read };
@@ -78,6 +80,9 @@ class Database {
   sqlite3* handle() const { return database_.get(); }
   /// Statements without parameters, whose rows nobody asks for.
   void run(const std::string& sql) const;
+  /// Whether it has the tables of these CREATE statements and nothing else: no
+  /// view in the place of one, and no trigger.
+  bool has_only(std::vector<std::string> tables) const;
   /// The first number of a statement's first row.
   std::int64_t ask(const std::string& sql) const;
 

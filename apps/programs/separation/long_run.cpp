@@ -9,7 +9,6 @@
 #include "cli/progress.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "programs/separation/output/checkpoint.hpp"
 
 namespace separation {
 namespace {
@@ -47,15 +46,12 @@ void check_end(const std::string& file, double from, double end) {
 }
 
 // Begins a run where a checkpoint says; how often that run made one.
-double resume(Run& run, const Checkpoints& checkpoints) {
-  Checkpoint from = read_checkpoint(checkpoints.resume, checkpoints.identity);
-  check_end(checkpoints.resume, from.state.simulation.motion.time,
-            run.of().end_time);
+double resume(Run& run, const std::string& file, Checkpoint from) {
+  check_end(file, from.state.simulation.motion.time, run.of().end_time);
   try {
     run.restore(std::move(from.state));
   } catch (const contact::Error& error) {
-    throw contact::Error(
-        fmt::format("{}: {}", checkpoints.resume, error.what()));
+    throw contact::Error(fmt::format("{}: {}", file, error.what()));
   }
   return from.every;
 }
@@ -96,14 +92,14 @@ class Keeper {
 
 }  // namespace
 
-LongRun run_long(const Case& c, RunOptions options,
-                 const Checkpoints& checkpoints) {
+LongRun run_long(const Case& c, RunOptions options, Checkpoints checkpoints) {
   cli::Progress progress;
   options.progress = [&progress](const Run& run) { show(progress, run); };
   Run run(c, std::move(options));
   double every = checkpoints.every;
-  if (!checkpoints.resume.empty()) {
-    const double before = resume(run, checkpoints);
+  if (checkpoints.from) {
+    const double before =
+        resume(run, checkpoints.resume, std::move(*checkpoints.from));
     if (!(every > 0)) every = before;
   }
   Keeper keeper(checkpoints, every);

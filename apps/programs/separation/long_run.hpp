@@ -1,7 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
+#include "programs/separation/output/checkpoint.hpp"
 #include "separation/results/run.hpp"
 
 namespace separation {
@@ -12,8 +14,9 @@ struct Checkpoints {
   /// as often as in that run.
   std::string file = {};
   double every = 0;
-  /// Checkpoint to go on from.
+  /// File of a checkpoint, and what it says, to go on from.
   std::string resume = {};
+  std::optional<Checkpoint> from = {};
   /// Whatever makes two runs different.
   std::string identity = {};
 };
@@ -26,9 +29,9 @@ struct LongRun {
 /// Runs a case to its end, or as far as it comes. Says on standard error how
 /// far it is.
 /// @throws contact::Error if the motion cannot begin, or the checkpoint to go
-///   on from cannot be read, is of another run or of a time beyond the end, or
-///   the first one not begun
+///   on from is of another run or of a time beyond the end, or the first one
+///   not begun
 LongRun run_long(const Case& c, RunOptions options,
-                 const Checkpoints& checkpoints = {});
+                 Checkpoints checkpoints = {});
 
 }  // namespace separation

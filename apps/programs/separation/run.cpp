@@ -193,12 +193,15 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   Warnings warnings;
   warn_of_joints(c, warnings);
 
-  // Until everything is written.
+  Checkpoints checkpoints{
+      o.checkpoint, o.checkpoint_every, o.resume, {}, identity_of(c, options)};
+  if (!o.resume.empty()) {
+    checkpoints.from = read_checkpoint(o.resume, checkpoints.identity);
+  }
+  // From here on, where there is something to finish, until all is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
-  const LongRun run = run_long(
-      c, options,
-      {o.checkpoint, o.checkpoint_every, o.resume, identity_of(c, options)});
+  const LongRun run = run_long(c, options, std::move(checkpoints));
   const Outcome& outcome = run.outcome;
   bool good = outcome.failure.empty() && run.no_checkpoint.empty();
   warn_of_run(c, outcome, warnings);

@@ -24,6 +24,7 @@ using contact::detail::must_be;
 constexpr int application = 0x686a6e6c;
 // Version of the rows: another one when the same study gives other numbers.
 constexpr int version = 3;
+constexpr const char* study_table = "CREATE TABLE study (identity)";
 // SQLite's own limit unless it was built for more.
 constexpr std::size_t most_columns = 2000;
 // Before the numbers of a row, and behind them.
@@ -93,7 +94,7 @@ Journal::Journal(const std::string& path, const std::string& identity,
   const std::string hash = fmt::format("{:016x}", hash_of(identity));
   try {
     if (use == Use::write) make(hash, names);
-    check(hash);
+    check(hash, names);
   } catch (const cli::DatabaseError& error) {
     if (!error.is_stranger()) throw;
     fail(is_old(path) ? must_be("a journal of another version",
@@ -133,18 +134,21 @@ void Journal::make(const std::string& hash,
     if (database_.ask("SELECT count(*) FROM sqlite_master") > 0) return;
     database_.run(fmt::format("PRAGMA application_id = {}", application));
     database_.run(fmt::format("PRAGMA user_version = {}", version));
-    database_.run("CREATE TABLE study (identity)");
+    database_.run(study_table);
     cli::Statement(database_, "INSERT INTO study VALUES (?)").run(hash);
     database_.run(table_of(names));
     transaction.commit();
   }
 }
 
-void Journal::check(const std::string& hash) const {
+// Another study has other columns.
+void Journal::check(const std::string& hash,
+                    const std::vector<std::string>& names) const {
   if (database_.ask("PRAGMA application_id") != application) {
     fail(must_be("the file", "a journal of hinge-study"));
   }
   if (database_.ask("PRAGMA user_version") == version &&
+      database_.has_only({study_table, table_of(names)}) &&
       ask_text(database_, "SELECT identity FROM study") == hash) {
     if (use_ == Use::write) database_.write_ahead();
     return;

@@ -48,7 +48,8 @@ class Journal {
  private:
   [[noreturn]] void fail(const std::string& why) const;
   void make(const std::string& identity, const std::vector<std::string>& names);
-  void check(const std::string& identity) const;
+  void check(const std::string& identity,
+             const std::vector<std::string>& names) const;
 
   cli::Database database_;
   Use use_;

@@ -26,15 +26,22 @@ using Notes = std::vector<Note>;
 
 // Application id in SQLite's header for this kind of file.
 constexpr int application = 0x6873636b;
+constexpr const char* state_table = "CREATE TABLE state (state)";
+constexpr const char* block_table =
+    "CREATE TABLE blocks (number INTEGER PRIMARY KEY, block)";
 
 void add(const json& from, Notes& notes) {
   for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
-// Refuses files of another program or another version of this one.
+// Refuses files of another program or another version of this one, and those
+// that somebody has changed.
 void check_application(const Database& database) {
   try {
-    if (database.ask("PRAGMA application_id") == application) return;
+    if (database.ask("PRAGMA application_id") == application &&
+        database.has_only({state_table, block_table})) {
+      return;
+    }
   } catch (const cli::DatabaseError& error) {
     if (!error.is_stranger()) throw;
     unpacked(contact::detail::file_text(database.name()), database.name());
@@ -57,7 +64,8 @@ json block_of(const Recorder::Memory& memory, std::size_t numbers,
 void add_blocks(const Database& database, std::int64_t count,
                 Recorder::Memory& memory) {
   cli::Statement blocks(database, "SELECT block FROM blocks ORDER BY number");
-  for (bool more = blocks.run(); more; more = blocks.next(), --count) {
+  for (bool more = blocks.run(); more && count >= 0;
+       more = blocks.next(), --count) {
     const json block = unpacked(blocks.text(0), database.name());
     const auto numbers = block.at("numbers").get<std::vector<double>>();
     memory.rows.numbers.insert(memory.rows.numbers.end(), numbers.begin(),
@@ -120,9 +128,8 @@ void CheckpointWriter::write(const SimulationState& simulation,
   if (blocks_ == 0) {
     database_.run(
         fmt::format("PRAGMA application_id = {}; DROP TABLE IF EXISTS state; "
-                    "DROP TABLE IF EXISTS blocks; CREATE TABLE state (state); "
-                    "CREATE TABLE blocks (number INTEGER PRIMARY KEY, block)",
-                    application));
+                    "DROP TABLE IF EXISTS blocks; {}; {}",
+                    application, state_table, block_table));
   }
   const auto put = [&](const char* sql, json content) {
     cli::Statement statement(database_, sql);
