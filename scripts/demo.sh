@@ -3,6 +3,7 @@
 # curves of real joints, a separation of stages, once and 1,705 times with
 # scatter, and the paper's figures, in demo-output/.
 set -euo pipefail
+unset CDPATH
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release

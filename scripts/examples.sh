@@ -5,6 +5,7 @@
 #   scripts/examples.sh BUILD_DIR --check  says what that would change, but for
 #       numbers that differ by 1e-9 or less, as on machines with other vectors
 set -euo pipefail
+unset CDPATH
 if [ $# -lt 1 ] || [ "${2:---check}" != --check ]; then
   sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2

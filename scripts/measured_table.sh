@@ -4,6 +4,7 @@
 #   scripts/measured_table.sh BUILD_DIR
 # prints them. Docs.MeasuredTable checks that they are those of the page.
 set -euo pipefail
+unset CDPATH
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
   exit 2

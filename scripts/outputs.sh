@@ -5,6 +5,7 @@
 # one machine, since the last digits are those of its instruction set. Examples
 # of pages and messages are compared by ctest.
 set -euo pipefail
+unset CDPATH
 bin=$(cd "$1/bin" && pwd)
 mkdir -p "$2"
 out=$(cd "$2" && pwd)

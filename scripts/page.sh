@@ -2,6 +2,7 @@
 # Makes the page to calculate on, build-wasm/calculator.html: one file that opens
 # from a disk without a network (apps/page/README.md). Some minutes at first.
 set -euo pipefail
+unset CDPATH
 cd "$(dirname "$0")/.."
 [ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
   scripts/setup.sh scripts/packages.txt scripts/packages-page.txt

@@ -4,6 +4,7 @@
 #   scripts/pressure_tables.sh BUILD_DIR
 # prints them. Docs.PressureTables checks that they are those of the pages.
 set -euo pipefail
+unset CDPATH
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
   exit 2

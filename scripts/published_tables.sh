@@ -4,6 +4,7 @@
 #   scripts/published_tables.sh BUILD_DIR
 # prints them. Docs.PublishedTables checks that they are those of the page.
 set -euo pipefail
+unset CDPATH
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
   exit 2

@@ -8,9 +8,11 @@
 # to simulators; without one it is left out), packages-page.txt (the page to
 # calculate on).
 set -euo pipefail
+unset CDPATH
 cd "$(dirname "$0")/.."
 
-mapfile -t packages < <(cat "${@:-scripts/packages.txt}")
+lists=$(cat "${@:-scripts/packages.txt}")
+mapfile -t packages < <(printf %s "$lists")
 
 if ! command -v apt-get >/dev/null || ! command -v dpkg-query >/dev/null; then
   [ "${CONTACT_SKIP_SETUP:-}" = 1 ] && exit 0

@@ -6,6 +6,7 @@
 # {NAME#COUNTER} a counter of it, {X : Y} a ratio of two of those or of a number
 # and one of them; "-" stands for times that could not be measured.
 set -euo pipefail
+unset CDPATH
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then
   sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
   exit 2

@@ -2,6 +2,7 @@
 # Set-up, build, all tests; those whose package is missing are skipped, and it
 # says which (`scripts/setup.sh scripts/packages-extra.txt` installs them).
 set -euo pipefail
+unset CDPATH
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release

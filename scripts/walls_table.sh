@@ -4,6 +4,7 @@
 #   scripts/walls_table.sh BUILD_DIR
 # prints it. Docs.WallsTable checks that it is that of the page.
 set -euo pipefail
+unset CDPATH
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
   exit 2

@@ -24,7 +24,7 @@ void for_each_class(const py::module_& m, const Finish& finish) {
   }
 }
 
-// What the second protocol does, for all. The first two would make an object
+// As the second protocol does, for all. The first two would make an object
 // of the classes' base, which nothing can: it ends the process.
 py::tuple reduced(const py::object& self) {
   const py::type type = py::type::of(self);

@@ -3,6 +3,7 @@
 # wheel is whole, and what cannot be installed is refused in a sentence.
 #   pip.sh PYTHON SOURCE BUILD FOLDER
 set -euo pipefail
+unset CDPATH
 unset PYTHONPATH
 rm -rf "$4"
 "$1" -m venv --system-site-packages "$4"

@@ -3,6 +3,7 @@
 #   names.sh BUILD PYTHON >names.txt       writes them anew
 #   names.sh BUILD PYTHON --check          compares
 set -euo pipefail
+unset CDPATH
 build=$1
 python=$2
 folder=$(cd "$(dirname "$0")" && pwd)

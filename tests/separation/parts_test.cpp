@@ -307,7 +307,7 @@ TEST_F(CheckpointFile, AreTheirOwnKindOfFile) {
   folder_.write("c", bytes_);
   execute("DELETE FROM state");
   EXPECT_EQ(message(), stranger);
-  // What reads as a checkpoint does, but by SQL that the file has in it.
+  // These read as a checkpoint does, but by SQL that the file has in it.
   for (const char* const forged :
        {"ALTER TABLE blocks RENAME TO b; CREATE VIEW blocks AS SELECT * FROM b",
         "ALTER TABLE state RENAME TO s; CREATE VIEW state AS SELECT * FROM s",

@@ -202,7 +202,7 @@ TEST_F(JournalFile, OthersAreRefused) {
   EXPECT_EQ(message("g", "study", 1997), "");
 }
 
-// What reads as a journal does, but by SQL that the file has in it.
+// Files that read as a journal does, but by SQL that they have in them.
 TEST_F(JournalFile, SqlOfOthersIsNotRun) {
   for (const char* const forged :
        {"ALTER TABLE rows RENAME TO r; CREATE VIEW rows AS SELECT * FROM r",

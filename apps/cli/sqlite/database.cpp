@@ -113,7 +113,7 @@ Database::Database(const std::string& name, Use use) : name_(name) {
   database_.reset(database);
   if (code != SQLITE_OK) fail(name_, database);
   sqlite3_busy_timeout(database, patience);
-  // What sqlite.org/security.html recommends for files of strangers.
+  // As sqlite.org/security.html recommends for files of strangers.
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
 }
