@@ -159,7 +159,8 @@ check_packages() {
     missing "the right to make a root"
   cmake --build build --target installed contact_python
   rm -rf build/packages
-  (cd build && cpack -G DEB -B packages)
+  (umask 077 && cd build && cpack -G DEB -B packages)
+  chmod -R a+rX build/packages
   # shellcheck disable=SC2016  # the hook's own $1
   mmdebstrap --variant=apt --format=null --include=gcc,libc6-dev,pkg-config \
     --customize-hook="copy-in build/packages /" \
