@@ -22,4 +22,5 @@
 #include "libcontact/finite_pin.hpp"
 #include "libcontact/duty.hpp"
 #include "libcontact/identify.hpp"
+#include "libcontact/load_law.hpp"
 // clang-format on

@@ -2,8 +2,10 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <memory>
+#include <optional>
 
 #include "libcontact/half_angle/registry.hpp"
+#include "libcontact/load_law/load_law.hpp"
 #include "libcontact/pressure/registry.hpp"
 #include "python/file_joint.hpp"
 #include "python/interpreter_lock.hpp"
@@ -92,6 +94,32 @@ py::dict joint_keys() {
   return tables;
 }
 
+std::string kernel(const FileJoint& self, const std::string& language,
+                   const std::string& name, double error,
+                   const std::optional<std::pair<double, double>>& reaction) {
+  const contact::Joint& joint = self.joint();
+  const Unlocked unlocked;
+  return load_law_text(joint, {.language = language,
+                               .name = name,
+                               .error = error,
+                               .loads = reaction,
+                               .joint = self.spec().name})
+      .text;
+}
+
+constexpr const char* kernel_doc =
+    R"(kernel(self, language="c", *, name="friction", error=1e-4, reaction=None)
+--
+
+The friction that depends on the load as a function in another language, as
+hinge-joint --kernel prints it: a text.
+
+language: "c", "cuda", "glsl", "jax", "js", "numpy" or "st".
+name: of the function.
+error: the largest relative error of the moment, which is measured.
+reaction: least and largest load, N; of a pin without adhesion none is needed.
+Raises Error for joints that have no such law, and an error out of reach.)";
+
 }  // namespace
 
 void bind_joint(py::module_& m) {
@@ -115,6 +143,9 @@ void bind_joint(py::module_& m) {
            }),
            py::arg("text"), py::arg("source"), py::arg("folder"),
            py::arg("settings"));
+  type.def("kernel", &kernel, py::arg("language") = "c", py::kw_only(),
+           py::arg("name") = "friction", py::arg("error") = 1e-4,
+           py::arg("reaction") = py::none(), kernel_doc);
   type.def_property_readonly("_toml", &FileJoint::toml);
   type.def_property_readonly("_canonical", &FileJoint::canonical);
   bind_contact(m, joints, type);

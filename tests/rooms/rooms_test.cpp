@@ -30,6 +30,7 @@ const std::vector<std::string> rooms = {
     "libcontact/finite_pin",
     "libcontact/duty",
     "libcontact/identify",
+    "libcontact/load_law",
     "libcontact/quantities",
     "libcontact/tracking",
     "libcontact/files",

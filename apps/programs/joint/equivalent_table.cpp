@@ -6,10 +6,13 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/output.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/report.hpp"
+#include "cli/sweep.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/identify/equivalent.hpp"
+#include "libcontact/load_law/load_law.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -115,6 +118,19 @@ void add_bending(const Setup& setup, const Inputs& inputs, double arm,
   }
 }
 
+// A clearance without adhesion has one line for every load.
+void add_load_law(const contact::Joint& joint, cli::Report& to) {
+  const contact::PinLoadLaw law = pin_load_law(joint, 1);
+  if (law.form != contact::PinLoadLaw::Form::clearance) return;
+  to.add("load_law_R0_N", law.scale,
+         "load law, at every load: M = rho mu N (c0 + c1 u + c2 u^2 + c3 u^3), "
+         "u = N/(N + R0), N = R/sqrt(1 + mu^2)",
+         {law.error});
+  for (std::size_t i = 0; i < law.numbers.size(); ++i) {
+    to.add(fmt::format("load_law_c{}", i), law.numbers[i], "", {law.error});
+  }
+}
+
 }  // namespace
 
 cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
@@ -126,9 +142,37 @@ cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
   cli::Report report({"largest_error"});
   add_range(inputs, pin, report);
   add_numbers(e, f0, pin ? pin_names : ball_names, report);
-  if (pin) add_bending(setup, inputs, e.arm.value, report);
+  if (pin) {
+    add_load_law(joint, report);
+    add_bending(setup, inputs, e.arm.value, report);
+  }
   cli::Output output(options.output);
   report.write(output, options);
+  output.commit();
+  return cli::all_good;
+}
+
+cli::ExitStatus write_kernel(const Options& options, const Setup& setup) {
+  if (setup.joints.size() != 1) {
+    cli::refuse_without("--kernel", "one joint, one law and one pressure law");
+  }
+  contact::LoadLawOptions kernel = options.kernel;
+  kernel.joint = setup.given[0].spec.name;
+  if (!options.reaction.empty()) {
+    const cli::Sweep loads("--reaction", options.reaction, allowed_force,
+                           contact::Dimension::force);
+    double low = loads[0];
+    double high = loads[0];
+    for (std::size_t i = 1; i < loads.size(); ++i) {
+      low = std::min(low, loads[i]);
+      high = std::max(high, loads[i]);
+    }
+    kernel.loads = {low, high};
+  }
+  const contact::LoadLawText law = load_law_text(setup.joints[0].joint, kernel);
+  warn_of_validity("hinge-joint", setup.given);
+  cli::Output output(options.output.output);
+  output.write(law.text);
   output.commit();
   return cli::all_good;
 }

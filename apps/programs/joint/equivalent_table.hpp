@@ -11,4 +11,7 @@ namespace hinge_joint {
 cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
                                  const cli::OutputOptions& options);
 
+/// --kernel: the load law of the only joint as text.
+cli::ExitStatus write_kernel(const Options& options, const Setup& setup);
+
 }  // namespace hinge_joint

@@ -117,13 +117,28 @@ void add_seat(cli::Program& program, Options& o) {
 }
 
 void add_equivalent(cli::Program& program, Options& o) {
-  program.add("Other programs",
-              {{"--equivalent", &o.equivalent, "",
-                "numbers for the friction formulas of Adams, MotionSolve, "
-                "PhysX, MuJoCo and others, least wrong over the sweep",
-                "--reaction",
-                "--trace --outer --measured-moment --map --beside --summary "
-                "--plot --jobs --tilt --load-at --in-seat --pv"}});
+  program.add(
+      "Other programs",
+      {{"--equivalent", &o.equivalent, "",
+        "numbers for the friction formulas of Adams, MotionSolve, "
+        "PhysX, MuJoCo and others, least wrong over the sweep",
+        "--reaction",
+        "--trace --outer --measured-moment --map --beside --summary "
+        "--plot --jobs --tilt --load-at --in-seat --pv"},
+       {"--kernel", &o.kernel.language, "LANGUAGE",
+        "the friction that depends on the load as a function in c, "
+        "cuda, glsl, jax, js, numpy or st",
+        "",
+        "--reaction-xyz --beta --normal-force --points --rate --trace "
+        "--outer --measured-moment --map --beside --summary --plot "
+        "--jobs --tilt --load-at --in-seat --pv --equivalent --format "
+        "--columns --separator --decimal-comma"},
+       {"--kernel-error",
+        cli::number("--kernel-error", o.kernel.error, Dimension::number,
+                    {1e-9, 1, ""}),
+        "NUMBER", "its largest relative error; default 1e-4", "--kernel"},
+       {"--kernel-name", &o.kernel.name, "NAME", "its name; default friction",
+        "--kernel"}});
 }
 
 void add_loops(cli::Program& program, Options& o) {

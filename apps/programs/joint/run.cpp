@@ -177,6 +177,7 @@ cli::ExitStatus run(const Options& options) {
   if (options.tilt.given()) return run_tilted(options);
   if (options.in_seat) return run_in_seat(options);
   Setup setup = make_setup(options);
+  if (!options.kernel.language.empty()) return write_kernel(options, setup);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
   if (options.trace || options.outer.has_value()) {

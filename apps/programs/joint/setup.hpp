@@ -12,6 +12,7 @@
 #include "cli/joint/tilted_pins.hpp"
 #include "cli/program.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/load_law/load_law.hpp"
 
 namespace hinge_joint {
 
@@ -42,6 +43,8 @@ struct Options {
   /// Whether the contact of a ball ends at the rims of its seat.
   bool in_seat = false;
   bool equivalent = false;
+  /// Its language "" if no load law is wanted.
+  contact::LoadLawOptions kernel = {.language = ""};
 
   bool trace = false;
   /// A reaction that answers to the friction moment: R = R_0 + M r, with M the

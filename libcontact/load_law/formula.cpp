@@ -1,0 +1,119 @@
+#include "libcontact/load_law/formula.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <regex>
+
+namespace contact::detail {
+namespace {
+
+template <class... Parts>
+std::string filled_in(std::string_view form, const Parts&... parts) {
+  return fmt::format(fmt::runtime(form), parts...);
+}
+
+std::string polynomial(const std::vector<double>& c, std::string_view x,
+                       const Notation& in) {
+  std::string text = filled_in(in.real, real_text(c.back()));
+  for (std::size_t i = c.size() - 1; i-- > 0;) {
+    text = fmt::format("({}) * {} {} {}", text, x, c[i] < 0 ? '-' : '+',
+                       filled_in(in.real, real_text(std::abs(c[i]))));
+  }
+  return '(' + text + ')';
+}
+
+// A name, number or call of a polynomial.
+std::string word(const std::smatch& found, const Constants& constants,
+                 const Notation& in) {
+  const std::string name = found[1];
+  const std::string index = found[2];
+  if (!index.empty()) return filled_in(in.component, name, index);
+  if (name.find_first_not_of("0123456789") == std::string::npos) {
+    return filled_in(in.whole, name);
+  }
+  const auto number = constants.numbers.find(name);
+  if (number != constants.numbers.end()) {
+    return filled_in(in.real, real_text(number->second));
+  }
+  const auto c = constants.polynomials.find(name);
+  if (c != constants.polynomials.end()) {
+    return polynomial(c->second, found[3].str(), in);
+  }
+  const std::string_view function = name == "sqrt"  ? in.sqrt
+                                    : name == "log" ? in.log
+                                    : name == "abs" ? in.abs
+                                    : name == "exp" ? in.exp
+                                                    : name;
+  return std::string(function) +
+         (found[3].matched ? '(' + found[3].str() + ')' : "");
+}
+
+std::string expression(const std::string& text, const Constants& constants,
+                       const Notation& in) {
+  static const std::regex words(R"((\w+)(?:\[(\d)\]|\((\w+)\))?)");
+  std::string out;
+  auto rest = text.cbegin();
+  for (std::sregex_iterator i(text.begin(), text.end(), words), end; i != end;
+       ++i) {
+    out.append(rest, (*i)[0].first).append(word(*i, constants, in));
+    rest = (*i)[0].second;
+  }
+  return out.append(rest, text.cend());
+}
+
+}  // namespace
+
+std::string printed(std::string_view formula, const Constants& constants,
+                    const Notation& in, std::string_view indent) {
+  static const std::regex statement(
+      R"(\s*(?:Real ([^;]+);|for \(int i = 0; i < (\w+); \+\+i\) \{|(\})|)"
+      R"(if \(([^;]+)\) break;|(\w+) = ([^;?]+)(?:\? ([^;:]+) : ([^;]+))?;))");
+  const auto of = [&](const auto& part) {
+    return expression(part.str(), constants, in);
+  };
+  std::string out;
+  std::string margin(indent);
+  const std::string text(formula);
+  for (std::sregex_iterator i(text.begin(), text.end(), statement), end;
+       i != end; ++i) {
+    const std::smatch& part = *i;
+    std::string line;
+    if (part[3].matched) margin.resize(margin.size() - indent.size());
+    if (part[1].matched) line = filled_in(in.declared, part[1].str());
+    if (part[2].matched) {
+      line = filled_in(in.loop, constants.numbers.at(part[2].str()));
+    }
+    if (part[3].matched) line = in.end;
+    if (part[4].matched) line = filled_in(in.leave, of(part[4]));
+    if (part[5].matched) {
+      std::string value = of(part[6]);
+      if (part[7].matched) {
+        value.pop_back();  // the space before ?
+        value = filled_in(in.choice, value, of(part[7]), of(part[8]));
+      }
+      line = filled_in(in.assigned, part[5].str(), value);
+    }
+    if (!line.empty()) out += margin + line + '\n';
+    if (part[2].matched) margin += indent;
+  }
+  return out;
+}
+
+std::string real_text(double x) {
+  std::string text = fmt::format("{}", x);
+  if (text.find('.') != std::string::npos) return text;
+  return text.insert(std::min(text.size(), text.find('e')), ".0");
+}
+
+std::string replaced(std::string text, std::string_view word,
+                     std::string_view by) {
+  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;
+       at += by.size()) {
+    text.replace(at, word.size(), by);
+  }
+  return text;
+}
+
+}  // namespace contact::detail

@@ -1,0 +1,242 @@
+"""Load laws as text: compiled and run, they have the joint's moments."""
+
+import ctypes
+import functools
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+from pathlib import Path
+
+import libcontact
+import numpy as np
+from support import program, source, table
+
+folder = source / "data/reference/load_law"
+count = 100_000
+steel = {"youngs_modulus_GPa": 200, "poissons_ratio": 0.3}
+# A pendulum's, with adhesion: the law needs its loads.
+sticky = libcontact.Joint(
+    kind="pin", radius_mm=20, radial_clearance_um=20, length_mm=40, inner=steel,
+    outer=steel, coefficient=0.15, adhesion_Pa=2e4)  # fmt: skip
+
+
+def joint_of(name):
+    place = "duty" if name == "stribeck_pin" else "joints"
+    return libcontact.Joint.from_file(source / f"data/{place}/{name}.toml")
+
+
+def claims(text):
+    """Errors in double and in float, least and largest load."""
+    found = re.search(
+        r"over M: (\S+) in double, (\S+) in float.* from (\S+)\W+to (\S+) N", text, re.S)  # fmt: skip
+    return [float(number) for number in found.groups()]
+
+
+batches = {
+    "pin": """
+void batch(long n, const KREAL *R, const KREAL *f, KREAL *M, KREAL *dM) {
+  for (long i = 0; i < n; ++i) M[i] = friction(R[i], f[i], dM + i);
+}
+""",
+}
+
+
+@functools.cache
+def compiled(text, kind, real="double"):
+    """The text as C11, without a warning; as C++17 too."""
+    with tempfile.TemporaryDirectory() as place:
+        file = Path(place) / "law.c"
+        export = 'extern "C"\n' if kind is None else ""
+        file.write_text(f"#define KREAL {real}\n{text}{export}{batches[kind]}")
+        flags = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
+        cc, cxx = os.environ.get("CC", "cc"), os.environ.get("CXX", "c++")
+        subprocess.check_call(
+            [cxx, "-x", "c++", "-std=c++17", *flags, "-fsyntax-only", file])  # fmt: skip
+        subprocess.check_call(
+            [cc, "-std=c11", *flags, "-ffp-contract=off", "-shared", "-fPIC",
+             file, "-o", f"{place}/law.so", "-lm"])  # fmt: skip
+        return ctypes.CDLL(f"{place}/law.so")
+
+
+def pin_in_c(text, load, f, real="double"):
+    """M and dM/dR."""
+    kind = np.float64 if real == "double" else np.float32
+    load = np.ascontiguousarray(load, kind)
+    given = [load, np.ascontiguousarray(f + 0 * load, kind)]
+    out = [np.empty_like(load), np.empty_like(load)]
+    compiled(text, "pin", real).batch(
+        ctypes.c_long(load.size), *(x.ctypes.data_as(ctypes.c_void_p) for x in given + out))  # fmt: skip
+    return [x.astype(float) for x in out]
+
+
+def in_node(text, call, values):
+    """What JavaScript has for each of some values."""
+    with tempfile.TemporaryDirectory() as place:
+        (Path(place) / "law.mjs").write_text(text)
+        (Path(place) / "run.mjs").write_text(
+            "import * as law from './law.mjs';\nimport fs from 'fs';\n"
+            "const x = JSON.parse(fs.readFileSync(0));\n"
+            f"console.log(JSON.stringify(x.map(x => law.{call})));\n")  # fmt: skip
+        done = subprocess.run(
+            ["node", f"{place}/run.mjs"], input=json.dumps(values),
+            capture_output=True, text=True, check=True)  # fmt: skip
+    return json.loads(done.stdout)
+
+
+def in_numpy(text):
+    scope = {}
+    exec(text, scope)
+    return scope
+
+
+def relative(a, b):
+    return np.max(np.abs(np.asarray(a) / b - 1))
+
+
+def pin_states(joint, low, high):
+    """Random loads with the coefficients and moments of the joint."""
+    random = np.random.default_rng(57)
+    load = np.exp(random.uniform(np.log(low), np.log(high), count))
+    zero = 0 * load
+    rate = np.exp(random.uniform(np.log(1e-4), np.log(30), count))
+    s = joint.solve(
+        np.stack([load, zero, zero], -1), np.stack([zero, zero, rate], -1), axis=[0, 0, 1])  # fmt: skip
+    f = np.linalg.norm(s.friction_force, axis=-1) / s.normal_force
+    return load, f, -s.friction_moment[:, 2]
+
+
+class Pins(unittest.TestCase):
+    def test_are_as_exact_as_they_say(self):
+        for joint, error, loads in (
+            (joint_of("pin_joint"), 1e-4, None),
+            (joint_of("pin_joint"), 2e-6, None),
+            (joint_of("wheel_pin"), 1e-6, None),
+            (joint_of("stribeck_pin"), 1e-4, None),
+            (joint_of("relieved_bush"), 1e-5, None),
+            (joint_of("lined_bush_pressed"), 1e-4, None),
+            (joint_of("lined_bush_pressed"), 3e-6, None),
+            (sticky, 1e-6, (5.0, 5e4)),
+        ):  # fmt: skip
+            with self.subTest(joint=joint.name, error=error):
+                text = joint.kernel(error=error, reaction=loads)
+                double, single, low, high = claims(text)
+                self.assertLessEqual(double, error * 1.05)  # as it is printed
+                load, f, moment = pin_states(joint, low, high)
+                if loads:
+                    text = text.replace("KREAL *dM)", "KREAL f, KREAL *dM)")
+                    text = text.replace("if (dM)", "(void)f; if (dM)")
+                # The grid of the claim is not that of these loads.
+                M, slope = pin_in_c(text, load, f)
+                self.assertLess(relative(M, moment), 1.2 * double)
+                M, _ = pin_in_c(text, load, f, "float")
+                self.assertLess(relative(M, moment), 1.2 * single)
+                # Differences of second order, of M near its kinks at the ends.
+                h = 1e-5
+                more, less = (
+                    pin_in_c(text, load * x, f)[0] for x in (1 + h, 1 - h))  # fmt: skip
+                difference = (more - less) / (2 * h * load)
+                off = np.abs(difference - slope) / (moment / load)
+                self.assertLess(np.quantile(off, 0.999), 1e-6)
+
+    # Of the sheet that the law comes from: what the joint itself had.
+    def test_have_the_moments_of_the_table(self):
+        with open(folder / "pins.csv") as file:
+            rows = np.genfromtxt(file, delimiter=",", dtype=None, names=True,
+                                 encoding="utf8")  # fmt: skip
+        self.assertEqual(len(rows), 16)
+        for name in ("pin_joint", "lined_bush_pressed"):
+            of = rows[rows["joint"] == name]
+            text = joint_of(name).kernel(error=3e-6)
+            M, _ = pin_in_c(text, of["R_N"], of["f"])
+            self.assertLess(relative(M, of["M_N_m"]), 3e-6)
+        # Up to lift-off all digits are interference's.
+        self.assertLess(relative(M[:2], of["M_N_m"][:2]), 1e-11)
+        _, slope = pin_in_c(joint_of("pin_joint").kernel(error=1e-6), [1e5], 0.1)
+        self.assertLess(relative(slope, 0.00224064223588), 1e-5)
+
+    def test_are_the_same_in_javascript_and_numpy(self):
+        for name, arguments in (
+            ("pin_joint", {}), ("lined_bush_pressed", {}), ("sticky", {"reaction": (5, 5e4)}),
+        ):  # fmt: skip
+            joint = sticky if name == "sticky" else joint_of(name)
+            load = np.geomspace(1, 1e5, 300)
+            text = joint.kernel("numpy", **arguments)
+            M, slope = in_numpy(text)["friction"](load)
+            c = joint.kernel("c", **arguments)
+            if arguments:
+                c = c.replace("KREAL *dM)", "KREAL f, KREAL *dM)")
+                c = c.replace("if (dM)", "(void)f; if (dM)")
+            in_c, slope_in_c = pin_in_c(c, load, joint.coefficient)
+            self.assertLess(relative(M, in_c), 1e-13)
+            self.assertLess(relative(slope + M / load, slope_in_c + M / load), 1e-13)
+            if shutil.which("node") is None:
+                self.skipTest("nodejs is missing")
+            js = np.array(in_node(joint.kernel("js", **arguments), "friction(x)", load.tolist()))  # fmt: skip
+            self.assertLess(relative(js[:, 0], in_c), 1e-13)
+
+    def test_NaN_stays(self):
+        for joint, reaction in (
+            (joint_of("pin_joint"), None), (joint_of("lined_bush_pressed"), None), (sticky, (5, 5e4)),
+        ):  # fmt: skip
+            law = in_numpy(joint.kernel("numpy", reaction=reaction))
+            self.assertTrue(np.isnan(law["friction"](np.nan)).all())
+
+    def test_are_what_the_program_prints(self):
+        file = source / "data/joints/pin_joint.toml"
+        for language in ("c", "cuda", "glsl", "jax", "js", "numpy", "st"):
+            text, _ = program(
+                "hinge-joint", "--joint", file, "--kernel", language,
+                "--kernel-name", "wheel", "--kernel-error", 1e-5)  # fmt: skip
+            joint = libcontact.Joint.from_file(file)
+            self.assertEqual(text, joint.kernel(language, name="wheel", error=1e-5))
+            self.assertIn("wheel", text)
+            self.assertNotIn("NAME", text)
+            self.assertEqual("do not run" in text, language not in ("c", "js", "numpy"))
+
+    # Of a pin of another size than the page's numbers are from.
+    def test_pairs_of_the_page(self):
+        page = (source / "libcontact/docs/equivalent.md").read_text()
+        pairs = re.findall(r"^\| steel [^|]*\|(.*, 0\..*)\|$", page, re.M)
+        self.assertEqual(len(pairs), 5)
+        for pair in pairs:
+            E1, nu1, E2, nu2, L0, *c, error = map(float, re.split(r"[|,]", pair))
+            pin = libcontact.Joint(
+                kind="pin", radius_mm=3, radial_clearance_um=30, length_mm=9, coefficient=0.3,
+                inner={"youngs_modulus_GPa": E1, "poissons_ratio": nu1},
+                outer={"youngs_modulus_GPa": E2, "poissons_ratio": nu2})  # fmt: skip
+            R0 = L0 * np.pi / 2 * 0.01 * 3e-3 * 9e-3 * pin.effective_modulus
+            load, f, moment = pin_states(pin, R0 * 1e-4, R0 * 1e4)
+            N = load / np.sqrt(1 + f**2)
+            M = 3e-3 * f * N * np.polynomial.polynomial.polyval(N / (N + R0), c)
+            self.assertLess(relative(M, moment), 1.1 * error)
+            with tempfile.NamedTemporaryFile("w", suffix=".toml") as file:
+                file.write(pin.to_toml())
+                file.flush()
+                rows = table("hinge-joint", "--joint", file.name, "--reaction",
+                             "1,9", "--equivalent")  # fmt: skip
+            law = {row["quantity"]: float(row["value"]) for row in rows}
+            np.testing.assert_allclose(law["load_law_R0_N"], R0, rtol=1e-4)
+            np.testing.assert_allclose(
+                [law[f"load_law_c{i}"] for i in range(4)], c, rtol=0, atol=2e-5)
+
+    def test_refusals(self):
+        for keys, arguments, message in (
+            ({}, {"error": 1e-9}, "an error of 1e-09 of the load law must be at least"),
+            ({}, {"name": "a b"}, "the name a b of a function must be a letter"),
+            ({}, {"language": "ada"}, 'unknown language "ada"'),
+            ({}, {"reaction": (5, 5)}, "must be above 0, the first one less"),
+            ({"half_angle.law": "hertz"}, {}, "that have a value there"),
+            ({"friction.coefficient": 0.0}, {}, "with a coefficient above 0"),
+        ):  # fmt: skip
+            joint = joint_of("pin_joint").replace(keys)
+            with self.assertRaisesRegex(libcontact.Error, message):
+                joint.kernel(**arguments)
+
+
+if __name__ == "__main__":
+    # Laws are compared at loads that no steel bears.
+    unittest.main(warnings="ignore")
