@@ -1,5 +1,6 @@
 #include "python/rows.hpp"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -34,9 +35,13 @@ bool is_masked(py::handle given) {
 // NumPy would take their numbers, whatever the unit: as pint and astropy have
 // them, alone or in a list.
 bool has_unit(py::handle given) {
+  if (PyFloat_CheckExact(given.ptr()) || PyLong_CheckExact(given.ptr())) {
+    return false;
+  }
   if (py::isinstance<py::list>(given) || py::isinstance<py::tuple>(given)) {
     const auto all = py::reinterpret_borrow<py::sequence>(given);
-    return !all.empty() && has_unit(all[0]);
+    return std::any_of(all.begin(), all.end(),
+                       [](const py::object& one) { return has_unit(one); });
   }
   return py::hasattr(given, "to") &&
          ((py::hasattr(given, "magnitude") && py::hasattr(given, "units")) ||

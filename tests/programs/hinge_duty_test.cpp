@@ -1,5 +1,6 @@
 // The program hinge-duty, run as its users run it.
 #include <fmt/format.h>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,6 +15,8 @@
 
 namespace contact::test {
 namespace {
+
+using testing::HasSubstr;
 
 const std::string data = "data/reference/duty/";
 const std::string hip = "hinge-duty --joint " + data +

@@ -321,7 +321,7 @@ class Arguments(unittest.TestCase):
         three = Quantity([0, 0, 2])
         rows = Quantity(forces)
         for call in (
-            lambda: hip.peak_pressure(two), lambda: hip.half_angle([two, two]),
+            lambda: hip.peak_pressure(two), lambda: hip.half_angle([1.0, two]),
             lambda: hip.solve(three, [1, 0, 1]),
             lambda: hip.solve([1, 0, 1], three),
             lambda: hip.vary({"geometry.radius_mm": Quantity([1, 2])}),
