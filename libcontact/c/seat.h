@@ -131,9 +131,9 @@ contact_status contact_seat_at_rest(const contact_seat* seat,
                                     contact_seat_rest* rest);
 
 /* Pressures of a solution, Pa, at `count` places: unit vectors from the ball's
- * centre, three numbers each. Never below 0, 0 outside the contact, infinite at a
- * rim that is reached; accuracy: SeatContact::pressure(). A contact that is at a rim is
- * found anew by each call, in some 10 ms. */
+ * centre, three numbers each. Never below 0, 0 outside the contact, infinite at
+ * a rim that is reached, as exact as SeatContact::pressure(). A contact that is
+ * at a rim is found anew by each call, in some 10 ms. */
 contact_status contact_seat_pressure(const contact_seat* seat,
                                      const contact_seat_solution* solution,
                                      const double* places, size_t count,

@@ -147,7 +147,7 @@ Vector3d SeatJoint::start(const Vector3d& force) const {
   const SeatZone& zone = contact_.zone();
   const double direction = detail::polar_angle(force);
   const double pi = std::numbers::pi;
-  constexpr double share = 0.98;  // of the way to the last that it carries
+  constexpr double share = 0.98;  // share of the last that it carries
   double inside = direction;
   if (zone.to() <= pi / 2) inside = std::min(inside, share * zone.to());
   if (zone.from() >= pi / 2) {

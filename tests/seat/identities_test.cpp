@@ -118,7 +118,7 @@ JointSpec shipped(const std::string& name) {
   return read_joint(CONTACT_DATA_DIR "/joints/" + name + ".toml");
 }
 
-// Where the contact ends a parabola goes on below 0; it ran to -14 % of the
+// A parabola goes on below 0 where the contact ends; it ran to -14 % of the
 // peak beside the pole, and to minus infinity at rims.
 TEST(Seat, PressuresAreNeverBelowZero) {
   const struct {
