@@ -191,7 +191,7 @@ TEST(HingeAngle, Fits) {
   const std::string materials = "data/materials/steel_bronze.toml";
   const std::string load = " --load 1e5 --law fitted,exact";
   const std::string pin =
-      "hinge-angle --joint pin --length 40mm --pair " + materials + load;
+      "hinge-angle --joint pin --length 50mm --pair " + materials + load;
   const struct {
     std::string option, key, radial_um, said;
   } clearances[] = {
@@ -209,7 +209,7 @@ TEST(HingeAngle, Fits) {
     folder.write("fit.toml",
                  "name = \"fit\"\nkind = \"pin\"\n[geometry]\n"
                  "diameter_mm = 50\nhole = \"H7\"\nshaft = \"g6\"\n"
-                 "length_mm = 40\n" +
+                 "length_mm = 50\n" +
                      key + "[materials]\npair = \"" + materials + "\"\n");
     for (const std::string& command :
          {pin + " --diameter 50mm --hole H7 --shaft g6" + option,
