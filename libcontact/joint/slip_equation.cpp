@@ -194,7 +194,7 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
   root.point = equation.at(low + (high - low) / 2);
   root.evaluations += static_cast<int>(evaluations) + 1;
   root.residual = std::abs(root.point.residual);
-  // Where interference lifts off adhesion falls like the root of R_n - R_n0, so
+  // Adhesion falls like the root of R_n - R_n0 where interference lifts off, so
   // steeply that the last bit of R_n is more than the tolerance: a bracket of
   // two neighbours has the root.
   const bool is_closed =

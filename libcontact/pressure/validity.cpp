@@ -44,7 +44,7 @@ double limit_half_angle(const HalfAngleLaw& law, const ElasticPair& pair) {
 // on metal is confined, a bush of bronze in steel is not.
 constexpr double stiff = 10;
 
-// How deep a body goes before it ends or is stiff against its surface, m.
+// The depth at which a body ends or is stiff against its surface, m.
 double elastic_depth(const LayeredBody& body, double radius, double modulus) {
   double depth = 0;
   for (const Layer& layer : body.layers) {
@@ -56,7 +56,7 @@ double elastic_depth(const LayeredBody& body, double radius, double modulus) {
   return ends ? depth : depth + radius;
 }
 
-// Of the deeper one of the bodies that yield.
+// That of the deeper one of the bodies that yield.
 double elastic_depth(const LayeredPair& bodies) {
   const double modulus = std::min(bodies.inner().surface().youngs_modulus,
                                   bodies.outer().surface().youngs_modulus);

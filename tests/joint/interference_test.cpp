@@ -342,8 +342,8 @@ TEST(InterferenceJoint, NotesWhatItDoesNotSay) {
             1U);
 }
 
-// Where strong adhesion comes off, the friction of a pin falls like the root of
-// R_n beyond lift-off: so steeply that the last bit of R_n moves it by 1e-11.
+// The friction of a pin with strong adhesion falls like the root of R_n beyond
+// lift-off: so steeply that the last bit of R_n moves it by 1e-11.
 TEST(InterferenceJoint, StrongAdhesionLiftsOff) {
   const struct {
     double coefficient, adhesion, interference;
