@@ -505,7 +505,7 @@ class Mechanism {
     }
   }
 
-  // The step of joint i; the change of its moment.
+  // The step of joint i; the change of its moment beyond what rounding leaves.
   template <int rows>
   double turn(std::size_t i) {
     using Block = Eigen::Matrix<double, rows, rows>;
@@ -531,7 +531,17 @@ class Mechanism {
     if (!holds_[i]) rate_ += answer_.middleCols<rows>(at) * change;
     is_other_ = is_other_ || holds_[i] != steps_[i].holds;
     holds_[i] = steps_[i].holds;
-    return change.norm();
+    // Rounding leaves small contacts more than any tolerance; both moments have
+    // some of it.
+    const Vector3d& found = steps_[i].angular_velocity;
+    Part rate;
+    if constexpr (rows == 1) {
+      rate[0] = found.dot(starts_[i].axis);
+    } else {
+      rate = found;
+    }
+    const double left = (w * (rate - free) - moment_.segment<rows>(at)).norm();
+    return std::max(0.0, change.norm() - 4 * left);
   }
 
   void step_of(std::size_t i, const Eigen::Matrix<double, 1, 1>& w,

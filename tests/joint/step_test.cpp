@@ -18,6 +18,7 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
+using Eigen::VectorXd;
 
 const Joint dry = steel_ball(FrictionLaw(0.2, 1e4));
 const Joint viscous = steel_ball(ViscousLaw(2e5, 0.3));
@@ -322,6 +323,34 @@ TEST(JointSteps, SatisfyTheEquationsOfAllJoints) {
   EXPECT_LT(most, 200);
   EXPECT_GT(holding, 100);
   EXPECT_LT(holding, 900);
+}
+
+// Steps of small contacts fit each other as well as their own rounding lets
+// them: sweeps that do not settle leave far more.
+TEST(JointSteps, UnderSmallLoadsFit) {
+  const Joint adhesive = steel_ball(FrictionLaw(0.25, 2.5e8));
+  const std::vector<const Joint*> joints(3, &adhesive);
+  const double radius = adhesive.contact().geometry().radius();
+  RandomSlips random(18);
+  for (int i = 0; i < 1000; ++i) {
+    const MatrixXd w = random_inertia(random, 9);
+    const double load = random.log_uniform(1e-3, 1e-2);
+    std::vector<StepStart> starts;
+    VectorXd wanted(9);
+    for (int k = 0; k < 3; ++k) {
+      starts.push_back(random_start(random, 1));
+      starts[k].reaction = load * random.direction();
+      starts[k].angular_velocity *= random.uniform() < 0.3 ? 0 : 1;
+      wanted.segment<3>(3 * k) =
+          radius * load * random.log_uniform(1e-3, 1e3) * random.direction();
+    }
+    const VectorXd free = w.llt().solve(wanted);
+    for (int k = 0; k < 3; ++k) starts[k].free = free.segment<3>(3 * k);
+    std::vector<JointStep> steps(3);
+    const StepSweeps sweeps = step(joints, starts, w, steps);
+    EXPECT_TRUE(sweeps.status == Status::ok || sweeps.residual > 1e-9)
+        << i << ": " << load << " N, " << sweeps.residual;
+  }
 }
 
 // Sweeps alone took 38: Newton's steps need none but that which sees it.
