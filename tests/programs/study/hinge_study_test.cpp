@@ -331,7 +331,7 @@ TEST_F(HingeStudy, SaysTheWarningsOfTheNominalRun) {
                 "name = 'ball'\nkind = 'ball'\n"
                 "geometry = { radius_mm = 14, radial_clearance_um = 100 }\n"
                 "materials = { pair = '" CONTACT_DATA_DIR
-                "/materials/cocr_uhmwpe.toml' }\n"
+                "/materials/cocr_uhmwpe.toml', liner = false }\n"
                 "friction = { coefficient = 0.1 }\n");
   const auto direct = folder_.run(
       "hinge-joint --joint j.toml --reaction 100000 --beta 60 --output d.csv");
