@@ -89,7 +89,8 @@ TEST(NumberOptions, ThousandsThatAreLists) {
   EXPECT_TRUE(has_text(said(joint, "0,5kN"), "note: --reaction 0,5kN is"));
   for (const char* loads :
        {"100,000", "1,000,000", "2,000", "0,05", "0,05kN"}) {
-    folder.run_ill(angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml", 2,
+    folder.run_ill(angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml",
+                   2,
                    std::string("hinge-angle: --load ") + loads +
                        " must be a list of numbers without zeros in front: "
                        "thousands are written without commas, decimals with a "
