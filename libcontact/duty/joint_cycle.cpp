@@ -24,8 +24,13 @@ JointCycle::Instant checked(JointCycle::Instant instant) {
 
 JointCycle::JointCycle(DutyCycle cycle, Joint joint)
     : cycle_(std::move(cycle)), joint_(std::move(joint)) {
+  // They are large: of long cycles a vector that grows would take half as much
+  // again.
+  rows_.reserve(cycle_.times().size());
   for (const double time : cycle_.times()) rows_.push_back(checked(at(time)));
-  for (const auto& [time, weight] : cycle_.gauss_points(joint_.is_pin())) {
+  const auto points = cycle_.gauss_points(joint_.is_pin());
+  gauss_points_.reserve(points.size());
+  for (const auto& [time, weight] : points) {
     gauss_points_.push_back(checked(at(time)));
     gauss_points_.back().weight = weight;
   }

@@ -69,8 +69,11 @@ PinCycle::Lies PinCycle::loaded(const std::vector<double>& times, double period,
 
 PinCycle::PinCycle(DutyCycle cycle, const JointSpec& joint, Lies lies)
     : cycle_(std::move(cycle)), pin_(joint), lies_(std::move(lies)) {
+  rows_.reserve(cycle_.times().size());
   for (const double time : cycle_.times()) rows_.push_back(checked(at(time)));
-  for (const auto& [time, weight] : cycle_.gauss_points(true)) {
+  const auto points = cycle_.gauss_points(true);
+  gauss_points_.reserve(points.size());
+  for (const auto& [time, weight] : points) {
     gauss_points_.push_back(checked(at(time)));
     gauss_points_.back().weight = weight;
   }
