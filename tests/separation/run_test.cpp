@@ -263,6 +263,36 @@ start = )" + start + '\n',
   }
 }
 
+// A dart that turns across the wind through a lobe of its coefficient: a
+// triangle of 0.1 to 5 deg that takes the same work from it.
+TEST(AerodynamicTables, NarrowLobesTakeTheirWork) {
+  for (const double width : {0.1, 1., 5.}) {
+    const double least = -100 / width;
+    const Case c = parse_case(
+        R"(
+name = "lobe"; run = { end_time_s = 3, output_step_s = 0.1 }
+[carrier]; name = "dart"; mass_kg = 10
+principal_inertia_kg_m2 = [15, 15, 15]
+[carrier.start]; rotation_deg = [0, 0, 10]
+angular_velocity_deg_per_s = [0, 0, 30]
+[[force]]; name = "air"; body = "dart"; kind = "aerodynamic"
+axis = [1, 0, 0]; flow = [-1, 0, 0]; dynamic_pressure_Pa = 1
+reference_area_m2 = 1
+)"_toml + fmt::format("angle_deg = [0, 40, {}, {}, 180]\n"
+                      "moment = [0, 0, {}, 0, 0]\n",
+                      40 + width / 2, 40 + width, least),
+        "lobe.toml");
+    const Outcome outcome = run_case(c, {});
+    ASSERT_EQ(outcome.failure, "");
+    const double work = least * width * degree / 2;
+    const double rate = std::sqrt(900 * degree * degree + 2 * work / 15);
+    const Rows& rows = outcome.memory.rows;
+    // Of the steps' tolerances.
+    EXPECT_NEAR(value(rows, rows.size() - 1, "dart.wz_rad_per_s"), rate, 1e-7)
+        << width;
+  }
+}
+
 // Two capsules of the radii 0.3 and 0.2 along z, b flying along x past a at
 // some speed and at some distance of their axes; turning about its own, too. On
 // straight ways the distance is sqrt(x^2 + y^2) - 0.5.

@@ -20,7 +20,8 @@ struct Aerodynamic final : ForceLaw {
   double density = 0;              ///< kg/m^3
   Vector3d wind = Vector3d::Zero();
   /// Coefficients over the angle of attack, one table for each pressure of
-  /// `pressures` (at least one).
+  /// `pressures` (at least one); all have the same angles.
+  std::vector<double> angles;
   std::vector<double> pressures;
   std::vector<Table<double>> axial, normal, moment;
 
@@ -36,21 +37,27 @@ struct Aerodynamic final : ForceLaw {
     return (1 - part) * tables[i - 1](angle) + part * tables[i](angle);
   }
 
+  struct Flow {
+    Vector3d towards;     ///< unit; of the air past the body
+    double pressure = 0;  ///< dynamic, Pa; 0: there is none
+  };
+  Flow flow_at(const ForceInstant& at) const {
+    if (density == 0) {
+      return {flow, dynamic_pressure.at.empty()
+                        ? 0
+                        : dynamic_pressure(at.time, at.begin)};
+    }
+    const Vector3d air = wind - at.on().point_velocity(point);
+    const double speed = air.norm();
+    if (speed == 0) return {flow};
+    return {air / speed, density * speed * speed / 2};
+  }
+
   void add(const ForceInstant& at,
            std::span<multibody::BodyForce> forces) const override {
     const multibody::BodyMotion& body = at.on();
-    Vector3d towards = flow;
-    double pressure = 0;
-    if (density > 0) {
-      const Vector3d air = wind - body.point_velocity(point);
-      const double speed = air.norm();
-      if (speed == 0) return;
-      towards = air / speed;
-      pressure = density * speed * speed / 2;
-    } else {
-      if (dynamic_pressure.at.empty()) return;
-      pressure = dynamic_pressure(at.time, at.begin);
-    }
+    const auto [towards, pressure] = flow_at(at);
+    if (pressure == 0) return;
     const Vector3d nose = body.rotation * axis;
     const Vector3d across = towards - towards.dot(nose) * nose;
     const double sine = across.norm();
@@ -68,6 +75,14 @@ struct Aerodynamic final : ForceLaw {
   ForceEnds where(const Case&, int) const override { return {point}; }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     dynamic_pressure.add_breaks(begin, breaks);
+  }
+  void add_kinks(const ForceInstant& at,
+                 std::vector<multibody::KinkedVariable>& to) const override {
+    const Vector3d nose = at.on().rotation * axis;
+    const auto [towards, pressure] = flow_at(at);
+    to.push_back(
+        {std::atan2(towards.cross(nose).norm(), -towards.dot(nose)), angles});
+    if (density > 0) to.push_back({pressure, pressures});
   }
 };
 
@@ -122,7 +137,7 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   air->length = table.optional_number("reference_length", Interval::positive())
                     .value_or(1);
   read_flow(table, *air);
-  const auto angles = increasing(table, "angle");
+  const std::vector<double>& angles = air->angles = increasing(table, "angle");
   air->pressures = {0};
   if (table.has("table_pressure")) {
     air->pressures = increasing(table, "table_pressure");
