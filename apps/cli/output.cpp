@@ -120,6 +120,7 @@ Output::Output(const std::string& path) {
   path_ = std::filesystem::weakly_canonical(path, ignored);
   if (path_.empty()) path_ = path;
   const auto status = std::filesystem::status(path_, ignored);
+  check_place(status);
   if (std::filesystem::exists(status) &&
       !std::filesystem::is_regular_file(status)) {
     descriptor_ = open(path_.c_str(), O_WRONLY | O_CLOEXEC);
@@ -137,6 +138,27 @@ Output::Output(const std::string& path) {
   fchmod(descriptor_, std::filesystem::exists(status)
                           ? static_cast<mode_t>(status.permissions())
                           : new_file_mode());
+}
+
+// A file gets its name by a renaming, for which the folder alone has to be
+// writable: as tools do that write in place, it refuses what these could not.
+void Output::check_place(const std::filesystem::file_status& status) const {
+  std::error_code ignored;
+  if (std::filesystem::is_symlink(
+          std::filesystem::symlink_status(path_, ignored))) {
+    errno = ENOENT;  // at the end of the link
+    fail("cannot write");
+  }
+  constexpr auto any_write = std::filesystem::perms::owner_write |
+                             std::filesystem::perms::group_write |
+                             std::filesystem::perms::others_write;
+  if (!std::filesystem::is_regular_file(status)) return;
+  if ((status.permissions() & any_write) != std::filesystem::perms::none &&
+      faccessat(AT_FDCWD, path_.c_str(), W_OK, AT_EACCESS) == 0) {
+    return;
+  }
+  errno = EACCES;
+  fail("cannot write");
 }
 
 Output::~Output() { discard(); }

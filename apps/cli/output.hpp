@@ -19,7 +19,8 @@ namespace cli {
 class Output {
  public:
   /// @param path  file name; empty or "-" for standard output
-  /// Throws contact::Error if the file cannot be made, or has been read.
+  /// Throws contact::Error if the file cannot be made, is write-protected or a
+  /// link to none, or has been read.
   explicit Output(const std::string& path);
   /// Checks without a trace that the file could be made, for a program to ask
   /// before its work. Throws contact::Error if not.
@@ -38,6 +39,7 @@ class Output {
   /// Whether the descriptor is to be closed.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }
   void write_all(std::string_view text);
+  void check_place(const std::filesystem::file_status& status) const;
   void discard();
   [[noreturn]] void fail(std::string_view what) const;
 

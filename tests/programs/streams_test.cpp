@@ -157,6 +157,47 @@ TEST(UnwritableOutput, ComesBeforeWarnings) {
   }
 }
 
+// A renaming would replace what writing in place could not.
+TEST(UnwritableOutput, IsKept) {
+  const ProgramFolder folder;
+  const std::string run = "hinge-fmu data/joints/wheel_pin.toml --output ";
+  folder.write("kept", "mine");
+  folder.run_well("chmod 0444 kept; ln -s nowhere to_none; ln -s loop loop");
+  folder.run_ill(run + "kept", 2,
+                 "hinge-fmu: cannot write " +
+                     (folder.path() / "kept").string() +
+                     ": Permission denied\n");
+  EXPECT_EQ(folder.read("kept"), "mine");
+  for (const std::string link : {"to_none", "loop"}) {
+    folder.run_ill(
+        run + link, 2,
+        "hinge-fmu: cannot write " + link + ": No such file or directory\n");
+  }
+  folder.run_well("ln -s there to_one; echo mine >there; " + run + "to_one");
+  EXPECT_GT(folder.read("there").size(), 1000u);
+  const auto files = folder.files();
+  EXPECT_EQ(files.size(), 5u);
+  for (const std::string& name : files) EXPECT_NE(name[0], '.') << name;
+}
+
+// The folder that hinge-fmu works in goes, whenever it is ended and by what.
+TEST(Signals, LeaveNoTemporaryFolder) {
+  const ProgramFolder folder;
+  int ended = 0;
+  for (const std::string signal : {"TERM", "HUP", "XCPU"}) {
+    for (int wait = 10; wait <= 190; wait += 60) {
+      const ProgramResult result = folder.run(
+          "mkdir -p tmp; TMPDIR=$PWD/tmp timeout -s " + signal + " 0." +
+          (wait < 100 ? "0" : "") + std::to_string(wait) +
+          " hinge-fmu data/cases/gimbal.toml --output it.fmu; "
+          "status=$?; rm -f it.fmu; rmdir tmp || exit 9; exit $status");
+      EXPECT_NE(result.status, 9) << signal << ' ' << wait << result.err;
+      ended += result.status == 124;
+    }
+  }
+  EXPECT_GT(ended, 3);
+}
+
 // A pipe that is looked at first still has all of the table.
 TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
   const ProgramFolder folder;

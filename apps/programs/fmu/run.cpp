@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 
@@ -23,7 +24,23 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder that goes when the program has done.
+// Signals that come while it lives come at its end.
+class LaterSignals {
+ public:
+  LaterSignals() {
+    sigset_t all;
+    sigfillset(&all);
+    pthread_sigmask(SIG_BLOCK, &all, &before_);
+  }
+  ~LaterSignals() { pthread_sigmask(SIG_SETMASK, &before_, nullptr); }
+  LaterSignals(const LaterSignals&) = delete;
+  LaterSignals& operator=(const LaterSignals&) = delete;
+
+ private:
+  sigset_t before_;
+};
+
+// A folder that goes when the program has done, or is ended by a signal.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -41,6 +58,7 @@ class TemporaryFolder {
   const fs::path& path() const { return path_; }
 
  private:
+  LaterSignals later_;
   fs::path path_;
 };
 
