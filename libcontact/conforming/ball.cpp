@@ -240,8 +240,11 @@ BallContact::Galerkin::Galerkin(const Tables& tables, double theta0) {
 
 BallContact::Solution BallContact::Galerkin::solve(int n) const {
   // d_n > -1 makes the system positive definite.
-  const Matrix leading = system.topLeftCorner(n, n);
-  const Columns<3> u = leading.llt().solve(right.topRows(n));
+  // Factored in its place and as a matrix of any size: another copy, and
+  // Eigen's buffers for one of this largest size, take 200 kB of the stack.
+  Matrix leading = system.topLeftCorner(n, n);
+  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(leading);
+  const Columns<3> u = factors.solve(right.topRows(n));
   // Values at the edge from the equation itself, not from the series: twice
   // its order.
   const Eigen::Matrix<double, 3, 1> at_edge =

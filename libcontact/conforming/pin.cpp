@@ -249,8 +249,10 @@ PinContact::Solution PinContact::System::solve(int n) const {
   Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_unknowns, 2> right(n, 2);
   right << given.constant.head(n), given.load.head(n);
   // LU: the matrix is not definite for beta < 0 and wide contacts.
-  const Matrix leading = matrix.topLeftCorner(n, n);
-  const decltype(right) solved = leading.partialPivLu().solve(right);
+  // In its place: a copy and what goes with it take 70 kB of the stack.
+  Matrix leading = matrix.topLeftCorner(n, n);
+  const Eigen::PartialPivLU<Eigen::Ref<Matrix>> factors(leading);
+  const decltype(right) solved = factors.solve(right);
 
   // p_0 = (b/pi) ∫ sqrt(1 - s^2) sum a_k U_2k/(1 + b^2 s^2) ds, a = b y;
   // p_1 = 1 fixes C.

@@ -2,6 +2,7 @@
 #include "libcontact/joint/joint.hpp"
 
 #include <gtest/gtest.h>
+#include <pthread.h>
 
 #include <bit>
 #include <cmath>
@@ -561,6 +562,41 @@ TEST(CJoint, HasNotesOnContacts) {
             CONTACT_OK);
   EXPECT_EQ(text[0], 0);
 }
+
+// As C libraries with small stacks have them. Debug builds take more.
+#if defined(NDEBUG) && !defined(__SANITIZE_ADDRESS__)
+TEST(CJointStack, IsAsSmallAsThePageSays) {
+  struct Reading {
+    std::string file;
+    contact_status status = CONTACT_FAILURE;
+  };
+  const auto read = [](void* given) -> void* {
+    auto& reading = *static_cast<Reading*>(given);
+    contact_joint* joint = nullptr;
+    reading.status =
+        contact_joint_read(reading.file.c_str(), nullptr, 0, &joint);
+    contact_joint_free(joint);
+    return nullptr;
+  };
+  for (const auto& [name, stack] : {std::pair("hip_cocr_uhmwpe", 128),
+                                    {"pin_joint", 128},
+                                    {"spherical_plain_bearing", 128},
+                                    {"relieved_bush", 384},
+                                    {"lined_bush_pressed", 384}}) {
+    Reading reading = {std::string(CONTACT_DATA_DIR "/joints/") + name +
+                       ".toml"};
+    pthread_attr_t attributes;
+    pthread_attr_init(&attributes);
+    pthread_attr_setstacksize(&attributes,
+                              static_cast<std::size_t>(stack) * 1024);
+    pthread_t thread;
+    ASSERT_EQ(pthread_create(&thread, &attributes, read, &reading), 0);
+    pthread_join(thread, nullptr);
+    pthread_attr_destroy(&attributes);
+    EXPECT_EQ(reading.status, CONTACT_OK) << name;
+  }
+}
+#endif
 
 }  // namespace
 }  // namespace contact::test
