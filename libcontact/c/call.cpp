@@ -63,8 +63,12 @@ KeySettings settings_of(const contact_setting* settings, std::size_t count,
 
 contact_status hand_over_notes(const std::vector<std::string>& notes,
                                char* text, std::size_t size) {
-  const std::string all = detail::joined(notes, "\n");
   if (size == 0) return CONTACT_OK;
+  std::vector<std::string> lines;
+  for (const std::string& note : notes) {
+    lines.push_back(detail::printable(note, note.npos));
+  }
+  const std::string all = detail::joined(lines, "\n");
   const std::size_t length = std::min(all.size(), size - 1);
   std::copy_n(all.data(), length, text);
   text[length] = 0;

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -150,6 +152,24 @@ TEST(RunFromC, HasNotesOfItsJoints) {
 }
 
 // "failed" of the motion: velocities that overflow.
+// A file may name a body by anything; a host's terminal does not hear it.
+TEST(RunFromC, MessagesHaveNoControlCharacters) {
+  std::ifstream from(CONTACT_DATA_DIR "/cases/slosh.toml");
+  std::string text(std::istreambuf_iterator<char>(from), {});
+  const std::string name = "name = \"fuel\"";
+  text.replace(text.find(name), name.size(), "name = \"\\u001b[2J\"");
+  const std::string body = "body = \"tank\"";
+  text.replace(text.find(body), body.size(), "body = \"tanks\"");
+  const std::string file = testing::TempDir() + "control_characters.toml";
+  std::ofstream(file) << text;
+  contact_run* run = nullptr;
+  EXPECT_EQ(contact_run_open(file.c_str(), nullptr, 0, &run),
+            CONTACT_BAD_INPUT);
+  const std::string said = contact_last_message();
+  EXPECT_NE(said.find("(tank, \\x1b[2J"), std::string::npos) << said;
+  EXPECT_EQ(said.find('\x1b'), std::string::npos);
+}
+
 TEST(RunFromC, ThatCannotGoOnSaysWhy) {
   const contact_setting fast = {"body[1].start.rate_rpm", "1e300"};
   const CRun run = c_run(cases + "flywheels.toml", &fast, 1);

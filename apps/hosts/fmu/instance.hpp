@@ -5,14 +5,21 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "hosts/fmu/model.hpp"
 #include "libcontact/base/float_environment.hpp"
+#include "libcontact/base/text.hpp"
 
 /// Parts of FMI's functions that do not depend on its version.
 namespace contact_hosts::fmu {
+
+/// For a host's log: names of bodies do not speak to its terminal.
+inline std::string shown(std::string_view text) {
+  return contact::detail::printable(text, text.npos);
+}
 
 /// FMI's numbers for the outcome of a call.
 enum Status { ok = 0, warning = 1, discard = 2, error = 3 };
@@ -34,7 +41,7 @@ Status guarded(void* instance, const Work& work) noexcept {
   if (!instance) return error;
   auto& i = *static_cast<Instance*>(instance);
   const auto tell = [&i](Status status, const char* why) {
-    if (i.log) i.log(status, why);
+    if (i.log) i.log(status, shown(why));
     return status;
   };
   try {
@@ -61,7 +68,7 @@ inline Instance* make_instance(Instance parts, const char* token) noexcept {
     }
     return std::make_unique<Instance>(std::move(parts)).release();
   } catch (const std::exception& wrong) {
-    if (parts.log) parts.log(error, wrong.what());
+    if (parts.log) parts.log(error, shown(wrong.what()));
     return nullptr;
   }
 }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "libcontact/base/text.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/force_watch.hpp"
@@ -13,6 +14,7 @@
 namespace separation {
 namespace {
 
+using contact::detail::printable;
 using Texts = std::vector<std::string>;
 
 void add_overlaps(const Case& c, const Outcome& outcome, Texts& texts) {
@@ -75,7 +77,9 @@ Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   std::set<std::string> texts;
   for_each_joint(c, [&](const HingeJoint& joint, auto... place) {
     for (const std::string& text : texts_of(joint, place...)) {
-      texts.insert(fmt::format("joint {}: {}", joint.joint.name, text));
+      texts.insert(fmt::format("joint {}: {}",
+                               printable(joint.joint.name, std::string::npos),
+                               text));
     }
   });
   return {texts.begin(), texts.end()};

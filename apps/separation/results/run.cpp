@@ -6,6 +6,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "multibody/motion/state_check.hpp"
 #include "separation/case/system_of.hpp"
 #include "separation/results/state_check.hpp"
@@ -73,7 +74,7 @@ bool Run::is_due_to_stop() {
 
 bool Run::give_up(Status status, std::string why) {
   status_ = status;
-  message_ = std::move(why);
+  message_ = contact::detail::printable(why, why.npos);
   return false;
 }
 
