@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/text.hpp"
+
 namespace contact_python {
 namespace {
 
@@ -15,7 +17,8 @@ constexpr const char* name = "ContactWarning";
 void warn_of(const std::string& note, int level) {
   const py::object category =
       py::module_::import("libcontact._core").attr(name);
-  if (PyErr_WarnEx(category.ptr(), note.c_str(), level) != 0) {
+  const std::string shown = contact::detail::printable(note, note.npos);
+  if (PyErr_WarnEx(category.ptr(), shown.c_str(), level) != 0) {
     throw py::error_already_set();
   }
 }

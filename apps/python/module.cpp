@@ -1,6 +1,10 @@
 // The Python module libcontact._core. What is nicer said in Python is said in
 // libcontact/__init__.py, which stands on it.
+#include <exception>
+#include <string>
+
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/version.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
@@ -12,6 +16,18 @@ PYBIND11_MODULE(_core, m) {
   options.disable_function_signatures();
   py::register_exception<contact::Error>(m, "Error", PyExc_ValueError);
   m.attr("Error").attr("__module__") = "libcontact";
+  // Files name bodies by any characters: none of them speaks to a terminal.
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const contact::Error& error) {
+      const std::string what = error.what();
+      const py::object type =
+          py::module_::import("libcontact._core").attr("Error");
+      PyErr_SetString(type.ptr(),
+                      contact::detail::printable(what, what.npos).c_str());
+    }
+  });
   m.attr("__version__") = contact::version;
   contact_python::bind_warning(m);
   contact_python::bind_joint(m);

@@ -11,6 +11,7 @@
 #include <initializer_list>
 #include <mutex>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <type_traits>
 #include <utility>
@@ -85,8 +86,9 @@ class Rows {
   /// Throws for Ctrl-C; where Python's lock has been let go.
   static void heed_signals();
 
-  /// The same on several threads: each block of rows has a function
-  /// `begin()(numbers, i)` of its own, i the number of the row.
+  /// The same on several threads, or as many of them as the system starts:
+  /// each block of rows has a function `begin()(numbers, i)` of its own, i the
+  /// number of the row.
   template <class Begin>
   void for_each(int threads, const Begin& begin) const;
 
@@ -113,7 +115,9 @@ class Rows {
 
 template <class Begin>
 void Rows::for_each(int threads, const Begin& begin) const {
-  if (threads == 1) {
+  const std::size_t blocks = (size_ + block - 1) / block;
+  const auto used = std::min(static_cast<std::size_t>(threads), blocks);
+  if (used <= 1) {
     auto row = begin();
     std::size_t i = 0;
     for_each([&](const double* const* at) { row(at, i++); });
@@ -140,7 +144,11 @@ void Rows::for_each(int threads, const Begin& begin) const {
   {
     const Unlocked unlocked;
     std::vector<std::jthread> others;
-    for (int k = 1; k < threads; ++k) others.emplace_back(work, false);
+    try {
+      for (std::size_t k = 1; k < used; ++k) others.emplace_back(work, false);
+    } catch (const std::system_error&) {
+      // The others do the work.
+    }
     work(true);
   }
   if (failure) std::rethrow_exception(failure);

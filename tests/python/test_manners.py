@@ -143,6 +143,26 @@ class Results(unittest.TestCase):
             with self.assertRaisesRegex(libcontact.Error, f"^duplicate field {field}$"):
                 call(*rows, fields=[field, "status", field])
 
+    def test_take_the_threads_that_there_are(self):
+        rows = random_rows(3000)
+        many = hip.solve(*rows, threads=100_000)
+        np.testing.assert_array_equal(many.power, hip.solve(*rows).power)
+        done = python("""
+            import resource
+            import libcontact, numpy as np
+            hip = libcontact.Joint.from_file("data/joints/hip_cocr_uhmwpe.toml")
+            force = np.linspace(1, 1e3, 200_000)
+            wanted = hip.half_angle(force)
+            out = np.empty_like(force)
+            with open("/proc/self/statm") as memory:
+                used = int(memory.read().split()[0]) * resource.getpagesize()
+            # Room for the stacks of some.
+            resource.setrlimit(resource.RLIMIT_AS, (used + 2**26, -1))
+            hip.half_angle(force, out=out, threads=100)
+            print((out == wanted).all())
+            """.replace("\n            ", "\n"), cwd=source)
+        self.assertEqual((done.stdout, done.stderr), ("True\n", ""))
+
     def test_are_at_most_what_can_be_counted(self):
         def spread(place):
             return np.ones((*(65536 if d == place else 1 for d in range(4)), 3))

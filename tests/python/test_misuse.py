@@ -3,8 +3,10 @@ process."""
 
 import inspect
 import pickle
+import tempfile
 import textwrap
 import unittest
+from pathlib import Path
 
 import libcontact
 import numpy as np
@@ -240,6 +242,20 @@ def process(code):
         hip = libcontact.Joint.from_file("data/joints/hip_cocr_uhmwpe.toml")
         """)
     return python(start + code, cwd=source)
+
+
+class Messages(unittest.TestCase):
+    def test_have_no_control_characters(self):
+        text = (source / "data/cases/slosh.toml").read_text()
+        text = text.replace('name = "fuel"', r'name = "\u001b[2J"')
+        text = text.replace('body = "tank"', 'body = "tanks"')
+        with tempfile.TemporaryDirectory() as folder:
+            file = Path(folder) / "case.toml"
+            file.write_text(text)
+            with self.assertRaises(libcontact.Error) as caught:
+                libcontact.Case.from_file(file)
+        self.assertIn(r"(tank, \x1b[2J", str(caught.exception))
+        self.assertNotIn("\x1b", str(caught.exception))
 
 
 class OwnProcess(unittest.TestCase):
