@@ -10,7 +10,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/float_environment.hpp"
+#include "libcontact/c/float_environment.hpp"
 #include "libcontact/c/status.h"
 #include "libcontact/files/setting.hpp"
 
@@ -26,7 +26,7 @@ contact_status report_exception() noexcept;
 template <class Work>
 contact_status call(const Work& work) noexcept {
   try {
-    const detail::FloatEnvironment ours;
+    const FloatEnvironment ours;
     return work();
   } catch (...) {
     return report_exception();

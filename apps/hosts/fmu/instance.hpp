@@ -5,20 +5,20 @@
 #include <sstream>
 #include <stdexcept>
 #include <string>
-#include <string_view>
 #include <type_traits>
 #include <utility>
 
 #include "hosts/fmu/model.hpp"
-#include "libcontact/base/float_environment.hpp"
-#include "libcontact/base/text.hpp"
+#include "libcontact/c/float_environment.hpp"
+#include "libcontact/c/status.h"
 
 /// Parts of FMI's functions that do not depend on its version.
 namespace contact_hosts::fmu {
 
 /// For a host's log: names of bodies do not speak to its terminal.
-inline std::string shown(std::string_view text) {
-  return contact::detail::printable(text, text.npos);
+inline std::string shown(const char* text) {
+  contact_report(CONTACT_FAILURE, text);
+  return contact_last_message();
 }
 
 /// FMI's numbers for the outcome of a call.
@@ -45,7 +45,7 @@ Status guarded(void* instance, const Work& work) noexcept {
     return status;
   };
   try {
-    const contact::detail::FloatEnvironment ours;
+    const contact::c::FloatEnvironment ours;
     work(i);
     return ok;
   } catch (const NoValue& none) {
@@ -59,7 +59,7 @@ Status guarded(void* instance, const Work& work) noexcept {
 /// @return null if it cannot be made; the host is told why
 inline Instance* make_instance(Instance parts, const char* token) noexcept {
   try {
-    const contact::detail::FloatEnvironment ours;
+    const contact::c::FloatEnvironment ours;
     parts.model = make_model(parts.resources);
     if (!token || parts.model->token() != token) {
       throw std::runtime_error(

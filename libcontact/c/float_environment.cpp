@@ -1,10 +1,10 @@
-#include "libcontact/base/float_environment.hpp"
+#include "libcontact/c/float_environment.hpp"
 
 #if defined(__x86_64__)
 #include <immintrin.h>
 #endif
 
-namespace contact::detail {
+namespace contact::c {
 namespace {
 
 // x86 has two environments. That of vectors, which nearly all arithmetic is
@@ -63,4 +63,4 @@ FloatEnvironment::~FloatEnvironment() {
   exchange_vectors(registers_);
 }
 
-}  // namespace contact::detail
+}  // namespace contact::c

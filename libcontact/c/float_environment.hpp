@@ -2,7 +2,7 @@
 
 #include <cfenv>
 
-namespace contact::detail {
+namespace contact::c {
 
 /// The floating-point environment of a new program while in scope, in the place
 /// of a host's: no exception is trapped, numbers are rounded to nearest and
@@ -20,4 +20,4 @@ class FloatEnvironment {
   std::fenv_t hosts_;
 };
 
-}  // namespace contact::detail
+}  // namespace contact::c
