@@ -6,7 +6,8 @@
 # of pages and messages are compared by ctest.
 set -euo pipefail
 unset CDPATH
-bin=$(cd "$1/bin" && pwd)
+build=$(cd "$1" && pwd)
+bin=$build/bin
 mkdir -p "$2"
 out=$(cd "$2" && pwd)
 cd "$(dirname "$0")/.."
@@ -17,7 +18,7 @@ for case in data/cases/*.toml; do
   hinge-separation "$case" --history "$out/$name.csv" \
     --events "$out/$name.events.csv" --output "$out/$name.json"
 done
-for study in hip:768 lined_bearing:50 soyuz:50; do
+for study in hip:768 lined_bearing:50 soyuz:50 ring_out_of_line:20; do
   name=study_${study%:*}
   hinge-study "data/studies/${study%:*}.toml" --runs "${study#*:}" \
     --journal "$out/$name.journal" --csv "$out/$name.csv" \
@@ -25,8 +26,8 @@ for study in hip:768 lined_bearing:50 soyuz:50; do
   rm "$out/$name.journal"  # has the identity of the joints, as text
 done
 
-# run NAME COMMAND...
-run() { "${@:2}" >"$out/$1" 2>"$out/$1.err"; }
+# run NAME COMMAND...: what it says and how it ends
+run() { "${@:2}" >"$out/$1" 2>"$out/$1.err" || echo "exit $?" >>"$out/$1.err"; }
 hip=data/joints/hip_cocr_uhmwpe.toml
 pin=data/joints/pin_joint.toml
 run angle.csv hinge-angle --joint "$pin" --load 100:1e5:log30 --compare
@@ -41,3 +42,53 @@ run duty.csv hinge-duty --joint "$hip" --cycle data/duty/hip_cycle.csv \
   --map "$out/duty_map.csv"
 run identify.csv hinge-identify --joint data/duty/torque_rig.toml \
   --data data/duty/torque_rig.csv --profile
+
+# Every joint at every door that asks for one.
+cat >"$out/ge50es.toml" <<EOF
+name = "GE50ES"
+kind = "ball"
+[materials]
+pair = "$PWD/data/materials/steel_steel.toml"
+[geometry]
+designation = "GE50ES"
+[friction]
+coefficient = 0.15
+EOF
+for joint in data/joints/*.toml "$out/ge50es.toml"; do
+  name=$(basename "$joint" .toml)
+  cycle=(--cycle data/duty/hip_cycle.csv --euler zxy)
+  angle=(--beta 90)
+  if grep -q '^kind = "pin"' "$joint"; then
+    cycle=(--cycle data/duty/pin_cycle.csv)
+    angle=()
+  fi
+  run "$name.joint.csv" hinge-joint --joint "$joint" --reaction 10:5000:log8 \
+    "${angle[@]}" --pv
+  run "$name.xyz.csv" hinge-joint --joint "$joint" --reaction-xyz 800,200,500 \
+    --rate-xyz 0.1,0.2,1
+  run "$name.rest.csv" hinge-joint --joint "$joint" \
+    --reaction-xyz 800,200,500 --moment-xyz 0.1,0.2,1
+  run "$name.angle.csv" hinge-angle --joint "$joint" --load 100:1e4:log5
+  run "$name.pressure.csv" hinge-pressure --joint "$joint" --load 1kN
+  run "$name.duty.csv" hinge-duty --joint "$joint" "${cycle[@]}" \
+    --states "$out/$name.duty_states.csv"
+  run "$name.fmu.txt" hinge-fmu "$joint" --output "$out/$name.fmu"
+  rm -f "$out/$name.fmu"
+  if grep -q '^\[seat\]' "$joint"; then
+    run "$name.in_seat.csv" hinge-joint --joint "$joint" --in-seat \
+      --reaction-xyz 800,200,500 --rate-xyz 0.1,0.2,1
+  fi
+done
+run tilt.csv hinge-joint --joint data/joints/relieved_bush.toml \
+  --reaction 10kN,100kN --tilt 0,0.02,0.05
+run tilt_duty.csv hinge-duty --joint data/joints/relieved_bush.toml \
+  --cycle data/duty/pin_cycle.csv --load-at 2mm
+if [[ -d $build/python ]]; then
+  PYTHONPATH=$build/python run loop.py.txt /usr/bin/python3 \
+    scripts/outputs/loop.py data/joints/*.toml "$out/ge50es.toml"
+fi
+cc -I. -I"$build/include" scripts/outputs/loop.c -o "$out/loop" \
+  -L"$build/lib" -Wl,-rpath,"$build/lib" -lcontact_c
+run loop.c.txt "$out/loop" data/joints/*.toml "$out/ge50es.toml"
+rm "$out/loop" "$out/ge50es.toml"
+sed -i "s|$out/||g" "$out"/*.err "$out"/loop.*.txt "$out"/*.txt
