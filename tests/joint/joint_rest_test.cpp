@@ -7,6 +7,7 @@
 #include <new>
 #include <string>
 
+#include "libcontact/base/magnitude.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "support/accuracy_report.hpp"
@@ -44,8 +45,8 @@ TEST(JointAtRest, OnsetOfSlipIsTheLimitOfSlowSliding) {
     const std::string label = "input " + std::to_string(i);
     ASSERT_EQ(rest.status, Status::ok) << label;
     moment.add_error(
-        (rest.slip.friction_moment - m / rest.utilisation).stableNorm() /
-            rest.slip.friction_moment.stableNorm(),
+        magnitude(rest.slip.friction_moment - m / rest.utilisation) /
+            magnitude(rest.slip.friction_moment),
         label);
     EXPECT_NEAR(rest.direction.norm(), 1, 1e-14);
     const double error = std::abs(rest.utilisation / tau - 1);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <fstream>
 #include <map>
@@ -258,12 +259,45 @@ TEST(PublicFace, IsTheOneThatIsWrittenDown) {
       << text;
 }
 
-// Its bits depend on where a vector lies: magnitude() is there instead.
-TEST(Rooms, NoSourceUsesTheStableNormOfEigen) {
-  for (const std::string folder : {"libcontact", "apps"}) {
-    for (const std::string& file : sources(folder)) {
-      EXPECT_EQ(text_of(root / file).find(".stableNorm("), std::string::npos)
-          << file;
+bool is_letter(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
+
+// Whether a text has a word that stands alone.
+bool has_word(const std::string& text, const std::string& word) {
+  for (std::size_t at = text.find(word); at != std::string::npos;
+       at = text.find(word, at + 1)) {
+    const std::size_t end = at + word.size();
+    const bool goes_on = is_letter(word.back()) && is_letter(text[end]);
+    if (!goes_on && !(at > 0 && is_letter(word[0]) && is_letter(text[at - 1])))
+      return true;
+  }
+  return false;
+}
+
+// gone_names.txt: a name, a tab, what to write instead.
+TEST(Rooms, NoFileHasANameThatIsGone) {
+  std::map<std::string, std::string> gone;
+  std::ifstream stream(root / "tests/rooms/gone_names.txt");
+  for (std::string line; std::getline(stream, line);) {
+    const std::size_t tab = line.find('\t');
+    ASSERT_NE(tab, std::string::npos) << line;
+    gone.emplace(line.substr(0, tab), line.substr(tab + 1));
+  }
+  ASSERT_FALSE(gone.empty());
+  // The table of gone names that users are told of, and this one.
+  const std::set<std::string> may = {"apps/cli/gone.cpp",
+                                     "tests/rooms/gone_names.txt"};
+  for (const std::string folder :
+       {"libcontact", "apps", "tests", "scripts", "data", "plots"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      const std::string file = fs::relative(entry.path(), root).string();
+      if (!entry.is_regular_file() || may.contains(file)) continue;
+      const std::string text = text_of(entry.path());
+      for (const auto& [name, instead] : gone) {
+        EXPECT_FALSE(has_word(text, name))
+            << file << " has " << name << ": write " << instead;
+      }
     }
   }
 }
