@@ -192,11 +192,12 @@ struct Calculator::Prepared {
     add(contact.validity_notes(), all);
     add(spec.own_notes(), all);
     add(contact.limits().notes({s.half_angle, s.peak_pressure}), all);
-    if (s.status != contact::Status::ok) {
-      all.push_back(s.status == contact::Status::not_converged
-                        ? "the solution has not converged"
-                        : "the half-angle law or the pressure law has no value "
-                          "under this load");
+    if (s.status == contact::Status::not_converged) {
+      all.push_back("the solution has not converged");
+    } else if (s.status != contact::Status::ok) {
+      all.push_back(
+          "the half-angle law or the pressure law has no value under this "
+          "load");
     }
     return all;
   }

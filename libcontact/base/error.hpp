@@ -21,6 +21,8 @@ enum class Status {
   out_of_range,
   /// The iteration stopped at its step limit before meeting its tolerance.
   not_converged,
+  /// No pressure on the seat carries the load: the ball leaves it.
+  out_of_seat,
 };
 
 }  // namespace contact

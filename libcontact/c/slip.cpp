@@ -182,15 +182,19 @@ contact_status status_of(Status status) {
     case Status::out_of_range:
       return CONTACT_OUT_OF_RANGE;
     case Status::not_converged:
+      return CONTACT_NOT_CONVERGED;
+    case Status::out_of_seat:
       break;
   }
-  return CONTACT_NOT_CONVERGED;
+  return CONTACT_OUT_OF_SEAT;
 }
 
 Status cpp_status(contact_status status) {
-  if (status == CONTACT_OK) return Status::ok;
-  return status == CONTACT_NOT_CONVERGED ? Status::not_converged
-                                         : Status::out_of_range;
+  for (const Status one :
+       {Status::ok, Status::not_converged, Status::out_of_seat}) {
+    if (status == status_of(one)) return one;
+  }
+  return Status::out_of_range;
 }
 
 void put(contact_solution& to, const JointSolution& s) {
@@ -217,10 +221,11 @@ void put(contact_rest& to, const RestSolution& rest) {
 contact_status reported(contact_status status, std::string_view place) {
   if (status == CONTACT_OK) return status;
   const std::string said = message(
-      status == CONTACT_OUT_OF_RANGE
-          ? "{}: no solution: numbers must be finite and the contact in "
-            "the range of the laws"
-          : "{}: not converged",
+      status == CONTACT_NOT_CONVERGED ? "{}: not converged"
+      : status == CONTACT_OUT_OF_SEAT
+          ? "{}: no pressure on the seat carries the load: the ball leaves it"
+          : "{}: no solution: numbers must be finite and the contact in "
+            "the range of the laws",
       place);
   return contact_report(status, said.c_str());
 }

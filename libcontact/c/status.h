@@ -18,7 +18,8 @@ typedef enum contact_status {
   CONTACT_NOT_CONVERGED = 2, /* not to the tolerance: the best found */
   CONTACT_BAD_INPUT = 3,     /* a file, a key, a number or a call is refused */
   CONTACT_RUN_FAILED = 4,    /* a motion cannot go on */
-  CONTACT_FAILURE = 5        /* no memory, or an error of the library */
+  CONTACT_FAILURE = 5,       /* no memory, or an error of the library */
+  CONTACT_OUT_OF_SEAT = 6    /* no pressure on the seat carries the load: NaN */
 } contact_status;
 
 /* Message of the calling thread's last call that did not return CONTACT_OK; ""

@@ -21,7 +21,7 @@ enum class JointState {
   unloaded,  ///< no reaction and no interference: no contact, no friction
 };
 
-/// "ok", "out_of_range", "not_converged".
+/// "ok", "out_of_range", "not_converged", "out_of_seat".
 constexpr std::string_view to_string(Status status) {
   switch (status) {
     case Status::ok:
@@ -29,9 +29,11 @@ constexpr std::string_view to_string(Status status) {
     case Status::out_of_range:
       return "out_of_range";
     case Status::not_converged:
+      return "not_converged";
+    case Status::out_of_seat:
       break;
   }
-  return "not_converged";
+  return "out_of_seat";
 }
 
 /// "sliding", "resting", "unloaded".
@@ -77,7 +79,7 @@ struct SolveOptions {
 /// {0, 1} has no meaning; n = R/|R| at rest, 0 without load. A joint with
 /// interference slides and rests without load too: n = 0 then, the moment is
 /// opposite to Dw, and its coefficient over R_n is infinite. If the status is
-/// out_of_range all numbers are NaN.
+/// out_of_range or out_of_seat all numbers are NaN.
 struct JointSolution {
   /// Start of the next solution: where this one was found and how it changes
   /// with R and Dw. Travels inside JointSolution; not for users.

@@ -79,8 +79,11 @@ struct Problems {
   std::size_t not_converged = 0;
 
   void add(contact::Status status) {
-    out_of_range += status == contact::Status::out_of_range ? 1 : 0;
-    not_converged += status == contact::Status::not_converged ? 1 : 0;
+    if (status == contact::Status::not_converged) {
+      ++not_converged;
+    } else if (status != contact::Status::ok) {
+      ++out_of_range;
+    }
   }
 };
 

@@ -77,7 +77,8 @@ std::vector<Variable> variables_of_joints() {
 
 // Results of a call that a host may repeat with other inputs.
 void valued(contact_status status) {
-  if (status == CONTACT_OUT_OF_RANGE || status == CONTACT_NOT_CONVERGED) {
+  if (status == CONTACT_OUT_OF_RANGE || status == CONTACT_NOT_CONVERGED ||
+      status == CONTACT_OUT_OF_SEAT) {
     throw NoValue(contact_last_message());
   }
   must(status);

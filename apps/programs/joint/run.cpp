@@ -108,7 +108,12 @@ cli::ExitStatus report(const Problems& problems, const Setup& setup) {
     cli::warn("hinge-joint", fmt::format("rows that have not converged: {}",
                                          problems.not_converged));
   }
-  return problems.out_of_range + problems.not_converged + problems.bad_lines ==
+  if (problems.out_of_seat > 0) {
+    cli::warn("hinge-joint", fmt::format("rows whose ball leaves its seat: {}",
+                                         problems.out_of_seat));
+  }
+  return problems.out_of_range + problems.not_converged + problems.out_of_seat +
+                     problems.bad_lines ==
                  0
              ? cli::all_good
              : cli::some_bad;

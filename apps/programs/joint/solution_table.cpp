@@ -26,6 +26,7 @@ void Problems::add(const Answer& answer, std::size_t joint) {
   const contact::JointSolution& s = answer.solution();
   if (s.status == contact::Status::out_of_range) ++out_of_range;
   if (s.status == contact::Status::not_converged) ++not_converged;
+  if (s.status == contact::Status::out_of_seat) ++out_of_seat;
   largest.resize(std::max(largest.size(), joint + 1));
   largest[joint].add(s.half_angle, s.peak_pressure);
 }
@@ -33,6 +34,7 @@ void Problems::add(const Answer& answer, std::size_t joint) {
 void Problems::add(const Problems& more) {
   out_of_range += more.out_of_range;
   not_converged += more.not_converged;
+  out_of_seat += more.out_of_seat;
   bad_lines += more.bad_lines;
   largest.resize(std::max(largest.size(), more.largest.size()));
   for (std::size_t i = 0; i < more.largest.size(); ++i) {

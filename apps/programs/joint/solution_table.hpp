@@ -15,6 +15,7 @@ namespace hinge_joint {
 struct Problems {
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;
+  std::size_t out_of_seat = 0;
   std::size_t bad_lines = 0;
   std::vector<contact::LargestContact> largest =
       {};  ///< one for each of Setup::joints

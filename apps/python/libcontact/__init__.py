@@ -87,6 +87,7 @@ class Status(enum.IntEnum):
     OK = 0
     OUT_OF_RANGE = 1
     NOT_CONVERGED = 2
+    OUT_OF_SEAT = 3
 
 
 class SeatStatus(enum.IntEnum):

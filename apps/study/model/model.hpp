@@ -32,9 +32,14 @@ struct Result {
 
 /// Why a joint has no solution.
 inline const char* failure_of(contact::Status status) {
-  return status == contact::Status::out_of_range
-             ? "the load is out of the range of the laws"
-             : "the solution did not converge";
+  switch (status) {
+    case contact::Status::not_converged:
+      return "the solution did not converge";
+    case contact::Status::out_of_seat:
+      return "no pressure on the seat carries the load: the ball leaves it";
+    default:
+      return "the load is out of the range of the laws";
+  }
 }
 
 /// Evaluations wanted along a run.
