@@ -144,6 +144,7 @@ struct Calculator::Prepared {
   JointSpec spec;
   std::string file;  // its text needs no other file
   contact::SharedLaws laws;
+  JointSpec endless;
   hinge_joint::NamedJoint joint;
   std::vector<AnswerColumn> columns;
   // The last curves, and what they depend on: first decade, angle, rate.
@@ -166,13 +167,15 @@ struct Calculator::Prepared {
         spec(read(text, data)),
         file(alone(text, spec)),
         laws(std::move(known)),
-        joint{spec.half_angle_law_name(),
-              spec.pressure_law_name(),
-              contact::Joint(spec.contact(laws)),
+        // Curves of a hundred contacts at a rim would take seconds.
+        endless(spec.without_seat()),
+        joint{endless.half_angle_law_name(),
+              endless.pressure_law_name(),
+              contact::Joint(endless, laws),
               {},
               {},
               true} {
-    const auto law = laws.half_angle(spec);
+    const auto law = laws.half_angle(endless);
     if (cli::JointApproach::of(*law)) {
       joint.approach.emplace(law,
                              cli::Joint{.spec = spec, .pair = spec.pair()});

@@ -45,7 +45,7 @@ py::object pressure(const JointSet& self, const Numbers& theta,
 
 std::vector<std::string> notes(const FileJoint& self,
                                const std::optional<Numbers>& force) {
-  std::vector<std::string> all = self.spec().validity_notes();
+  std::vector<std::string> all = self.spec().without_seat().validity_notes();
   if (!force) return all;
   const JointContact& contact = self.contact();
   LargestContacts largest(self);

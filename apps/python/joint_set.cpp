@@ -35,10 +35,10 @@ contact::Joint friction_or_none(const contact::JointSpec& spec,
                                 contact::SharedLaws* laws) {
   contact::SharedLaws own;
   if (!laws) laws = &own;
-  if (spec.friction) return contact::Joint(spec.contact(*laws));
-  contact::JointSpec smooth = spec;
+  if (spec.friction) return contact::Joint(spec.without_seat(), *laws);
+  contact::JointSpec smooth = spec.without_seat();
   smooth.friction = contact::FrictionLaw(0);
-  return contact::Joint(smooth.contact(*laws));
+  return contact::Joint(smooth, *laws);
 }
 
 std::string friction_refusal(const contact::JointSpec& spec) {

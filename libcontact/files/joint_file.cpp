@@ -112,7 +112,8 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known,
   take_plane_state(table, geometry.kind(), joint.inner, joint.outer);
   joint.conditions();  // refuses walls that do not fit the radius
   joint = at_temperatures(table, joint);
-  joint.half_angle_law = joint.half_angle_law_name();
+  // The default of a seat that ends is another one without_seat().
+  if (!geometry.seat()) joint.half_angle_law = joint.half_angle_law_name();
   joint.pressure_law = joint.pressure_law_name();
   if (!joint.friction) joint.friction = materials.friction;
 

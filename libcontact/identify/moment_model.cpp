@@ -7,7 +7,7 @@
 
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/joint/slip_equation.hpp"
+#include "libcontact/joint/slip/slip_equation.hpp"
 
 namespace contact::detail {
 namespace {

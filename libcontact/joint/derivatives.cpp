@@ -139,7 +139,7 @@ SlipDerivatives derivatives(const Joint& joint, const Joint::Slip& slip,
     return result;
   }
   if (solution.status != Status::ok || solution.state != JointState::sliding ||
-      solution.normal_force == 0) {
+      solution.normal_force == 0 || std::isnan(solution.half_angle)) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     result.at_contact = result.over_rate = result.over_reaction =
         Matrix3d::Constant(nan);

@@ -9,8 +9,8 @@ namespace contact {
 /// How the friction moment of a sliding joint answers to what causes it: for
 /// implicit integrators and Newton's method. Rows are parts of M_t.
 struct SlipDerivatives {
-  /// out_of_range, and all NaN, where there are none: at rest, of an
-  /// interference without load, of a solution that is not ok.
+  /// out_of_range, and all NaN, where there are none: at rest, at a rim of a
+  /// seat, of an interference without load, of a solution that is not ok.
   Status status = Status::out_of_range;
   /// dM_t/dDw at fixed n, R_n and theta0, N m s. If friction does not depend
   /// on the speed, it is symmetric, and Dw is in its kernel: the curvature of

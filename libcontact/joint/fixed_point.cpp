@@ -22,6 +22,10 @@ FixedPointResult fixed_point(const Joint& joint, const Joint::Slip& slip,
       std::clamp((reaction / force).dot(rate / speed), -1.0, 1.0);
   const JointContact::Strength strength = contact.strength(speed);
   FixedPointResult result = {Status::not_converged, 0, 0};
+  if (!joint.is_endless()) {
+    result.status = Status::out_of_range;
+    return result;
+  }
   double f = options.start;  // 0: g_1 = 0 (4.3)
   while (result.steps < options.step_limit) {
     const double g = std::atan(f);

@@ -32,6 +32,11 @@ void check_joints(const std::vector<Member>& joints, bool has_face) {
         detail::needs(detail::message("{} of {} joint", place, joints.size()),
                       "at least 2, to hold moments across the axis"));
   }
+  if (!std::ranges::all_of(
+          joints, [](const Member& one) { return one.joint.is_endless(); })) {
+    throw Error(
+        detail::needs(place, "joints without a [seat], or without_seat"));
+  }
   if (count_balls(joints) == 0 && !has_face) {
     throw Error(detail::needs(
         place,

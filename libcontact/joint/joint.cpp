@@ -5,20 +5,54 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/magnitude.hpp"
-#include "libcontact/joint/slip_equation.hpp"
+#include "libcontact/joint/contact_model.hpp"
+#include "libcontact/joint/slip/slip_equation.hpp"
 #include "libcontact/joint/taken_force.hpp"
 
 namespace contact {
 namespace {
 
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+
+}  // namespace
+
+JointSolution detail::not_a_number(Status status,
+                                   const Eigen::Vector3d& reaction) {
+  const Eigen::Vector3d none = Eigen::Vector3d::Constant(nan);
+  JointSolution s;
+  s.status = status;
+  s.residual = nan;
+  s.reaction = reaction;
+  s.normal = s.friction_force = s.friction_moment = s.slip_velocity = none;
+  s.reaction_direction = s.friction_direction = {nan, nan};
+  s.slip_axis = {nan, nan};
+  s.normal_force = s.power = s.textbook_moment = nan;
+  s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = nan;
+  s.adhesion_number = s.load_parameter = s.half_angle = nan;
+  s.peak_pressure = s.contact_area = nan;
+  return s;
+}
+
+double detail::textbook_moment(const JointContact& contact,
+                               const Eigen::Vector3d& reaction) {
+  const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
+  return dry ? dry->coefficient() * contact.geometry().radius() *
+                   magnitude(reaction)
+             : nan;
+}
+
+namespace {
+
+using detail::not_a_number;
 using detail::SlipEquation;
 using detail::SlipRoot;
 using detail::taken;
+using detail::textbook_moment;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // A vector as length and direction; NaN if it has none. No overflow.
 struct Polar {
@@ -35,29 +69,6 @@ struct Polar {
 // +1 if the carrier has the ball or pin, -1 if the body has it.
 double side(const JointContact& contact) {
   return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
-}
-
-JointSolution not_a_number(Status status, const Vector3d& reaction) {
-  const Vector3d none = Vector3d::Constant(nan);
-  JointSolution s;
-  s.status = status;
-  s.residual = nan;
-  s.reaction = reaction;
-  s.normal = s.friction_force = s.friction_moment = s.slip_velocity = none;
-  s.reaction_direction = s.friction_direction = {nan, nan};
-  s.slip_axis = {nan, nan};
-  s.normal_force = s.power = s.textbook_moment = nan;
-  s.force_coefficient = s.sliding_coefficient = s.spinning_coefficient = nan;
-  s.adhesion_number = s.load_parameter = s.half_angle = nan;
-  s.peak_pressure = s.contact_area = nan;
-  return s;
-}
-
-double textbook_moment(const JointContact& contact, const Vector3d& reaction) {
-  const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
-  return dry ? dry->coefficient() * contact.geometry().radius() *
-                   magnitude(reaction)
-             : nan;
 }
 
 // Sets what follows from all of a solution, or that there is none: laws of
@@ -159,6 +170,33 @@ void set_vectors(JointSolution& s, const JointContact& contact,
 
 }  // namespace
 
+Joint::Joint(JointContact contact) : contact_(std::move(contact)) {
+  if (contact_.geometry().seat()) {
+    throw Error(detail::needs("a joint of a contact in a seat that ends",
+                              "its JointSpec, or without_seat()"));
+  }
+}
+
+JointSolution Joint::solve_confined(
+    const Slip& slip, const JointSolution& last,
+    const SolveOptions& options) const noexcept {
+  return model_->solve(slip, last, options);
+}
+
+MomentSet Joint::confined_moment_set(
+    const JointSolution& solution) const noexcept {
+  if (auto moments = model_->moments(solution)) {
+    return {contact_, std::move(moments)};
+  }
+  return {contact_, solution.normal, solution.normal_force,
+          solution.half_angle};
+}
+
+std::shared_ptr<const detail::ContactMoments> detail::moments_of(
+    const Joint& joint, const JointSolution& solution) {
+  return joint.model_ ? joint.model_->moments(solution) : nullptr;
+}
+
 JointSolution Joint::solve_from(const JointSolution::Memory& last,
                                 const Slip& slip,
                                 const SolveOptions& options) const noexcept {
@@ -219,6 +257,8 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
+  if (model_) [[unlikely]]
+    return model_->solve_contact(known);
   const Vector3d normal_force =
       taken(*this, known.normal_force, known.angular_velocity, known.axis);
   const Polar force(normal_force);
@@ -269,7 +309,14 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   return s;
 }
 
+JointSolution JointSolution::without_grid() const {
+  JointSolution other = *this;
+  if (work) other.work = work->without_grid();
+  return other;
+}
+
 double JointSolution::moment_coefficient() const {
+  if (work && std::isnan(sliding_coefficient)) return work->moment_coefficient;
   if (normal_force == 0) return 0;
   return std::hypot(sliding_coefficient, spinning_coefficient) *
          (normal_force / magnitude(reaction));

@@ -1,14 +1,29 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <utility>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/placement.hpp"
+#include "libcontact/joint/rim_contact.hpp"
 #include "libcontact/joint/solution.hpp"
 #include "libcontact/joint/spec.hpp"
 
 namespace contact {
+
+class Joint;
+
+namespace detail {
+class ContactModel;
+std::shared_ptr<const ContactMoments> moments_of(const Joint&,
+                                                 const JointSolution&);
+}  // namespace detail
 
 /// Moment that a resting joint holds, see Joint::at_rest().
 struct RestSolution {
@@ -35,26 +50,42 @@ struct RestSolution {
 /// coefficient depend on each other. docs/joint.md has the equations. That of
 /// a pin is the ball's with R normal to Dw: b = 90 deg, a = 0.
 ///
-/// Frame: any, the same for all vectors. R, R_t, M_t act on the body; Dw is
-/// the angular velocity of the body relative to the carrier. If the carrier
-/// has the ball or pin, n points from the joint's centre to the contact's; if
-/// the body has it, away from it. Either way R_n n is the push on the body.
+/// A joint that is made from a spec with a seat that ends
+/// (JointGeometry::seat()) is in it: docs/seat_joint.md. Where the contact of
+/// the laws `exact` stays inside the rims it answers, to the last bit; else the
+/// contact of the seat is found, in 20 to 60 ms, and R_n n is the sum of its
+/// pressures.
+///
+/// Frame: any, the same for all vectors; of a joint in a seat that ends the
+/// axes of the body with the seat, or those of a Placement. R, R_t, M_t act on
+/// the body; Dw is the angular velocity of the body relative to the carrier. If
+/// the carrier has the ball or pin, n points from the joint's centre to the
+/// contact's; if the body has it, away from it. Either way R_n n is the push on
+/// the body.
 ///
 /// A pin takes force normal to its axis only: the part of R along it is left
 /// out, and JointSolution::reaction is what is left. Its axis is the unit
 /// vector `axis`, with Dw along it, or, where that is 0, the direction of Dw
 /// or M; if these are 0 too nothing is left out. A ball has no axis.
 ///
-/// Const functions do not allocate and do not throw. NaN or infinity in R or
-/// Dw: NaN with out_of_range.
+/// Solving does not throw, and does not allocate but in a seat that ends. NaN
+/// or infinity in R or Dw: NaN with out_of_range.
 class Joint {
  public:
-  /// @throws Error as JointSpec::contact()
-  explicit Joint(const JointSpec& spec) : contact_(spec.contact()) {}
-  explicit Joint(JointContact contact) : contact_(std::move(contact)) {}
+  /// @throws Error as JointSpec::contact(), and with a seat that ends as
+  ///   SeatContact, for a friction stress, and for other laws than exact
+  explicit Joint(const JointSpec& spec);
+  /// The same, of several joints that share their laws and grids.
+  Joint(const JointSpec& spec, SharedLaws& laws);
+  /// Without a seat that ends.
+  /// @throws Error for a geometry with one: JointSpec::without_seat() leaves it
+  ///   out
+  explicit Joint(JointContact contact);
 
   const JointContact& contact() const { return contact_; }
   bool is_pin() const { return contact_.geometry().kind() == JointKind::pin; }
+  /// Not in a seat that ends.
+  bool is_endless() const { return !model_; }
 
   struct Slip {
     /// R on the body, N; 0 gives JointState::unloaded.
@@ -63,19 +94,17 @@ class Joint {
     /// is the caller's to say, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    /// Of a seat that ends; null: its axes are those of the vectors.
+    const Placement* placement = nullptr;
   };
   /// Friction under a reaction while the halves turn.
   /// @return |f/tan g - 1| <= 2e-13 (joint/ball_joint_test.cpp,
   ///         joint/pin_joint_test.cpp)
   JointSolution solve(const Slip& slip,
-                      const SolveOptions& options = {}) const noexcept {
-    return solve_from({}, slip, options);
-  }
+                      const SolveOptions& options = {}) const noexcept;
   /// The same, starting from a solution for a similar R and Dw.
   JointSolution solve(const Slip& slip, const JointSolution& last,
-                      const SolveOptions& options = {}) const noexcept {
-    return solve_from(last.memory, slip, options);
-  }
+                      const SolveOptions& options = {}) const noexcept;
 
   struct KnownContact {
     /// R_n n on the body, N.
@@ -83,6 +112,7 @@ class Joint {
     /// Dw, rad/s.
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    const Placement* placement = nullptr;  ///< as of Slip
   };
   /// Friction under a known normal force: nothing to solve. With R in
   /// its place it is the traditional estimate of friction.
@@ -95,6 +125,7 @@ class Joint {
     /// about the axis counts.
     Eigen::Vector3d moment;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+    const Placement* placement = nullptr;  ///< as of Slip
   };
   /// Decides whether the joint rests under R while holding the moment M, and
   /// how near it is to sliding.
@@ -125,17 +156,79 @@ class Joint {
   /// and theta0: what a solver of several bodies iterates on. The set refers
   /// to this joint and must not outlive it.
   MomentSet moment_set(const JointSolution& solution) const& noexcept {
+    if (model_) [[unlikely]]
+      return confined_moment_set(solution);
     return {contact_, solution.normal, solution.normal_force,
             solution.half_angle};
   }
   /// Would refer to a joint that is gone.
   MomentSet moment_set(const JointSolution&) const&& = delete;
 
+  /// The contact of a solution in a seat that ends, at its rims or free: polar
+  /// angles from the seat's axis, vectors in the frame of the solution. None
+  /// without a seat that ends and without load.
+  std::optional<RimContact> rims(const JointSolution& solution) const;
+  /// p v over the contact of a solution; NaN without a contact.
+  /// @param rate  Dw, rad/s, in the frame of the solution
+  ContactPv pv(const JointSolution& solution,
+               const Eigen::Vector3d& rate) const;
+  /// At a rim of its seat, which the contact reaches.
+  enum class RimPressure {
+    infinite,  ///< as the model has it
+    reported   ///< nearer than SeatEdge::report_distance that of this distance
+  };
+  /// p at places, Pa: unit vectors from the joint's centre, of a pin normal to
+  /// its axis, in the frame of the solution. 0 outside of the contact.
+  std::vector<double> pressures(
+      const JointSolution& solution, std::span<const Eigen::Vector3d> places,
+      RimPressure at_rims = RimPressure::infinite) const;
+  /// Why there is no solution, or what the model leaves out beside a rim: a
+  /// sentence each.
+  std::vector<std::string> notes(const JointSolution& solution) const;
+  /// A solution from a table or of JointSolution::without_grid() with its grid,
+  /// by which pv(), pressures() and moment_set() need no search; others as they
+  /// are.
+  /// @param near  a solution with a grid, from which this one is found faster
+  JointSolution with_grid(const JointSolution& solution,
+                          const JointSolution& near = {}) const;
+
+  /// This joint with a table of the contacts that reach a rim, which are then
+  /// read in some 20 us: SeatTable. Takes 7 to 20 s.
+  /// @throws Error without a seat that ends, and as SeatTable
+  Joint tabulated(const RimTableOptions& options) const;
+  /// The same from what table() gave of the same joint.
+  Joint tabulated(std::string_view table) const;
+  /// The table in bytes, for a file; "" without.
+  std::string table() const;
+  /// Errors of the table; none without.
+  std::optional<RimTableCheck> table_check() const;
+
  private:
+  friend std::shared_ptr<const detail::ContactMoments> detail::moments_of(
+      const Joint&, const JointSolution&);
   JointSolution solve_from(const JointSolution::Memory& last, const Slip& slip,
                            const SolveOptions& options) const noexcept;
+  JointSolution solve_confined(const Slip& slip, const JointSolution& last,
+                               const SolveOptions& options) const noexcept;
+  MomentSet confined_moment_set(const JointSolution& solution) const noexcept;
+  Joint with_model(std::shared_ptr<const detail::ContactModel> model) const;
 
   JointContact contact_;
+  /// Of a contact that ends; null of others.
+  std::shared_ptr<const detail::ContactModel> model_ = {};
 };
+
+inline JointSolution Joint::solve(const Slip& slip,
+                                  const SolveOptions& options) const noexcept {
+  if (model_) [[unlikely]]
+    return solve_confined(slip, {}, options);
+  return solve_from({}, slip, options);
+}
+inline JointSolution Joint::solve(const Slip& slip, const JointSolution& last,
+                                  const SolveOptions& options) const noexcept {
+  if (model_) [[unlikely]]
+    return solve_confined(slip, last, options);
+  return solve_from(last.memory, slip, options);
+}
 
 }  // namespace contact

@@ -6,6 +6,7 @@
 
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/root_finding.hpp"
+#include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/joint.hpp"
 
 // Moments that a joint at rest holds: H(R) by the sliding moments M_t(R, u).
@@ -238,6 +239,8 @@ RestSolution slow_at_rest(const JointContact& contact,
 
 RestSolution Joint::at_rest(const Hold& hold,
                             const SolveOptions& options) const noexcept {
+  if (model_) [[unlikely]]
+    return model_->at_rest(hold, {}, options);
   if (depends_on_speed(contact_)) {
     return slow_at_rest(contact_, hold, options);
   }
@@ -247,6 +250,8 @@ RestSolution Joint::at_rest(const Hold& hold,
 
 RestSolution Joint::at_rest(const Hold& hold, const RestSolution& last,
                             const SolveOptions& options) const noexcept {
+  if (model_) [[unlikely]]
+    return model_->at_rest(hold, last, options);
   if (depends_on_speed(contact_)) {
     return slow_at_rest(contact_, hold, last, options);
   }

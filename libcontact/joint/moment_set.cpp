@@ -1,18 +1,21 @@
 #include "libcontact/joint/moment_set.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 
 #include "libcontact/base/root_finding.hpp"
+#include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/motion_left.hpp"
 
 namespace contact {
 namespace {
 
 using Eigen::Matrix3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
@@ -60,6 +63,13 @@ MomentSet::MomentSet(const JointContact& contact, const Vector3d& normal,
   }
 }
 
+MomentSet::MomentSet(
+    const JointContact& contact,
+    std::shared_ptr<const detail::ContactMoments> moments) noexcept
+    : MomentSet(contact, Vector3d::Constant(nan), nan, nan) {
+  moments_ = std::move(moments);
+}
+
 MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
   const FrictionTriple t =
       contact_->friction_at(half_angle_, axis, {normal_force_, 0});
@@ -68,6 +78,7 @@ MomentSet::Edge MomentSet::edge(SlipAxis axis) const noexcept {
 
 double MomentSet::support(const Vector3d& angular_velocity) const noexcept {
   if (angular_velocity.isZero(0)) return 0;
+  if (moments_) return -moment(angular_velocity).dot(angular_velocity);
   const SlipAxis axis = axis_of(Split(angular_velocity, normal_));
   const Edge e = edge(axis);
   return angular_velocity.norm() *
@@ -76,6 +87,10 @@ double MomentSet::support(const Vector3d& angular_velocity) const noexcept {
 
 Vector3d MomentSet::moment(const Vector3d& angular_velocity) const noexcept {
   if (angular_velocity.isZero(0)) return Vector3d::Constant(nan);
+  if (moments_) {
+    if (contact_->is_viscous()) return Vector3d::Zero();
+    return moments_->moment(angular_velocity);
+  }
   const Split split(angular_velocity, normal_);
   const Edge e = edge(axis_of(split));
   return -e.sliding * split.direction - e.spinning * normal_;
@@ -103,8 +118,39 @@ SlipAxis MomentSet::axis_of_moment(double sliding,
   return from_cotangent(low + (high - low) / 2);
 }
 
+// The edge's normal where it opposes M, of a set that is not round: the unit
+// vector u for which Phi(u)/(M.u) is least, a convex function of what u has
+// across M.
+Vector3d MomentSet::normal_at(const Vector3d& held) const noexcept {
+  const Vector3d along = held.normalized();
+  Eigen::Matrix<double, 3, 2> across;
+  across.col(0) = along.unitOrthogonal();
+  across.col(1) = along.cross(across.col(0));
+  Vector3d u = along;
+  double least = support(u);
+  for (int round = 0; round < 40; ++round) {
+    const Vector2d slope = -across.transpose() * moment(u);
+    if (!(slope.norm() > 1e-13 * least)) break;
+    const Matrix3d second = curvature(u.normalized()) / u.norm();
+    Vector3d step =
+        -across * (across.transpose() * second * across).ldlt().solve(slope);
+    if (!(step.dot(across * slope) < 0)) step = -across * slope / least;
+    double share = 1;
+    while (share > 1e-10 && !(support(u + share * step) < least)) share /= 2;
+    if (share <= 1e-10) break;
+    u += share * step;
+    least = support(u);
+  }
+  return u.normalized();
+}
+
 double MomentSet::utilisation(const Vector3d& moment) const noexcept {
   if (moment.isZero(0)) return 0;
+  if (moments_) {
+    if (!moment.allFinite()) return nan;
+    const Vector3d u = normal_at(moment);
+    return moment.dot(u) / support(u);
+  }
   const Split m(moment, normal_);
   const double spinning = std::abs(m.along);
   if (!(std::isfinite(m.across) && std::isfinite(spinning))) return nan;
@@ -125,6 +171,7 @@ Matrix3d MomentSet::curvature(const Vector3d& direction) const noexcept {
 
 Matrix3d MomentSet::curvature(const Vector3d& direction,
                               const Vector3d& moment_there) const noexcept {
+  if (moments_) return curvature_of_any(direction);
   const Split split(direction, normal_);
   const SlipAxis axis = axis_of(split);
   const double sin_a = std::abs(axis.sin);
@@ -156,6 +203,18 @@ Matrix3d MomentSet::curvature(const Vector3d& direction,
          parallel * across * across.transpose();
 }
 
+// By central differences: the friction of a contact at a rim is smooth.
+Matrix3d MomentSet::curvature_of_any(const Vector3d& direction) const noexcept {
+  constexpr double step = 1e-4;
+  Matrix3d slope;
+  for (int k = 0; k < 3; ++k) {
+    const Vector3d by = step * Vector3d::Unit(k);
+    slope.col(k) =
+        (moment(direction - by) - moment(direction + by)) / (2 * step);
+  }
+  return (slope + slope.transpose()) / 2;
+}
+
 MomentSet::Prox MomentSet::prox(const Matrix3d& inertia, const Vector3d& free,
                                 const Vector3d& guess) const noexcept {
   const Vector3d wanted = inertia * free;
@@ -170,6 +229,13 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia, const Vector3d& free,
         [&](const Vector3d& v, const Vector3d& m) { return curvature(v, m); },
         inertia, free, u);
   };
+  if (moments_) {
+    const Vector3d u = size == 0 ? wanted : normal_at(wanted);
+    if (wanted.dot(u) <= support(u)) {
+      return {Vector3d::Zero(), -wanted, Status::ok, 0, 0};
+    }
+    return slide(u);
+  }
   // A plane between W free and the set.
   const Vector3d likely = guess.stableNormalized();
   const double least = support(likely);

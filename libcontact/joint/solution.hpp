@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
 #include <string_view>
 
 #include "libcontact/base/error.hpp"
@@ -13,6 +14,10 @@
 /// forces and moments act on the body (the opposite ones on the carrier); Dw is
 /// the angular velocity of the body relative to the carrier.
 namespace contact {
+
+namespace detail {
+struct ContactWork;  // joint/contact_model.hpp
+}  // namespace detail
 
 /// Motion of the two halves of a joint against each other.
 enum class JointState {
@@ -80,6 +85,12 @@ struct SolveOptions {
 /// interference slides and rests without load too: n = 0 then, the moment is
 /// opposite to Dw, and its coefficient over R_n is infinite. If the status is
 /// out_of_range or out_of_seat all numbers are NaN.
+///
+/// A contact at a rim of its seat has no axis of symmetry: numbers about one
+/// (slip axis, sliding and spinning coefficient, half-angle, load parameter,
+/// slip velocity at the centre, friction angle) are NaN, and so is the
+/// residual. n is the direction of the sum of the pressures, and R_t need not
+/// be normal to it. If it is not_converged it has no numbers at all.
 struct JointSolution {
   /// Start of the next solution: where this one was found and how it changes
   /// with R and Dw. Travels inside JointSolution; not for users.
@@ -157,6 +168,13 @@ struct JointSolution {
   double contact_area = 0;
 
   Memory memory;
+
+  /// What a contact at a rim was found with; null of a joint without end.
+  /// Joint::rims() and others read it.
+  std::shared_ptr<const detail::ContactWork> work = {};
+  /// The same without the grid of a contact at a rim, of 0.1 to 0.2 MB: for
+  /// those who keep many. Joint::with_grid() finds it again.
+  JointSolution without_grid() const;
 
   /// f_M = |M_t|/(rho R): what catalogues call the coefficient of friction;
   /// to 1e-14 over cos a of the vectors, which lose digits towards spinning

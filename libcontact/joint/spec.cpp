@@ -90,6 +90,14 @@ JointSpec JointSpec::at(Temperatures to) const {
   return warm;
 }
 
+JointSpec JointSpec::without_seat() const {
+  if (!geometry.seat()) return *this;
+  JointSpec endless = *this;
+  endless.geometry = geometry.without_seat();
+  endless.bearing.reset();
+  return endless;
+}
+
 ContactConditions JointSpec::conditions() const {
   ContactConditions result{
       .loading = loading,
@@ -102,6 +110,7 @@ ContactConditions JointSpec::conditions() const {
 
 std::string JointSpec::half_angle_law_name() const {
   if (!half_angle_law.empty()) return half_angle_law;
+  if (geometry.seat()) return "exact";
   const ContactConditions asked = conditions();
   if (!asked.walls && asked.clearance != Clearance::interference) {
     return std::string(default_half_angle_law);

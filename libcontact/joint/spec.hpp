@@ -23,6 +23,10 @@ namespace contact {
 
 class SharedLaws;
 
+namespace detail {
+struct SeatGrids;
+}  // namespace detail
+
 /// Growth of the clearance of a joint that is warmer or colder than when its
 /// clearance was measured: docs/temperature.md.
 struct ThermalGrowth {
@@ -67,8 +71,8 @@ struct JointSpec {
   InnerLoading loading = InnerLoading::centre();
   /// Relief of the ends of a pin or its hole; FinitePin alone uses it.
   Relief relief = Relief::none();
-  /// For make_half_angle_law(); "": exact with layers and with interference,
-  /// else fitted.
+  /// For make_half_angle_law(); "": exact with layers, with interference and in
+  /// a seat that ends, else fitted.
   std::string half_angle_law = {};
   HalfAngleOptions half_angle_options = {};
   /// For make_pressure_law(); "": exact.
@@ -79,6 +83,11 @@ struct JointSpec {
   /// them. Linear in the differences of temperature; moduli stay what they are.
   /// @throws Error if a material that grows has no thermal_expansion.
   JointSpec at(Temperatures temperatures) const;
+
+  /// The joint in a seat without end, for comparison and where a load has no
+  /// direction. A bearing is left out with its ring; ContactLimits still notes
+  /// contacts that would reach a rim.
+  JointSpec without_seat() const;
 
   /// The materials at the surfaces.
   ElasticPair pair() const { return {inner.surface(), outer.surface()}; }
@@ -126,6 +135,10 @@ class SharedLaws {
   std::shared_ptr<const HalfAngleLaw> half_angle(const JointSpec& joint);
   std::shared_ptr<const PressureLaw> pressure(const JointSpec& joint);
 
+  /// The grids of a joint in a seat that ends: alike for all frictions.
+  /// @throws Error as SeatContact
+  std::shared_ptr<const detail::SeatGrids> seat(const JointSpec& joint);
+
   /// How many laws there are, of both kinds.
   std::size_t size() const { return half_angle_.size() + pressure_.size(); }
 
@@ -140,8 +153,14 @@ class SharedLaws {
     std::shared_ptr<const PressureLaw> law;
   };
 
+  struct Seat {
+    JointSpec of;
+    std::shared_ptr<const detail::SeatGrids> grids;
+  };
+
   std::vector<HalfAngle> half_angle_;
   std::vector<Pressure> pressure_;
+  std::vector<Seat> seats_;
 };
 
 }  // namespace contact

@@ -196,7 +196,9 @@ void write(Toml& toml, const FrictionStress& stress) {
 void write_laws(Toml& toml, const JointSpec& joint) {
   const HalfAngleOptions& options = joint.half_angle_options;
   toml.table("[half_angle]");
-  toml.text("law", joint.half_angle_law_name());
+  if (!joint.geometry.seat() || !joint.half_angle_law.empty()) {
+    toml.text("law", joint.half_angle_law_name());
+  }
   if (options.limit_half_angle) {
     toml.number("limit_half_angle_rad", *options.limit_half_angle);
   }

@@ -9,6 +9,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/joint/contact_model.hpp"
 
 namespace contact {
 namespace {
@@ -99,8 +100,14 @@ class Sliding {
   }
 
  private:
-  // M_t = -K Dw, K round about n.
+  // M_t = -K Dw, K round about n but at a rim.
   Matrix3d viscosity() const {
+    if (const auto moments = detail::moments_of(joint_, solution_)) {
+      Matrix3d k;
+      for (int i = 0; i < 3; ++i)
+        k.col(i) = -moments->moment(Vector3d::Unit(i));
+      return k;
+    }
     const Vector3d& n = solution_.normal;
     const auto size = [&](const Vector3d& u) {
       return joint_.solve_contact({solution_.normal_force * n, u})
@@ -127,21 +134,28 @@ void begin(const Joint& joint, const StepStart& start, JointStep& step) {
   step.status = Status::ok;
   if (start.angular_velocity.isZero(0)) return;
   step.solution = joint.solve(
-      {start.reaction, start.angular_velocity, start.axis}, step.solution);
+      {start.reaction, start.angular_velocity, start.axis, start.placement},
+      step.solution);
   step.status = step.solution.status;
 }
 
 // Whether a resting joint holds a moment; if not, how it slides is looked for.
 bool holds(const Joint& joint, const StepStart& start, const Vector3d& axis,
            const Vector3d& moment, JointStep& step) {
-  step.rest = joint.at_rest({start.reaction, moment, axis}, step.rest);
+  step.rest =
+      joint.at_rest({start.reaction, moment, axis, start.placement}, step.rest);
   step.status = step.rest.status;
   if (!(step.rest.utilisation > 1)) return true;
   // If nothing is held the free motion gives the direction of slip.
-  step.solution = std::isinf(step.rest.utilisation)
-                      ? joint.solve({start.reaction, start.free, axis})
-                      : step.rest.slip;
+  step.solution =
+      std::isinf(step.rest.utilisation)
+          ? joint.solve({start.reaction, start.free, axis, start.placement})
+          : step.rest.slip;
   return false;
+}
+
+bool has_no_numbers(Status status) {
+  return status == Status::out_of_range || status == Status::out_of_seat;
 }
 
 // A rate to which the solution of a step belongs, if the joint slides.
@@ -163,10 +177,12 @@ void go_on(const Joint& joint, const StepStart& start, const Vector3d& axis,
     next = slide(Sliding(joint, step.solution, rate_of(start, step)));
     step.status = std::max(step.status, next.status);
   }
-  if (!next.moment.allFinite() || !next.angular_velocity.allFinite()) {
+  const bool is_finite =
+      next.moment.allFinite() && next.angular_velocity.allFinite();
+  if (!is_finite && step.status != Status::out_of_seat) {
     step.status = Status::out_of_range;
   }
-  if (step.status == Status::out_of_range) {
+  if (has_no_numbers(step.status)) {
     next.angular_velocity = next.moment = Vector3d::Constant(nan);
   }
   step.angular_velocity = next.angular_velocity;
@@ -594,7 +610,7 @@ StepSweeps step(std::span<const Joint* const> joints,
     mechanism.fit(tolerance);
     result.residual = mechanism.sweep();
     result.status = mechanism.status();
-    if (result.status == Status::out_of_range || result.residual <= tolerance) {
+    if (has_no_numbers(result.status) || result.residual <= tolerance) {
       return result;
     }
     if (result.sweeps == sweep_limit) {

@@ -18,6 +18,8 @@ struct StepStart {
   Eigen::Vector3d free;
   /// Axis of a pin, unit vector; 0: the direction of Dw or of `free`.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
+  /// Of a seat that ends; null: its axes are those of the vectors.
+  const Placement* placement = nullptr;
 };
 
 /// The same joint at the end of the step.
@@ -63,7 +65,8 @@ inline constexpr std::string_view inertia_rule =
 ///                 pin its part along the axis counts
 /// @param last     the step before, for speed
 /// @return the equation to 1e-12 of |W free|, contacts of some mrad to 2e-9
-///         (joint/step_test.cpp). Neither allocates nor throws.
+///         (joint/step_test.cpp). Does not throw, and does not allocate but for
+///         a contact in a seat that ends.
 JointStep step(const Joint& joint, const StepStart& start,
                const Eigen::Matrix3d& inertia,
                const JointStep& last = {}) noexcept;

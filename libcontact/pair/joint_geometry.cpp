@@ -69,6 +69,13 @@ JointGeometry JointGeometry::with_seat(const SeatZone& zone) const {
   return other;
 }
 
+JointGeometry JointGeometry::without_seat() const {
+  JointGeometry other = *this;
+  other.left_out_ = drawn_seat();
+  other.seat_.reset();
+  return other;
+}
+
 std::vector<std::string> JointGeometry::validity_notes() const {
   std::vector<std::string> notes;
   const double relative = relative_clearance();

@@ -52,11 +52,14 @@ class JointGeometry {
   JointGeometry with_clearance(double radial_clearance) const {
     JointGeometry other(kind_, radius_, radial_clearance, length_, inner_body_);
     other.seat_ = seat_;
+    other.left_out_ = left_out_;
     return other;
   }
   /// The same ball in a seat that ends.
   /// @throws Error of a pin.
   JointGeometry with_seat(const SeatZone& zone) const;
+  /// The same ball in a seat without end.
+  JointGeometry without_seat() const;
 
   JointKind kind() const { return kind_; }
   /// rho1, m: of the ball or pin.
@@ -69,10 +72,13 @@ class JointGeometry {
   double length() const { return length_; }
   /// The body that has the ball or pin.
   JointBody inner_body() const { return inner_body_; }
-  /// Zone of a ball's seat, if one is given. Joints ignore it except for
-  /// ContactLimits, which notes contacts that would reach a rim; SeatContact
-  /// confines them.
+  /// Zone of a ball's seat, if it ends: Joint confines the contact to it.
   const std::optional<SeatZone>& seat() const { return seat_; }
+  /// The same, or the one that without_seat() has left out: ContactLimits notes
+  /// contacts that would reach a rim.
+  const std::optional<SeatZone>& drawn_seat() const {
+    return seat_ ? seat_ : left_out_;
+  }
 
   /// The load of the half-angle laws that belongs to a normal force:
   /// R_n itself (N) for a ball, P = R_n/length (N/m) for a pin.
@@ -123,6 +129,7 @@ class JointGeometry {
   double length_;
   JointBody inner_body_;
   std::optional<SeatZone> seat_ = {};
+  std::optional<SeatZone> left_out_ = {};
 };
 
 /// Ties the load of a joint to its dimensionless load parameter.

@@ -45,7 +45,9 @@ double travel_time(const JointSpec& joint, double density) {
 }  // namespace
 
 JointImpact::JointImpact(const JointSpec& joint)
-    : joint_(joint), law_(joint), pressure_(joint.make_pressure_law()) {}
+    : joint_(joint.without_seat()),
+      law_(joint),
+      pressure_(joint.make_pressure_law()) {}
 
 // The integral of 1/speed over the penetration; the speed is 0 at its end.
 double JointImpact::time(const HuntCrossley& damping, double mass,

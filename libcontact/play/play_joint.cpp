@@ -94,7 +94,7 @@ PlayJoint::PlayJoint(const JointSpec& joint, const Options& options,
                   "regularisation_speed", speed, "above 0 m/s");
   coefficient_ = dry->coefficient();
   adhesion_ = dry->adhesion();
-  contact_.emplace(joint.contact());
+  contact_.emplace(joint.without_seat().contact());
 }
 
 // e, of a pin normal to its axis.

@@ -78,7 +78,7 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
   add_pressures(pair);
   if (const LayeredPair* walls = walls_of(law)) add_layers(*walls);
   add_liners(liner_notes(law, pair));
-  if (const auto& seat = geometry.seat()) {
+  if (const auto& seat = geometry.drawn_seat()) {
     limits_.push_back(
         {&LargestContact::half_angle, seat->reach(), degree, "half-angle",
          " {:.4g} deg is",

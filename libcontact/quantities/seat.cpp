@@ -1,14 +1,17 @@
 #include "libcontact/quantities/seat.hpp"
 
 #include <cmath>
+#include <iterator>
 #include <limits>
+#include <vector>
 
 #include "libcontact/quantities/lifted.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace contact {
 namespace {
 
-using S = SeatState;
+using S = RimContact;
 
 bool is_number(double x) { return !std::isnan(x); }
 
@@ -22,9 +25,7 @@ double rim_pressure(const SeatCycle& cycle) {
 constexpr Quantity<S> of_seat[] = {
     {"free", "", Dimension::number, "1 if the contact reaches no rim",
      [](const S& s) {
-       return s.status == SeatStatus::ok
-                  ? double(s.is_free)
-                  : std::numeric_limits<double>::quiet_NaN();
+       return std::isnan(s.area) ? s.area : double(s.is_free);
      }},
     {"peak_pressure", "p_peak", Dimension::stress,
      "largest pressure report_distance (0.02 radii) or more from every rim",
@@ -76,6 +77,17 @@ constexpr Quantity<S> of_seat[] = {
     {"shift", "", Dimension::length,
      "of the ball's centre from where it is concentric",
      [](const S& s) -> const Eigen::Vector3d& { return s.shift; }},
+};
+
+constexpr Quantity<S> of_rims[] = {
+    {"seat_force", "F", Dimension::force,
+     "force on the seat, sum of its pressures",
+     [](const S& s) -> const Eigen::Vector3d& { return s.force; },
+     "force on the seat"},
+    {"nominal_area", "", Dimension::area,
+     "the area of catalogues: diameter times width, of cups and thrust "
+     "bearings the projection along the axis",
+     [](const S& s) { return s.nominal_area; }},
 };
 
 using J = SeatJointSolution;
@@ -189,6 +201,20 @@ std::span<const Quantity<SeatCycle>> seat_cycle_quantities() {
   return of_cycle;
 }
 
-std::span<const Quantity<SeatState>> seat_quantities() { return of_seat; }
+std::span<const Quantity<RimContact>> seat_quantities() { return of_seat; }
+
+std::span<const Quantity<RimContact>> rim_quantities() {
+  static const auto& all = *new std::vector<Quantity<RimContact>>([] {
+    std::vector<Quantity<RimContact>> some(std::begin(of_rims),
+                                           std::end(of_rims));
+    for (const auto& quantity : of_seat) {
+      if (!find_quantity(solution_quantities(), quantity.key)) {
+        some.push_back(quantity);
+      }
+    }
+    return some;
+  }());
+  return all;
+}
 
 }  // namespace contact

@@ -9,7 +9,10 @@
 /// The tables of seats that end.
 namespace contact {
 
-std::span<const Quantity<SeatState>> seat_quantities();
+/// Of a SeatState, or of Joint::rims() alone.
+std::span<const Quantity<RimContact>> seat_quantities();
+/// Of Joint::rims(): what solution_quantities() do not say, beside them.
+std::span<const Quantity<RimContact>> rim_quantities();
 /// With those of its contact.
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();
 /// With those of the sliding at the limit.

@@ -27,6 +27,7 @@ JointContact exact_contact(JointSpec joint) {
   if (joint.loading.is_back()) {
     throw Error(detail::needs("a seat that ends", "loading = centre"));
   }
+  joint = joint.without_seat();
   joint.half_angle_law = joint.pressure_law = "exact";
   joint.half_angle_options = {};
   joint.friction = FrictionLaw(0);

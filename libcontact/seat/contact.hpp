@@ -12,12 +12,14 @@
 #include <vector>
 
 #include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/rim_contact.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "libcontact/pair/seat_zone.hpp"
 
 namespace contact {
 
 namespace detail {
+class SeatModel;
 class SeatWindows;
 struct SeatSolution;
 }  // namespace detail
@@ -44,13 +46,6 @@ constexpr std::string_view to_string(SeatStatus status) {
   return "no_load";
 }
 
-/// A place on a seat. The longitude is counted about the seat's axis from the
-/// plane of the load, on whose side it is 0; NaN where every one is alike.
-struct SeatPlace {
-  double polar_angle = std::numeric_limits<double>::quiet_NaN();  ///< rad
-  double longitude = std::numeric_limits<double>::quiet_NaN();    ///< rad
-};
-
 /// The place of a vector from the ball's centre.
 /// @param force  of the contact, any unit
 /// @param place  of any length, in the axes of the force: the seat's
@@ -62,86 +57,14 @@ inline bool is_about_z(const SeatZone& zone) {
   return zone.axis()[0] == 0 && zone.axis()[1] == 0;
 }
 
-/// State of a contact at a rim of its seat.
-struct SeatRim {
-  /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
-  /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
-  /// pressure at the rim itself is infinite in the model.
-  double intensity = std::numeric_limits<double>::quiet_NaN();
-  double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
-  /// How far the contact follows the rim to each side, rad; pi: all round.
-  double half_arc = std::numeric_limits<double>::quiet_NaN();
-  /// Largest pressure on the rim's rounding, Pa, and how far the contact goes
-  /// on beyond the rim as drawn, m: SeatContact::rounded_rim() at K with
-  /// SeatEdge::radius. NaN of a sharp rim and one that is not reached.
-  double peak_pressure = std::numeric_limits<double>::quiet_NaN();
-  double reach = std::numeric_limits<double>::quiet_NaN();
-  /// From the contact's end to the rim in the plane of the load, rad; 0 if
-  /// reached, infinite without a rim.
-  double distance = std::numeric_limits<double>::quiet_NaN();
-  double gap = std::numeric_limits<double>::quiet_NaN();  ///< the same, m
-};
-
-/// The contact of a ball in a seat that ends, under one load. All but the force
-/// is NaN unless the status is ok.
-struct SeatState {
+/// The contact under one load, and how it was found.
+struct SeatState : RimContact {
   SeatStatus status = SeatStatus::no_load;
-  /// Whether it does not reach a rim: all is then from the exact laws of the
-  /// seat without end.
-  bool is_free = false;
-  /// Shift of the ball's centre from concentric, m, in the axes of the force.
-  Eigen::Vector3d shift =
-      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-  /// Pressure where the load pierces the seat, Pa; NaN where there is no seat.
-  double pressure_at_load = std::numeric_limits<double>::quiet_NaN();
-  /// The largest pressure at the reported distance or more from every rim, Pa.
-  /// NaN where it is below mean_pressure(): then the contact lies almost within
-  /// that distance, and K alone tells of its pressure.
-  double peak_pressure = std::numeric_limits<double>::quiet_NaN();
-  SeatPlace peak_place = {};
-  std::array<SeatRim, 2> rims = {};  ///< lower, upper
-  /// Ends of the contact in the plane of the load, on its side, polar angles,
-  /// rad; 0 or pi where it goes on over the pole. NaN if nothing is there.
-  double lower_end = std::numeric_limits<double>::quiet_NaN();
-  double upper_end = std::numeric_limits<double>::quiet_NaN();
-  /// From the load to the contact's end across the plane of the load, rad; NaN
-  /// where the load meets no seat, and from a table. To 1 deg
-  /// (seat/seat_test.cpp).
-  double half_width = std::numeric_limits<double>::quiet_NaN();
-  /// S: the sum of the pressures without regard to their direction over |F|.
-  double force_ratio = std::numeric_limits<double>::quiet_NaN();
-  double area = std::numeric_limits<double>::quiet_NaN();  ///< m^2
-
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< F, N
-
-  double mean_pressure() const {  ///< S F/area, Pa
-    return force_ratio * force.norm() / area;
-  }
-  /// Distance from the nearer rim, m.
-  double gap() const { return std::min(rims[0].gap, rims[1].gap); }
-  /// The larger K, Pa m^(1/2); above 0 at a rim.
-  double intensity() const {
-    return std::max(rims[0].intensity, rims[1].intensity);
-  }
-  /// The larger peak on a rounded rim, Pa; NaN if none is.
-  double rim_pressure() const {
-    return std::fmax(rims[0].peak_pressure, rims[1].peak_pressure);
-  }
-
   /// The grid's solution; none if free.
   std::shared_ptr<const detail::SeatSolution> solution = {};
 };
 
-/// p v over a contact in a seat that ends, while the ball turns in it.
-struct SeatPv {
-  double total = std::numeric_limits<double>::quiet_NaN();  ///< integral, W
-  /// At the reported distance or more from every rim, W/m^2; NaN where it is
-  /// below the mean over the contact, as SeatState::peak_pressure.
-  double largest = std::numeric_limits<double>::quiet_NaN();
-  /// Unit vector from the ball's centre to where it is.
-  Eigen::Vector3d place =
-      Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
-};
+using SeatPv = ContactPv;
 
 /// Pressure on a rim that is rounded (Hertz' shape of a punch's edge).
 struct RoundedRim {
@@ -231,6 +154,7 @@ class SeatContact {
  private:
   friend class SeatTable;
   friend class SeatJoint;
+  friend class detail::SeatModel;
 
   // Whether a contact about a force reaches no rim.
   bool is_free(const Eigen::Vector3d& force, double half_angle) const;

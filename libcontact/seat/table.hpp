@@ -29,29 +29,8 @@ struct SeatHarmonics;
 /// that is symmetric too.
 class SeatTable {
  public:
-  struct Options {
-    double least_load;  ///< N, above 0
-    double most_load;   ///< N, above least_load, finite
-    /// Errors allowed, over the load: shift, as load, and friction at f0 = 1.
-    double accuracy = 1e-3;
-    int most_states = 1800;  ///< 10 to 20 s
-    int checks = 100;
-    /// Called with the share of most_states that is done, and the last with 1.
-    std::function<void(double)> progress = {};
-  };
-  /// The largest errors of states that were drawn at random, over the load.
-  struct Check {
-    int states = 0;
-    double load = 0;      ///< error of the shift, as load
-    double friction = 0;  ///< sums of section "Friction" about a random axis
-    double peak = 0;      ///< error of the largest pressure, over itself
-
-    /// Over the load; NaN without a state, which says nothing.
-    double error() const {
-      return states > 0 ? std::max(load, friction)
-                        : std::numeric_limits<double>::quiet_NaN();
-    }
-  };
+  using Options = RimTableOptions;
+  using Check = RimTableCheck;
 
   /// @param contact  has to outlive the table
   /// @throws Error without a clearance, and for options out of range.

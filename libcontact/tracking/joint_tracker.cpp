@@ -43,6 +43,10 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
                                   "dry or viscous"));
     }
     const JointGeometry& geometry = contact.geometry();
+    if (geometry.seat()) {
+      throw Error(detail::must_be("the seat of a joint that is tracked",
+                                  "without end"));
+    }
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
     s.radius = geometry.radius();

@@ -47,7 +47,8 @@ struct TrackerState;
 class JointTracker {
  public:
   /// @param contacts  of balls and pins, dry or viscous
-  /// @throws Error if one has a friction stress of its own.
+  /// @throws Error if one has a friction stress of its own, or a seat that
+  /// ends.
   explicit JointTracker(std::vector<JointContact> contacts);
 
   int size() const { return static_cast<int>(contacts_->size()); }

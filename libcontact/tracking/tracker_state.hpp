@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libcontact/base/vec3.hpp"
-#include "libcontact/joint/slip_triangle.hpp"
+#include "libcontact/joint/slip/slip_triangle.hpp"
 
 /// State of JointTracker: numbers of one joint (T = double), or of several in
 /// lanes.

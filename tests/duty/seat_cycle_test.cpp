@@ -177,7 +177,7 @@ TEST(SeatCycle, WearMapOfFreeContactsIsThatWithoutRims) {
   spec.geometry = spec.geometry.with_seat(SeatZone::cup(120 * degree));
   const SeatCycle in_seat(cycle(1), spec);
   EXPECT_EQ(in_seat.rim_share(), 0);
-  const JointCycle free(cycle(1), Joint(spec.contact()));
+  const JointCycle free(cycle(1), Joint(spec.without_seat()));
   for (const JointBody body : {JointBody::body, JointBody::carrier}) {
     const WearMap confined(in_seat, body), endless(free, body);
     for (const double v : {0.0, 0.2, 0.4}) {

@@ -258,6 +258,11 @@ TEST(JointFile, SeatsThatEnd) {
                               "report_distance_rad = 0.03\n"
                               "axis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
+  // The law that none names is that of the joint as it is.
+  EXPECT_EQ(turned.half_angle_law_name(), "exact");
+  const JointSpec endless = turned.without_seat();
+  EXPECT_EQ(endless.half_angle_law_name(), default_half_angle_law);
+  EXPECT_FALSE(parse_joint(endless.canonical_text(), "text").geometry.seat());
   EXPECT_ERROR(
       seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "

@@ -119,6 +119,11 @@ preset_share = 0
   EXPECT_EQ(std::get<FrictionLaw>(*joint.friction).coefficient(), 0.08);
   // The text of the joint is the joint.
   EXPECT_EQ(parse_joint(joint.canonical_text(), ""), joint);
+  // Without its ring it is no bearing.
+  const JointSpec endless =
+      parse_joint(joint.without_seat().canonical_text(), "");
+  EXPECT_FALSE(endless.geometry.seat());
+  EXPECT_EQ(endless.geometry, joint.geometry.without_seat());
   EXPECT_EQ(joint.clearance_notes().at(0),
             "bearing GE50ES C3: ball of 66 mm, ring of 28 mm, diametral "
             "clearance 120 to 180 um; maximum 180 um taken");

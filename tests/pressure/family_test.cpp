@@ -739,6 +739,12 @@ TEST(ContactNotes, SayWhereTheSeatEnds) {
   EXPECT_TRUE(notes(whole.with_seat(SeatZone(0, std::numbers::pi)), 1).empty());
   // Other clearances leave the seat as it is.
   EXPECT_EQ(ring.with_clearance(2e-5).seat(), ring.seat());
+  // Who leaves the seat out is told the same.
+  const auto endless = ring.without_seat().with_clearance(2e-5);
+  EXPECT_FALSE(endless.seat());
+  EXPECT_EQ(notes(endless, 0.5), notes(ring, 0.5));
+  EXPECT_EQ(endless.without_seat().drawn_seat(), ring.seat());
+  EXPECT_EQ(ring.without_seat(), whole);
   EXPECT_ERROR(JointGeometry::pin(1, 0.1, 1).with_seat(SeatZone::cup(1)),
                "a seat that ends requires a ball joint");
 }

@@ -30,6 +30,7 @@ const std::vector<std::string> rooms = {
     "libcontact/play",
     "libcontact/finite_pin",
     "libcontact/duty",
+    "libcontact/models",
     "libcontact/identify",
     "libcontact/load_law",
     "libcontact/quantities",

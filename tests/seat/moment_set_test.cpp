@@ -1,6 +1,6 @@
 // The moments that a ball in a seat that ends can hold: a convex set whose
-// functions agree, the rest that SeatJoint finds, and the free limit.
-#include "libcontact/seat/moment_set.hpp"
+// functions agree, the rest that Joint finds, and the free limit.
+#include "libcontact/joint/moment_set.hpp"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/seat/joint.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "support/random_slip.hpp"
 
 namespace contact::test {
@@ -29,26 +29,26 @@ JointSpec cup(double f0) {
 }
 
 // Beside the rim, at it, and far beyond; the last is free.
-std::vector<SeatJointSolution> solutions(const SeatJoint& joint) {
-  std::vector<SeatJointSolution> all;
+std::vector<JointSolution> solutions(const Joint& joint) {
+  std::vector<JointSolution> all;
   for (const double direction : {25.0, 40.0, 50.0, 0.0}) {
     const double v = direction * degree;
     const double load = direction == 0 ? 2e4 : 6e4;
     all.push_back(
         joint.solve({.reaction = load * Vector3d(std::sin(v), 0, std::cos(v)),
                      .angular_velocity = {0.3, 1, -0.5}}));
-    EXPECT_EQ(all.back().contact.status, SeatStatus::ok) << direction;
-    EXPECT_EQ(all.back().contact.is_free, direction == 0);
+    EXPECT_EQ(all.back().status, Status::ok) << direction;
+    EXPECT_EQ(joint.rims(all.back())->is_free, direction == 0);
   }
   return all;
 }
 
-TEST(SeatMomentSet, IsConvexAndEvenWithTheMomentAsGradient) {
-  const SeatJoint joint(cup(0.1));
+TEST(MomentSetAtRim, IsConvexAndEvenWithTheMomentAsGradient) {
+  const Joint joint(cup(0.1));
   RandomSlips random(1);
-  for (const SeatJointSolution& s : solutions(joint)) {
-    const SeatMomentSet set = joint.moment_set(s);
-    const double size = 0.1 * radius * s.contact.force.norm();
+  for (const JointSolution& s : solutions(joint)) {
+    const MomentSet set = joint.moment_set(s);
+    const double size = 0.1 * radius * s.normal_force;
     EXPECT_LT((set.moment({0.3, 1, -0.5}) - s.friction_moment).norm(),
               1e-5 * size);
     EXPECT_EQ(set.support(Vector3d::Zero()), 0);
@@ -67,11 +67,11 @@ TEST(SeatMomentSet, IsConvexAndEvenWithTheMomentAsGradient) {
   }
 }
 
-TEST(SeatMomentSet, UtilisationOfTheEdgeIsOne) {
-  const SeatJoint joint(cup(0.1));
+TEST(MomentSetAtRim, UtilisationOfTheEdgeIsOne) {
+  const Joint joint(cup(0.1));
   RandomSlips random(2);
-  for (const SeatJointSolution& s : solutions(joint)) {
-    const SeatMomentSet set = joint.moment_set(s);
+  for (const JointSolution& s : solutions(joint)) {
+    const MomentSet set = joint.moment_set(s);
     EXPECT_EQ(set.utilisation(Vector3d::Zero()), 0);
     for (int i = 0; i < 10; ++i) {
       const Vector3d edge = set.moment(random.direction());
@@ -83,11 +83,11 @@ TEST(SeatMomentSet, UtilisationOfTheEdgeIsOne) {
   }
 }
 
-TEST(SeatMomentSet, ProxLeavesWhatFrictionCannotHold) {
-  const SeatJoint joint(cup(0.1));
+TEST(MomentSetAtRim, ProxLeavesWhatFrictionCannotHold) {
+  const Joint joint(cup(0.1));
   RandomSlips random(3);
-  for (const SeatJointSolution& s : solutions(joint)) {
-    const SeatMomentSet set = joint.moment_set(s);
+  for (const JointSolution& s : solutions(joint)) {
+    const MomentSet set = joint.moment_set(s);
     const Vector3d from = random.direction();
     const Matrix3d inertia = Matrix3d::Identity() + 4 * from * from.transpose();
     for (int i = 0; i < 10; ++i) {
@@ -111,38 +111,37 @@ TEST(SeatMomentSet, ProxLeavesWhatFrictionCannotHold) {
   }
 }
 
-// SeatJoint::at_rest() finds the same by other equations.
-TEST(SeatMomentSet, OfTheSlipAtRestHoldsTheSameShare) {
-  const SeatJoint joint(cup(0.1));
+// Joint::at_rest() finds the same by other equations.
+TEST(MomentSetAtRim, OfTheSlipAtRestHoldsTheSameShare) {
+  const Joint joint(cup(0.1));
   for (const double direction : {25.0, 40.0, 48.0}) {
     const double v = direction * degree;
     const Vector3d reaction = 6e4 * Vector3d(std::sin(v), 0, std::cos(v));
     for (const Vector3d& moment :
          {Vector3d(20, 70, -30), Vector3d(-50, 10, 60)}) {
-      const SeatRestSolution rest =
+      const RestSolution rest =
           joint.at_rest({.reaction = reaction, .moment = moment});
-      ASSERT_EQ(rest.slip.contact.status, SeatStatus::ok);
-      const SeatMomentSet set = joint.moment_set(rest.slip);
+      ASSERT_EQ(rest.slip.status, Status::ok);
+      const MomentSet set = joint.moment_set(rest.slip);
       EXPECT_NEAR(set.utilisation(moment) / rest.utilisation, 1, 1e-5);
     }
   }
 }
 
 // Just before a rim is reached the set is Joint's, just after nearly so.
-TEST(SeatMomentSet, GoesOverIntoThatOfTheFreeContact) {
-  const SeatJoint joint(cup(0.1));
+TEST(MomentSetAtRim, GoesOverIntoThatOfTheFreeContact) {
+  const Joint joint(cup(0.1));
   RandomSlips random(4);
   const double load = 2e4;
-  const double reach = joint.unbounded().contact().half_angle(load).half_angle;
+  const double reach = joint.contact().half_angle(load).half_angle;
   for (const double beyond : {-0.01, 0.02}) {
     const double v = 60 * degree - reach + beyond * degree;
-    SeatJointSolution s;
-    s.contact =
-        joint.contact().under(load * Vector3d(std::sin(v), 0, std::cos(v)));
-    ASSERT_EQ(s.contact.is_free, beyond < 0);
-    const SeatMomentSet set = joint.moment_set(s);
-    const MomentSet free(joint.unbounded().contact(),
-                         s.contact.force.normalized(), load, reach);
+    const Vector3d force = load * Vector3d(std::sin(v), 0, std::cos(v));
+    const JointSolution s = joint.solve_contact(
+        {.normal_force = force, .angular_velocity = {1, 0, 0}});
+    ASSERT_EQ(joint.rims(s)->is_free, beyond < 0);
+    const MomentSet set = joint.moment_set(s);
+    const MomentSet free(joint.contact(), force.normalized(), load, reach);
     for (int i = 0; i < 10; ++i) {
       const Vector3d u = random.direction();
       EXPECT_NEAR(set.support(u) / free.support(u), 1, 2e-3);

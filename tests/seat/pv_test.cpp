@@ -6,8 +6,7 @@
 #include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/seat/joint.hpp"
-#include "libcontact/seat/table.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "support/numbers.hpp"
 
 // p v over contacts that reach a rim: against the power of friction, which
@@ -38,14 +37,13 @@ const Vector3d rates[] = {
 
 TEST(SeatPv, TotalTimesFrictionIsThePower) {
   for (const SeatZone& zone : {tilted_cup(), SeatZone::ring(0.02, radius)}) {
-    const SeatJoint joint(bearing(zone));
+    const Joint joint(bearing(zone));
     for (const Vector3d& rate : rates) {
-      const SeatJointSolution s =
+      const JointSolution s =
           joint.solve({.reaction = {4e4, 2e4, 3e4}, .angular_velocity = rate});
-      ASSERT_EQ(s.contact.status, SeatStatus::ok);
-      ASSERT_GT(s.contact.intensity(), 0);
-      SeatState near;
-      const SeatPv pv = joint.pv(s, rate, near);
+      ASSERT_EQ(s.status, Status::ok);
+      ASSERT_GT(joint.rims(s)->intensity(), 0);
+      const ContactPv pv = joint.pv(s, rate);
       EXPECT_NEAR(-f0 * pv.total / s.power, 1, 1e-3);
       EXPECT_NEAR(pv.place.norm(), 1, 1e-12);
     }
@@ -55,7 +53,7 @@ TEST(SeatPv, TotalTimesFrictionIsThePower) {
 // Against places 1 deg apart: never above the largest by more than pressures
 // between longitudes are off, and reached at its place.
 TEST(SeatPv, LargestIsThatOfPlaces) {
-  const SeatJoint joint(bearing(tilted_cup()));
+  const Joint joint(bearing(tilted_cup()));
   const Vector3d axis(0.6, 0, 0.8);
   const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis);
   std::vector<Vector3d> places;
@@ -69,10 +67,9 @@ TEST(SeatPv, LargestIsThatOfPlaces) {
     }
   }
   for (const Vector3d& rate : rates) {
-    const SeatJointSolution s =
+    const JointSolution s =
         joint.solve({.reaction = {4e4, 2e4, 3e4}, .angular_velocity = rate});
-    SeatState near;
-    const SeatPv pv = joint.pv(s, rate, near);
+    const ContactPv pv = joint.pv(s, rate);
     const std::vector<double> p = joint.pressures(s, places);
     double most = 0;
     for (std::size_t i = 0; i < p.size(); ++i) {
@@ -88,14 +85,12 @@ TEST(SeatPv, LargestIsThatOfPlaces) {
 }
 
 TEST(SeatPv, RestAndNoContact) {
-  const SeatJoint joint(bearing(tilted_cup()));
-  SeatState near;
-  const SeatJointSolution s = joint.solve(
+  const Joint joint(bearing(tilted_cup()));
+  const JointSolution s = joint.solve(
       {.reaction = {4e4, 2e4, 3e4}, .angular_velocity = Vector3d::Zero()});
-  EXPECT_EQ(joint.pv(s, Vector3d::Zero(), near).total, 0);
-  EXPECT_EQ(joint.pv(s, Vector3d::Zero(), near).largest, 0);
-  SeatState none;
-  EXPECT_TRUE(std::isnan(joint.pv({}, rates[0], none).total));
+  EXPECT_EQ(joint.pv(s, Vector3d::Zero()).total, 0);
+  EXPECT_EQ(joint.pv(s, Vector3d::Zero()).largest, 0);
+  EXPECT_TRUE(std::isnan(joint.pv({}, rates[0]).total));
 }
 
 }  // namespace

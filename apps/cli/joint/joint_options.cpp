@@ -261,8 +261,8 @@ void make_laws(const JointOptions& o, Joint& joint) {
   const contact::ContactConditions conditions = joint.spec.conditions();
   contact::HalfAngleOptions options = joint.spec.half_angle_options;
   if (o.use != JointUse::pressure) {
-    const auto names =
-        half_angle_laws(o.laws, {joint.spec.half_angle_law}, conditions);
+    const auto names = half_angle_laws(
+        o.laws, {joint.spec.without_seat().half_angle_law_name()}, conditions);
     if (o.one_law) refuse_several("--law", names);
     set_limit_angle(o.limit_angle, names, options);
     for (const std::string& name : names) {
@@ -384,9 +384,9 @@ void add_law_options(Program& program, JointOptions& o, Laws half_angle,
 contact::JointContact Joint::contact(contact::FrictionModel friction,
                                      std::size_t law,
                                      std::size_t pressure) const {
-  return {spec.geometry,           pair,
-          std::move(friction),     laws[law].law,
-          pressures[pressure].law, spec.conditions()};
+  return {spec.geometry.without_seat(), pair,
+          std::move(friction),          laws[law].law,
+          pressures[pressure].law,      spec.conditions()};
 }
 
 std::string shared_title(const std::vector<Joint>& joints,

@@ -77,7 +77,7 @@ class Packer {
 // FMU cannot say while it runs.
 void check_joint(const fs::path& file, Resources& all) {
   const contact::JointSpec joint = contact::read_joint(file);
-  all.notes = joint.contact().validity_notes();
+  all.notes = joint.without_seat().contact().validity_notes();
   if (joint.geometry.seat()) {
     all.notes.emplace_back(
         "the [seat] is left out: a contact is taken to go on beyond its rims");

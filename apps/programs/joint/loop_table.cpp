@@ -99,7 +99,8 @@ void warn_of(const contact::FixedPointResult& result) {
 // the inner loop has not finished.
 JointSolution contact_at(const contact::Joint& joint,
                          const contact::Joint::Slip& slip, double f) {
-  const auto& [reaction, rate, axis] = slip;
+  const Vector3d& reaction = slip.reaction;
+  const Vector3d& rate = slip.angular_velocity;
   const double force = contact::magnitude(reaction);
   const double cos_b =
       joint.is_pin() ? 0

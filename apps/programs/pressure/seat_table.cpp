@@ -20,7 +20,7 @@ namespace {
 using contact::Dimension;
 using contact::SeatState;
 
-using Columns = std::vector<contact::Column<SeatState>>;
+using Columns = std::vector<contact::Column<contact::RimContact>>;
 
 // The limits of the materials: the contact is confined here.
 contact::ContactLimits limits_of(const cli::Joint& joint) {

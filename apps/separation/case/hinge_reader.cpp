@@ -110,7 +110,7 @@ HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
     JointContact contact = seat->unbounded().contact();
     return {std::move(joint), position, std::move(contact), std::move(seat)};
   }
-  JointContact contact = joint.contact(made);
+  JointContact contact = joint.without_seat().contact(made);
   return {std::move(joint), position, std::move(contact)};
 }
 

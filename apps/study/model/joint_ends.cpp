@@ -33,7 +33,7 @@ void add(std::span<const contact::Quantity<T>> quantities, const T& of,
 void add(contact::JointSpec joint, const contact::LargestContact& largest,
          const Effort& effort, Result& to) {
   joint.relief = contact::Relief::none();  // not left out here
-  const contact::JointContact contact = joint.contact();
+  const contact::JointContact contact = joint.without_seat().contact();
   const contact::ContactLimits limits = contact.limits();
   to.numbers.emplace(over_limit,
                      largest.peak_pressure / limits.peak_pressure());

@@ -36,6 +36,7 @@ void read_half_angle(const TomlTable& half_angle, JointSpec& joint) {
   HalfAngleOptions& options = joint.half_angle_options;
   joint.half_angle_law =
       half_angle.optional_text("law").value_or(joint.half_angle_law);
+  const std::string name = joint.half_angle_law_name();
   options.limit_half_angle = half_angle.optional_number(
       "limit_half_angle", {0, std::numbers::pi, true, true});
   options.linear_limit =
@@ -45,13 +46,13 @@ void read_half_angle(const TomlTable& half_angle, JointSpec& joint) {
                                                   degrees_per_radian_range);
   if (degrees) options.initial_slope = *degrees * degree;
   try {
-    if (!is_slow(detail::find_half_angle_entry(joint.half_angle_law))) {
+    if (!is_slow(detail::find_half_angle_entry(name))) {
       joint.make_half_angle_law();
     }
   } catch (const Error& error) {
     half_angle.fail("law", error.what());
   }
-  if (!takes_half_angle_options(joint.half_angle_law)) {
+  if (!takes_half_angle_options(name)) {
     for (const char* key :
          {"limit_half_angle", "limit_formula", "degrees_per_radian"}) {
       if (!half_angle.has(key)) continue;
@@ -62,7 +63,7 @@ void read_half_angle(const TomlTable& half_angle, JointSpec& joint) {
                                                   [](const auto& law) {
                                                     return law.takes_options;
                                                   })),
-                          joint.half_angle_law));
+                          name));
     }
   }
 }
@@ -99,12 +100,12 @@ InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto allows_back = [](const auto& law) {
     return law.about.allows_back;
   };
-  if (!half_angle_law_allows(joint.half_angle_law, conditions)) {
+  if (!half_angle_law_allows(joint.half_angle_law_name(), conditions)) {
     table->needs(
         "kind", detail::message("the half-angle law {}; this joint has {}",
                                 listed(detail::names_of(
                                     detail::half_angle_entries(), allows_back)),
-                                joint.half_angle_law));
+                                joint.half_angle_law_name()));
   }
   if (!pressure_law_allows(joint.pressure_law, conditions)) {
     table->needs(

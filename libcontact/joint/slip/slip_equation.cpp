@@ -1,4 +1,4 @@
-#include "libcontact/joint/slip_equation.hpp"
+#include "libcontact/joint/slip/slip_equation.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "libcontact/joint/contact.hpp"
-#include "libcontact/joint/slip_triangle.hpp"
+#include "libcontact/joint/slip/slip_triangle.hpp"
 #include "libcontact/joint/solution.hpp"
 
 namespace contact::detail {

@@ -1,0 +1,78 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/joint/joint.hpp"
+
+/// How the contact of a joint ends. Makers of models lie in later rooms.
+namespace contact::detail {
+
+/// What a contact that ends was found with.
+struct ContactWork {
+  virtual ~ContactWork() = default;
+  virtual std::shared_ptr<const ContactWork> without_grid() const = 0;
+
+  double moment_coefficient = 0;  ///< |M_t|/(rho R)
+};
+
+/// The friction moments of a contact that is not round about n.
+class ContactMoments {
+ public:
+  virtual ~ContactMoments() = default;
+  /// M_t, N m, of dry friction at any |Dw| above 0.
+  virtual Eigen::Vector3d moment(
+      const Eigen::Vector3d& angular_velocity) const = 0;
+};
+
+/// Answers of a Joint whose contact ends. Functions are those of Joint.
+class ContactModel {
+ public:
+  virtual ~ContactModel() = default;
+  virtual JointSolution solve(const Joint::Slip& slip,
+                              const JointSolution& last,
+                              const SolveOptions& options) const = 0;
+  virtual JointSolution solve_contact(
+      const Joint::KnownContact& known) const = 0;
+  virtual RestSolution at_rest(const Joint::Hold& hold,
+                               const RestSolution& last,
+                               const SolveOptions& options) const = 0;
+  /// Null of a contact that is round about n: that of the joint without end.
+  virtual std::shared_ptr<const ContactMoments> moments(
+      const JointSolution& solution) const = 0;
+  virtual std::optional<RimContact> rims(const JointSolution& of) const = 0;
+  virtual ContactPv pv(const JointSolution& solution,
+                       const Eigen::Vector3d& rate) const = 0;
+  virtual std::vector<double> pressures(const JointSolution& solution,
+                                        std::span<const Eigen::Vector3d> places,
+                                        Joint::RimPressure at_rims) const = 0;
+  virtual std::vector<std::string> notes(
+      const JointSolution& solution) const = 0;
+  virtual JointSolution with_grid(const JointSolution& solution,
+                                  const JointSolution& near) const = 0;
+
+  virtual std::shared_ptr<const ContactModel> tabulated(
+      const RimTableOptions& options) const = 0;
+  virtual std::shared_ptr<const ContactModel> tabulated(
+      std::string_view table) const = 0;
+  virtual std::string table() const = 0;
+  virtual std::optional<RimTableCheck> table_check() const = 0;
+};
+
+/// A solution with no numbers.
+JointSolution not_a_number(Status status, const Eigen::Vector3d& reaction);
+
+/// JointSolution::textbook_moment.
+double textbook_moment(const JointContact& contact,
+                       const Eigen::Vector3d& reaction);
+
+/// The moments of a solution at a rim; null of others.
+std::shared_ptr<const ContactMoments> moments_of(const Joint& joint,
+                                                 const JointSolution& solution);
+
+}  // namespace contact::detail

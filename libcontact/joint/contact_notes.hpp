@@ -1,0 +1,34 @@
+#pragma once
+
+#include <set>
+#include <string>
+#include <vector>
+
+#include "libcontact/joint/joint.hpp"
+#include "libcontact/pressure/validity.hpp"
+
+namespace contact {
+
+/// What is to be said of many solutions of a joint, each sentence once: limits
+/// that the largest contact has passed, and what the model of a seat that ends
+/// leaves out.
+class ContactNotes {
+ public:
+  /// Solutions without a number count for nothing but their Joint::notes() in a
+  /// seat that ends.
+  void add(const Joint& joint, const JointSolution& solution);
+  /// Of the same joint.
+  void add(const ContactNotes& more);
+
+  const LargestContact& largest() const { return largest_; }
+  /// Sentences on the contacts at rims, in the order of the alphabet.
+  const std::set<std::string>& of_seat() const { return of_seat_; }
+  /// All sentences.
+  std::vector<std::string> notes(const Joint& joint) const;
+
+ private:
+  LargestContact largest_;
+  std::set<std::string> of_seat_;
+};
+
+}  // namespace contact

@@ -1,0 +1,77 @@
+#include <utility>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/joint/contact_model.hpp"
+#include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/spec.hpp"
+#include "libcontact/seat/seat_model.hpp"
+
+// The contact model that a spec asks for.
+namespace contact {
+namespace {
+
+using detail::needs;
+
+constexpr const char* confined = "a joint in a seat that ends";
+
+void check(const JointSpec& joint) {
+  if (joint.friction &&
+      std::holds_alternative<FrictionStress>(*joint.friction)) {
+    throw Error(needs(confined, "dry or viscous friction, or without_seat"));
+  }
+  for (const std::string& law : {joint.half_angle_law, joint.pressure_law}) {
+    if (!law.empty() && law != "exact") {
+      throw Error(needs(confined, "the laws exact, or without_seat"));
+    }
+  }
+}
+
+// Grids depend on bodies, size and seat alone.
+JointSpec without_friction(JointSpec joint) {
+  joint.name = {};
+  joint.friction = {};
+  joint.relief = Relief::none();
+  joint.half_angle_law = joint.pressure_law = {};
+  joint.half_angle_options = {};
+  return joint;
+}
+
+std::shared_ptr<const detail::ContactModel> model_of(const JointSpec& joint,
+                                                     SharedLaws& laws) {
+  if (!joint.geometry.seat()) return nullptr;
+  check(joint);
+  JointSpec endless = joint.without_seat();
+  endless.half_angle_law = joint.half_angle_law_name();
+  return std::make_shared<const detail::SeatModel>(
+      joint, laws.seat(joint), Joint(endless.contact(laws)));
+}
+
+}  // namespace
+
+std::shared_ptr<const detail::SeatGrids> SharedLaws::seat(
+    const JointSpec& joint) {
+  const JointSpec of = without_friction(joint);
+  for (const Seat& seat : seats_) {
+    if (seat.of == of) return seat.grids;
+  }
+  std::shared_ptr<const detail::SeatGrids> grids;
+  try {
+    grids = std::make_shared<const detail::SeatGrids>(of);
+  } catch (const Error& error) {
+    throw Error(std::string(error.what()) + ", or without_seat");
+  }
+  seats_.push_back({of, grids});
+  return grids;
+}
+
+Joint::Joint(const JointSpec& spec, SharedLaws& laws)
+    : contact_(spec.contact(laws)), model_(model_of(spec, laws)) {}
+
+Joint::Joint(const JointSpec& spec)
+    : Joint([&] {
+        SharedLaws own;
+        return Joint(spec, own);
+      }()) {}
+
+}  // namespace contact

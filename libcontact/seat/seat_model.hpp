@@ -1,0 +1,115 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "libcontact/joint/contact_model.hpp"
+#include "libcontact/seat/contact.hpp"
+#include "libcontact/seat/friction.hpp"
+#include "libcontact/seat/table.hpp"
+
+namespace contact::detail {
+
+/// The grids of a seat that ends: alike for all frictions.
+struct SeatGrids {
+  /// @throws Error as SeatContact
+  explicit SeatGrids(const JointSpec& joint,
+                     const SeatContact::Grid& grid = {});
+
+  SeatContact contact;
+  SeatSums sums;
+};
+
+/// A contact that was found at a rim, with what friction needs of it; of one
+/// that is free the axes alone.
+struct SeatFound final : ContactWork {
+  std::shared_ptr<const ContactWork> without_grid() const override;
+
+  /// From the seat's axes, z its own, to those of the solution.
+  Eigen::Matrix3d to_solution = Eigen::Matrix3d::Identity();
+  bool is_at_rim = false;
+  SeatState state;  ///< in the seat's axes
+  SeatHarmonics harmonics;
+  std::shared_ptr<const SeatBasis> basis;  ///< null without the harmonics
+  int evaluations = 0;
+};
+
+/// A joint (docs/joint.md) whose seat ends: with the force F on the seat, any
+/// vector, and s = 1 if the carrier has the ball, -1 if the body has it,
+///
+///     R = s F + R_t(F, Dw).
+///
+/// R_t is normal to Dw, but not to F, and M_t need not lie in the plane of
+/// both. Friction is dry or viscous.
+///
+/// Accuracy (seat/joint_test.cpp, by another program): docs/seat_joint.md.
+class SeatModel final : public ContactModel {
+ public:
+  /// @param endless  the joint without its seat, with the laws exact
+  SeatModel(const JointSpec& joint, std::shared_ptr<const SeatGrids> grids,
+            Joint endless, std::shared_ptr<const SeatTable> table = nullptr);
+
+  JointSolution solve(const Joint::Slip& slip, const JointSolution& last,
+                      const SolveOptions& options) const override;
+  JointSolution solve_contact(const Joint::KnownContact& known) const override;
+  RestSolution at_rest(const Joint::Hold& hold, const RestSolution& last,
+                       const SolveOptions& options) const override;
+  std::shared_ptr<const ContactMoments> moments(
+      const JointSolution& solution) const override;
+  std::optional<RimContact> rims(const JointSolution& solution) const override;
+  ContactPv pv(const JointSolution& solution,
+               const Eigen::Vector3d& rate) const override;
+  std::vector<double> pressures(const JointSolution& solution,
+                                std::span<const Eigen::Vector3d> places,
+                                Joint::RimPressure at_rims) const override;
+  std::vector<std::string> notes(const JointSolution& solution) const override;
+  JointSolution with_grid(const JointSolution& solution,
+                          const JointSolution& near) const override;
+
+  std::shared_ptr<const ContactModel> tabulated(
+      const RimTableOptions& options) const override;
+  std::shared_ptr<const ContactModel> tabulated(
+      std::string_view table) const override;
+  std::string table() const override;
+  std::optional<RimTableCheck> table_check() const override;
+
+ private:
+  class Moments;
+  struct Pull {
+    Eigen::Vector3d force, moment;
+  };
+  struct Turning;
+  Eigen::Matrix3d to_solution(const Placement* placement) const;
+  bool is_free(const JointSolution& s, const Eigen::Matrix3d& turn) const;
+  JointSolution in_its_axes(JointSolution s, const Placement* placement) const;
+  std::shared_ptr<SeatFound> begin(const JointSolution& last,
+                                   const Placement* placement) const;
+  JointSolution slide(const Turning& turning,
+                      const std::shared_ptr<SeatFound>& found) const;
+  bool find_rest(const Joint::Hold& hold, Eigen::Vector3d direction,
+                 const std::shared_ptr<SeatFound>& found,
+                 RestSolution& rest) const;
+  Eigen::Vector3d start(const Eigen::Vector3d& force) const;
+  bool find_contact(const Eigen::Vector3d& force, SeatFound& found) const;
+  void add_harmonics(SeatFound& found) const;
+  Pull friction(const SeatFound& found, const Eigen::Vector3d& rate) const;
+  JointSolution answer(const Turning& turning, const Pull& pull,
+                       const std::shared_ptr<SeatFound>& found) const;
+  JointSolution no_answer(const Turning& turning, SeatStatus status,
+                          const std::shared_ptr<SeatFound>& found) const;
+  SeatState state_of(const JointSolution& solution) const;
+
+  JointSpec spec_;
+  std::shared_ptr<const SeatGrids> grids_;
+  Joint endless_;
+  double side_;              // s
+  Eigen::Matrix3d to_body_;  // from the seat's axes to those of its body
+  std::shared_ptr<const SeatTable> table_;
+};
+
+}  // namespace contact::detail
