@@ -64,14 +64,16 @@ void raise(std::atomic<double>& largest, double value) {
 }  // namespace
 
 void LargestContacts::add(const double* const* at, double half_angle,
-                          double peak_pressure) {
+                          double peak_pressure, double rim_overlap) {
   Largest& largest = largest_[JointSet::number(at)];
   raise(largest.half_angle, half_angle);
   raise(largest.peak_pressure, peak_pressure);
+  raise(largest.rim_overlap, rim_overlap);
 }
 
 contact::LargestContact LargestContacts::at(std::size_t joint) const {
-  return {largest_[joint].half_angle, largest_[joint].peak_pressure};
+  const Largest& largest = largest_[joint];
+  return {largest.half_angle, largest.peak_pressure, largest.rim_overlap};
 }
 
 void LargestContacts::warn() const {

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "python/rows.hpp"
@@ -56,9 +57,11 @@ class LargestContacts {
   explicit LargestContacts(const JointSet& joints)
       : joints_(joints), largest_(joints.size()) {}
 
-  void add(const double* const* at, double half_angle, double peak_pressure);
+  void add(const double* const* at, double half_angle, double peak_pressure,
+           double rim_overlap = 0);
   void add(const double* const* at, const contact::JointSolution& s) {
-    add(at, s.half_angle, s.peak_pressure);
+    add(at, s.half_angle, s.peak_pressure,
+        contact::rim_overlap(joints_(at).contact(), s));
   }
   /// Gives a ContactWarning for each limit that the first joint of those that
   /// pass any has passed.
@@ -70,6 +73,7 @@ class LargestContacts {
   struct Largest {
     std::atomic<double> half_angle = 0;
     std::atomic<double> peak_pressure = 0;
+    std::atomic<double> rim_overlap = 0;
   };
   contact::LargestContact at(std::size_t joint) const;
 

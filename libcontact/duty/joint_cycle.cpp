@@ -8,6 +8,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/duty/over_cycle.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 
 namespace contact {
 namespace {
@@ -62,8 +63,14 @@ LargestContact JointCycle::largest_contact() const {
            }).solution.*
            of;
   };
-  return {largest_of(&JointSolution::half_angle),
-          largest_of(&JointSolution::peak_pressure)};
+  LargestContact all{largest_of(&JointSolution::half_angle),
+                     largest_of(&JointSolution::peak_pressure)};
+  for (const Instant& row : rows_) {
+    JointSolution in_seat = row.solution;
+    in_seat.normal = to_seat(row) * in_seat.normal;
+    all.add(0, 0, rim_overlap(contact(), in_seat));
+  }
+  return all;
 }
 
 Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {

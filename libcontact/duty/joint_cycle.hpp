@@ -49,8 +49,8 @@ class JointCycle {
   /// The largest value, to 1e-8: the largest of the rows, improved between its
   /// neighbours.
   Instant largest(const Quantity& quantity) const;
-  /// Largest half-angle and peak pressure of the cycle, for ContactLimits;
-  /// each found as by largest().
+  /// Largest half-angle and peak pressure of the cycle, for ContactLimits, each
+  /// found as by largest(), and overlap with rims, of the rows.
   LargestContact largest_contact() const;
   /// Turn from carrier axes to those of the body that has the seat or hole.
   Eigen::Quaterniond to_seat(const Instant& instant) const;

@@ -1,12 +1,30 @@
 #include "libcontact/joint/contact_notes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
+#include <limits>
 
 namespace contact {
 
+double rim_overlap(const JointContact& contact, const JointSolution& solution) {
+  const JointGeometry& geometry = contact.geometry();
+  if (geometry.seat() || !geometry.drawn_seat() ||
+      !(solution.normal_force > 0)) {
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+  const SeatZone& zone = *geometry.drawn_seat();
+  const double side = geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
+  const Eigen::Vector3d load = side * solution.normal;
+  const double direction = std::atan2(axis.cross(load).norm(), axis.dot(load));
+  return -zone.margin(direction, solution.half_angle);
+}
+
 void ContactNotes::add(const Joint& joint, const JointSolution& solution) {
-  largest_.add(solution.half_angle, solution.peak_pressure);
+  largest_.add(solution.half_angle, solution.peak_pressure,
+               rim_overlap(joint.contact(), solution));
   if (joint.is_endless()) return;
   for (std::string& note : joint.notes(solution)) {
     of_seat_.insert(std::move(note));

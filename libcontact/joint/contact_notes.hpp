@@ -9,6 +9,12 @@
 
 namespace contact {
 
+/// How far the contact of a solution goes beyond a rim of the seat that
+/// JointSpec::without_seat() has left out of its joint, rad; at or below 0 it
+/// stays inside, NaN without such a seat or without a half-angle. R and Dw of
+/// the solution were in the axes of the body with the seat.
+double rim_overlap(const JointContact& contact, const JointSolution& solution);
+
 /// What is to be said of many solutions of a joint, each sentence once: limits
 /// that the largest contact has passed, and what the model of a seat that ends
 /// leaves out.

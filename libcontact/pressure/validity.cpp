@@ -86,6 +86,12 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
                          "the seat reaches a rim: its pressures are not "
                          "confined here, and too low",
                          seat->reach() / degree)});
+    // A tenth of a degree: rounding at a rim is no overlap.
+    limits_.push_back(
+        {&LargestContact::rim_overlap, 0.1 * degree, degree, "contact",
+         " that goes {:.3g} deg",
+         " beyond a rim of its seat, where its load points: it is answered "
+         "without the seat, its pressures are too low"});
   }
   if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
   if (geometry.kind() == JointKind::pin) {

@@ -9,20 +9,25 @@
 
 namespace contact {
 
-/// The largest half-angle and peak of some contacts.
+/// The largest half-angle, peak and overlap with rims of some contacts.
 struct LargestContact {
   double half_angle = 0;     ///< theta0, rad
   double peak_pressure = 0;  ///< Pa
+  /// How far a contact goes beyond a rim of the seat that was left out,
+  /// rim_overlap() of its solution, rad.
+  double rim_overlap = 0;
 
   /// NaN is not larger than anything.
-  void add(double other_half_angle, double other_peak_pressure) {
+  void add(double other_half_angle, double other_peak_pressure,
+           double other_rim_overlap = 0) {
     if (other_half_angle > half_angle) half_angle = other_half_angle;
     if (other_peak_pressure > peak_pressure) {
       peak_pressure = other_peak_pressure;
     }
+    if (other_rim_overlap > rim_overlap) rim_overlap = other_rim_overlap;
   }
   void add(const LargestContact& other) {
-    add(other.half_angle, other.peak_pressure);
+    add(other.half_angle, other.peak_pressure, other.rim_overlap);
   }
 };
 
@@ -40,7 +45,8 @@ struct LargestContact {
 ///   whose limit is FittedLaw's. Passed by more than what that law may be wrong
 ///   by, 0.1 %, it is noted,
 /// - the half-angle at which a contact in the middle of a seat that ends
-///   reaches a rim,
+///   reaches a rim, and any contact that goes beyond a rim where its load
+///   points,
 /// - of pins the half-angle at which the contact is as wide as the pin is long:
 ///   what lies beneath yields along the axis too, unless it is a liner thinner
 ///   than half of that.

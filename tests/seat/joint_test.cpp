@@ -13,6 +13,7 @@
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/derivatives.hpp"
 #include "libcontact/joint/step.hpp"
 #include "libcontact/seat/seat_model.hpp"
@@ -20,6 +21,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
+#include "support/random_slip.hpp"
 #include "support/reference_table.hpp"
 #include "support/seat.hpp"
 
@@ -338,6 +340,36 @@ TEST(JointInSeat, TurnsTheLoadWithoutAJump) {
       step = std::abs(deg - limit) < 3 ? 0.1 : 2;
     }
     EXPECT_GT(found, 40) << name;
+  }
+}
+
+// Whoever answers without the seat of the file can say where that is wrong: as
+// far as the contact of the seat is not free.
+TEST(JointInSeat, WithoutItAnOverlapIsKnown) {
+  for (const char* name : {"hip_cup", "ball_stud"}) {
+    JointSpec spec =
+        read_joint(CONTACT_DATA_DIR "/joints/" + std::string(name) + ".toml");
+    spec.half_angle_law = "exact";
+    const Joint confined(spec), endless(spec.without_seat());
+    int over = 0;
+    RandomSlips random(5);
+    for (int i = 0; i < 60; ++i) {
+      const Joint::Slip slip = {.reaction = 1000 * random.direction(),
+                                .angular_velocity = {0.3, -0.5, 0.4}};
+      const JointSolution s = endless.solve(slip);
+      const double overlap = rim_overlap(endless.contact(), s);
+      const JointSolution in_seat = confined.solve(slip);
+      over += overlap > 0;
+      // By friction a contact that would lie at a rim may be free.
+      EXPECT_EQ(overlap <= 0, in_seat.half_angle == s.half_angle)
+          << name << " " << i;
+      LargestContact largest;
+      largest.add(0, 0, overlap);
+      EXPECT_EQ(endless.contact().limits().notes(largest).size(),
+                overlap > 0.1 * degree ? 1U : 0U);
+    }
+    EXPECT_GT(over, 10) << name;
+    EXPECT_LT(over, 60) << name;
   }
 }
 

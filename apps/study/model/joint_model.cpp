@@ -6,6 +6,7 @@
 
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/toml_form.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "study/model/joint_ends.hpp"
@@ -160,7 +161,11 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   std::vector<std::string> warnings;
   if (effort.remarks) {
     warnings = contact.validity_notes();
-    std::ranges::move(limits.notes({s.half_angle, s.peak_pressure}),
+    // beta counts from z.
+    const auto& seat = contact.geometry().drawn_seat();
+    const double overlap =
+        seat && is_about_z(*seat) ? contact::rim_overlap(contact, s) : 0;
+    std::ranges::move(limits.notes({s.half_angle, s.peak_pressure, overlap}),
                       std::back_inserter(warnings));
   }
   Result result{{},
