@@ -117,7 +117,8 @@ hinge-joint --kernel prints it: a text.
 language: "c", "cuda", "glsl", "jax", "js", "numpy" or "st".
 name: of the function.
 error: the largest relative error of the moment, which is measured.
-reaction: least and largest load, N; of a pin without adhesion none is needed.
+reaction: least and largest load, N, of a ball, and of a pin with adhesion;
+    None: load parameters of 1e-3 to 10.
 Raises Error for joints that have no such law, and an error out of reach.)";
 
 }  // namespace

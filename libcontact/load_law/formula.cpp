@@ -41,11 +41,12 @@ std::string word(const std::smatch& found, const Constants& constants,
   if (c != constants.polynomials.end()) {
     return polynomial(c->second, found[3].str(), in);
   }
-  const std::string_view function = name == "sqrt"  ? in.sqrt
-                                    : name == "log" ? in.log
-                                    : name == "abs" ? in.abs
-                                    : name == "exp" ? in.exp
-                                                    : name;
+  const std::string_view function = name == "sqrt"   ? in.sqrt
+                                    : name == "log"  ? in.log
+                                    : name == "abs"  ? in.abs
+                                    : name == "exp"  ? in.exp
+                                    : name == "poly" ? "NAME_poly"
+                                                     : std::string_view(name);
   return std::string(function) +
          (found[3].matched ? '(' + found[3].str() + ')' : "");
 }
@@ -68,7 +69,7 @@ std::string expression(const std::string& text, const Constants& constants,
 std::string printed(std::string_view formula, const Constants& constants,
                     const Notation& in, std::string_view indent) {
   static const std::regex statement(
-      R"(\s*(?:Real ([^;]+);|for \(int i = 0; i < (\w+); \+\+i\) \{|(\})|)"
+      R"(\s*(?:Real ([^;]+);|for \(int (\w) = 0; \w < (\w+); \+\+\w\) \{|(\})|)"
       R"(if \(([^;]+)\) break;|(\w+) = ([^;?]+)(?:\? ([^;:]+) : ([^;]+))?;))");
   const auto of = [&](const auto& part) {
     return expression(part.str(), constants, in);
@@ -80,20 +81,21 @@ std::string printed(std::string_view formula, const Constants& constants,
        i != end; ++i) {
     const std::smatch& part = *i;
     std::string line;
-    if (part[3].matched) margin.resize(margin.size() - indent.size());
+    if (part[4].matched) margin.resize(margin.size() - indent.size());
     if (part[1].matched) line = filled_in(in.declared, part[1].str());
     if (part[2].matched) {
-      line = filled_in(in.loop, constants.numbers.at(part[2].str()));
+      line = filled_in(in.loop, part[2].str(),
+                       constants.numbers.at(part[3].str()));
     }
-    if (part[3].matched) line = in.end;
-    if (part[4].matched) line = filled_in(in.leave, of(part[4]));
-    if (part[5].matched) {
-      std::string value = of(part[6]);
-      if (part[7].matched) {
+    if (part[4].matched) line = in.end;
+    if (part[5].matched) line = filled_in(in.leave, of(part[5]));
+    if (part[6].matched) {
+      std::string value = of(part[7]);
+      if (part[8].matched) {
         value.pop_back();  // the space before ?
-        value = filled_in(in.choice, value, of(part[7]), of(part[8]));
+        value = filled_in(in.choice, value, of(part[8]), of(part[9]));
       }
-      line = filled_in(in.assigned, part[5].str(), value);
+      line = filled_in(in.assigned, part[6].str(), value);
     }
     if (!line.empty()) out += margin + line + '\n';
     if (part[2].matched) margin += indent;

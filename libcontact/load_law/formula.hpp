@@ -23,8 +23,8 @@ struct Notation {
   std::string_view assigned;   ///< name, expression
   std::string_view choice;     ///< condition, if so, else
   std::string_view component;  ///< vector, index
-  std::string_view loop;       ///< count
-  std::string_view end;        ///< of a loop
+  std::string_view loop;       ///< variable, count
+  std::string_view end;        ///< closes a loop
   std::string_view leave;      ///< condition; "": all rounds are run
   std::string_view sqrt, log, abs, exp;
 };

@@ -9,25 +9,26 @@
 namespace contact::detail {
 namespace {
 
-constexpr Notation c_notation = {.whole = "{0}",
-                                 .real = "(KREAL){0}",
-                                 .declared = "KREAL {0};",
-                                 .assigned = "{0} = {1};",
-                                 .choice = "{0} ? {1} : {2}",
-                                 .component = "{0}[{1}]",
-                                 .loop = "for (int i = 0; i < {0}; ++i) {{",
-                                 .end = "}",
-                                 .leave = "if ({0}) break;",
-                                 .sqrt = "sqrt",
-                                 .log = "log",
-                                 .abs = "fabs",
-                                 .exp = "exp"};
+constexpr Notation c_notation = {
+    .whole = "{0}",
+    .real = "(KREAL){0}",
+    .declared = "KREAL {0};",
+    .assigned = "{0} = {1};",
+    .choice = "{0} ? {1} : {2}",
+    .component = "{0}[{1}]",
+    .loop = "for (int {0} = 0; {0} < {1}; ++{0}) {{",
+    .end = "}",
+    .leave = "if ({0}) break;",
+    .sqrt = "sqrt",
+    .log = "log",
+    .abs = "fabs",
+    .exp = "exp"};
 
 constexpr Notation js_notation = [] {
   Notation js = c_notation;
   js.real = "{0}";
   js.declared = "let {0};";
-  js.loop = "for (let i = 0; i < {0}; ++i) {{";
+  js.loop = "for (let {0} = 0; {0} < {1}; ++{0}) {{";
   js.sqrt = "Math.sqrt";
   js.log = "Math.log";
   js.abs = "Math.abs";
@@ -50,7 +51,7 @@ constexpr Notation python_notation = {.whole = "{0}",
                                       .assigned = "{0} = {1}",
                                       .choice = "xp.where({0}, {1}, {2})",
                                       .component = "{0}[..., {1}]",
-                                      .loop = "for _ in range({0}):",
+                                      .loop = "for {0} in range({1}):",
                                       .end = "",
                                       .leave = "",
                                       .sqrt = "xp.sqrt",
@@ -86,8 +87,23 @@ constexpr Language c = {
 #define KDEF static inline
 #endif
 )",
+    .table = R"(KDEF KREAL NAME_poly(KREAL first, KREAL count, KREAL x) {
+  static const KREAL c[] = {TABLE};
+  KREAL sum = 0;
+  for (int i = (int)count - 1; i >= 0; --i) sum = sum * x + c[(int)first + i];
+  return sum;
+}
+)",
     .pin = {"KDEF KREAL NAME(KREAL load, KREAL f, KREAL *dM) {",
             "  if (dM) *dM = slope;\n  return moment;\n}"},
+    .ball = {"KDEF int NAME(const KREAL R[3], const KREAL w[3], KREAL f, "
+             "KREAL M[3],\n                KREAL *normal_force) {",
+             "  M[0] = M0;\n  M[1] = M1;\n  M[2] = M2;\n"
+             "  if (normal_force) *normal_force = normal;\n"
+             "  return (int)flag;\n}"},
+    .hold = {"KDEF KREAL NAME_hold(const KREAL R[3], const KREAL m[3], "
+             "KREAL f) {",
+             "  return used;\n}"},
     .was_run = true};
 
 constexpr Language cuda = [] {
@@ -104,14 +120,25 @@ constexpr Language cuda = [] {
   return language;
 }();
 
-constexpr Language js = {.name = "js",
-                         .comment = "// ",
-                         .indent = "  ",
-                         .notation = js_notation,
-                         .prelude = "",
-                         .pin = {"export function NAME(load, f = F0) {",
-                                 "  return [moment, slope];\n}"},
-                         .was_run = true};
+constexpr Language js = {
+    .name = "js",
+    .comment = "// ",
+    .indent = "  ",
+    .notation = js_notation,
+    .prelude = "",
+    .table = R"(const NAME_table = [TABLE];
+function NAME_poly(first, count, x) {
+  let sum = 0;
+  for (let i = count - 1; i >= 0; --i) sum = sum * x + NAME_table[first + i];
+  return sum;
+}
+)",
+    .pin = {"export function NAME(load, f = F0) {",
+            "  return [moment, slope];\n}"},
+    .ball = {"export function NAME(R, w, f = F0) {",
+             "  return [[M0, M1, M2], normal, flag];\n}"},
+    .hold = {"export function NAME_hold(R, m, f = F0) {", "  return used;\n}"},
+    .was_run = true};
 
 constexpr Language numpy = {
     .name = "numpy",
@@ -119,7 +146,22 @@ constexpr Language numpy = {
     .indent = "    ",
     .notation = python_notation,
     .prelude = "import numpy as xp\n\n\n",
+    .table = R"(NAME_table = xp.array([TABLE])
+
+
+def NAME_poly(first, count, x):
+    at = xp.asarray(first).astype(int)
+    total = 0.0
+    for i in range(int(count) - 1, -1, -1):
+        total = total * x + NAME_table[at + i]
+    return total
+
+
+)",
     .pin = {"def NAME(load, f=F0):", "    return moment, slope"},
+    .ball = {"def NAME(R, w, f=F0):",
+             "    return xp.stack([M0, M1, M2], -1), normal, flag\n\n"},
+    .hold = {"def NAME_hold(R, m, f=F0):", "    return used"},
     .was_run = true};
 
 constexpr Language jax = [] {
@@ -136,8 +178,22 @@ constexpr Language glsl = {
     .indent = "  ",
     .notation = glsl_notation,
     .prelude = "",
+    .table = R"(const float NAME_table[] = float[](TABLE);
+float NAME_poly(float first, float count, float x) {
+  float sum = 0.0;
+  for (int i = int(count) - 1; i >= 0; --i)
+    sum = sum * x + NAME_table[int(first) + i];
+  return sum;
+}
+)",
     .pin = {"float NAME(float load, float f, out float dM) {",
-            "  dM = slope;\n  return moment;\n}"}};
+            "  dM = slope;\n  return moment;\n}"},
+    .ball = {"int NAME(vec3 R, vec3 w, float f, out vec3 M, "
+             "out float normal_force) {",
+             "  M = vec3(M0, M1, M2);\n  normal_force = normal;\n"
+             "  return int(flag);\n}"},
+    .hold = {"float NAME_hold(vec3 R, vec3 m, float f) {",
+             "  return used;\n}"}};
 
 constexpr Language st = {
     .name = "st",
@@ -145,6 +201,7 @@ constexpr Language st = {
     .indent = "  ",
     .notation = st_notation,
     .prelude = "",
+    .table = "",
     .pin = {"FUNCTION NAME : LREAL\n  VAR_INPUT load, f : LREAL; END_VAR\n"
             "  VAR_OUTPUT dM : LREAL; END_VAR",
             "  dM := slope;\n  NAME := moment;\nEND_FUNCTION"}};

@@ -13,15 +13,18 @@ struct Function {
   std::string_view close;
 };
 
-/// A language that load laws are written in. NAME and F0 stand for the
-/// name and the coefficient of friction.
+/// A language that load laws are written in. NAME, F0 and TABLE stand for the
+/// name, the coefficient of friction and the table of coefficients.
 struct Language {
   std::string_view name;
-  std::string_view comment;  ///< what a line of it begins with
+  std::string_view comment;  ///< beginning of its lines
   std::string_view indent;
   Notation notation;
   std::string_view prelude;
+  std::string_view table;  ///< defines NAME_poly; "": there are no balls
   Function pin;
+  Function ball = {};
+  Function hold = {};
   bool was_run = false;  ///< whether its text is run by our tests
 };
 

@@ -40,9 +40,8 @@ struct PinLoadLaw {
 /// @param loads  least and largest R, N; none: ten decades, which the law does
 ///               not need to know, or with adhesion four, which it does
 /// @return errors are those against solve() at 2000 loads; another comparison
-///         finds up to 1.2 times as much (load_law/load_law_test.cpp)
-/// @throws Error for other joints, and for an error that 12 numbers do not
-/// reach
+///         finds up to 1.2 times as much (tests/python/test_load_law.py)
+/// @throws Error for other joints, and an error that 12 numbers do not reach
 PinLoadLaw pin_load_law(
     const Joint& pin, double error,
     const std::optional<std::pair<double, double>>& loads = {});
@@ -55,18 +54,21 @@ struct LoadLawText {
 };
 struct LoadLawOptions {
   std::string language = "c";     ///< c, cuda, glsl, jax, js, numpy or st
-  std::string name = "friction";  ///< of the function
+  std::string name = "friction";  ///< the function's
   double error = 1e-4;            ///< the largest that is wanted, above 0
-  /// R, N: of a ball the loads that it is for, of a pin as pin_load_law().
+  /// R, N: of a ball the loads that it is for, without them load parameters of
+  /// 1e-3 to 10; of a pin as pin_load_law().
   std::optional<std::pair<double, double>> loads = {};
   std::string joint = "";  ///< name of the joint, for the comment
 };
 /// Writes the law: a comment with units, frame, range, errors and what is left
-/// out, and the function. Of a ball there is a second one, NAME_hold(), for the
-/// joint at rest.
-/// @throws Error as pin_load_law(), for a language or name that is none, and
-/// for
-///         st with a ball
+/// out, and the function. Of a ball it has M_t, R_n and a flag by R and Dw, and
+/// there is a second one, NAME_hold(): the utilisation of at_rest(), to 2e-5.
+/// Balls have a clearance and dry friction without adhesion.
+/// @return errors of a ball are those of the vector M_t in 100,000 states, from
+///         5e-3 to 1e-6 (tests/python/test_load_law.py)
+/// @throws Error as pin_load_law(), for a language or name that is none, for
+///         other balls, and for the language st with a ball
 LoadLawText load_law_text(const Joint& joint, const LoadLawOptions& options);
 
 }  // namespace contact

@@ -1,7 +1,12 @@
 #include "libcontact/load_law/minimax.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/QR>
 #include <limits>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace contact::detail {
 
@@ -29,6 +34,19 @@ MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
     weight /= weight.mean();
   }
   return best;
+}
+
+void check_loads(double low, double high) {
+  if (low > 0 && low < high) return;
+  throw Error(must_be(message("the loads {} and {} N of a load law", low, high),
+                      "above 0, the first one less"));
+}
+
+Error out_of_reach(double wanted, double best) {
+  return Error(must_be(
+      fmt::format("an error of {} of the load law", wanted),
+      fmt::format("at least {:.2g}, which is what all its numbers reach",
+                  best)));
 }
 
 }  // namespace contact::detail

@@ -2,6 +2,8 @@
 
 #include <Eigen/Core>
 
+#include "libcontact/base/error.hpp"
+
 namespace contact::detail {
 
 struct MinimaxFit {
@@ -15,5 +17,10 @@ struct MinimaxFit {
 ///                     components of one residual
 MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
                        int rows_of_one = 1, int rounds = 15);
+
+/// @throws Error unless 0 < low < high
+void check_loads(double low, double high);
+/// A law with all its numbers has errors of `best`.
+Error out_of_reach(double wanted, double best);
 
 }  // namespace contact::detail

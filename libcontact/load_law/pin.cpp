@@ -198,12 +198,7 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
   const JointContact& contact = pin.contact();
   PinLoadLaw law;
   law.loads = loads.value_or(usual_loads(contact));
-  if (!(law.loads.first > 0 && law.loads.first < law.loads.second)) {
-    throw Error(
-        detail::must_be(fmt::format("the loads {} and {} N of a load law",
-                                    law.loads.first, law.loads.second),
-                        "above 0, the first one less"));
-  }
+  detail::check_loads(law.loads.first, law.loads.second);
   law.radius = contact.geometry().radius();
   law.form = adhesion_of(contact) > 0     ? PinLoadLaw::Form::adhesion
              : contact.has_interference() ? PinLoadLaw::Form::interference
@@ -216,9 +211,7 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
     if (law.error <= error) return law;
     best = std::min(best, law.error);
   }
-  throw Error(detail::must_be(
-      fmt::format("an error of {} of the load law", error),
-      fmt::format("at least {:.2g}, which 12 numbers reach", best)));
+  throw detail::out_of_reach(error, best);
 }
 
 }  // namespace contact

@@ -5,6 +5,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/load_law/ball.hpp"
 #include "libcontact/load_law/languages.hpp"
 #include "libcontact/load_law/load_law.hpp"
 #include "libcontact/load_law/pin_formula.hpp"
@@ -95,23 +96,76 @@ std::string pin_comment(const Joint& pin, const PinLoadLaw& law) {
       law.numbers.size(), f);
 }
 
+std::string ball_comment(const Joint& ball, const detail::BallLoadLaw& of) {
+  return fmt::format(
+      "Largest error over |M|, vectors: {:.1e} in double, {:.1e} in float, at "
+      "reactions from {:.6g}\nto {:.6g} N in all directions. {} numbers.\n"
+      "R: reaction on the body, N; w: angular velocity of the body against the "
+      "carrier,\nrad/s; both in one frame. The {} has the ball.\nf: "
+      "coefficient of "
+      "friction, at most {}; errors are those with {}, the joint's.\n"
+      "M: friction moment on the body about the centre, N m; normal force, N. "
+      "The flag is 1 for\nreactions outside, at which M is proportional to R; "
+      "2 for R = 0 or w = 0, where M = 0;\n4 for NaN; else 0.\n"
+      "At rest _hold() says which share of what it holds friction has to "
+      "supply, with m the\nmoment on the body, N m: it rests up to 1.\n"
+      "Left out: rims and relief of the seat, grease, temperature.\n",
+      of.error, of.float_error, of.law.low, of.law.high, of.law.table.size(),
+      of.law.side > 0 ? "carrier" : "body", detail::most_friction(ball),
+      coefficient_of(ball));
+}
+
+void check_loops(const Language& in) {
+  if (!in.table.empty()) return;
+  throw Error(detail::must_be(
+      fmt::format("the language {} of a ball's load law", in.name),
+      "one that has loops and vectors: c, cuda, glsl, jax, js or numpy"));
+}
+
+std::string ball_code(const detail::BallLaw<double>& law, const Language& in) {
+  std::string numbers;
+  for (const double x : law.table) {
+    numbers += (numbers.empty() ? "" : ", ") + detail::real_text(x);
+  }
+  const detail::Constants constants = detail::ball_constants(law);
+  return detail::replaced(std::string(in.table), "TABLE", numbers) +
+         detail::written(detail::ball_friction_formula, constants, in,
+                         in.ball) +
+         detail::written(detail::ball_hold_formula, constants, in, in.hold);
+}
+
+std::string pin_code(const Joint& pin, const PinLoadLaw& law,
+                     const Language& in) {
+  const std::string open = has_adhesion(pin) ? without_coefficient(in.pin.open)
+                                             : std::string(in.pin.open);
+  return detail::written(detail::pin_formula(law), detail::pin_constants(law),
+                         in, {open, in.pin.close});
+}
+
 }  // namespace
 
 LoadLawText load_law_text(const Joint& joint, const LoadLawOptions& o) {
   const Language& in = detail::language(o.language);
   check_name(o.name);
-  const PinLoadLaw law = pin_load_law(joint, o.error, o.loads);
-  const std::string open = has_adhesion(joint)
-                               ? without_coefficient(in.pin.open)
-                               : std::string(in.pin.open);
-  const std::string code =
-      std::string(in.prelude) + detail::written(detail::pin_formula(law),
-                                                detail::pin_constants(law), in,
-                                                {open, in.pin.close});
-  return {comment(heading(joint, o, in) + pin_comment(joint, law), in) +
-              detail::replaced(detail::replaced(code, "NAME", o.name), "F0",
-                               detail::real_text(coefficient_of(joint))),
-          law.error, law.float_error};
+  LoadLawText law;
+  std::string about = heading(joint, o, in);
+  std::string code(in.prelude);
+  if (joint.is_pin()) {
+    const PinLoadLaw pin = pin_load_law(joint, o.error, o.loads);
+    law = {"", pin.error, pin.float_error};
+    about += pin_comment(joint, pin);
+    code += pin_code(joint, pin, in);
+  } else {
+    check_loops(in);
+    const detail::BallLoadLaw ball = detail::ball_load_law(joint, o);
+    law = {"", ball.error, ball.float_error};
+    about += ball_comment(joint, ball);
+    code += ball_code(ball.law, in);
+  }
+  const std::string f0 = detail::real_text(coefficient_of(joint));
+  law.text = comment(about, in) +
+             detail::replaced(detail::replaced(code, "F0", f0), "NAME", o.name);
+  return law;
 }
 
 }  // namespace contact

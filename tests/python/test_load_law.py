@@ -29,10 +29,16 @@ def joint_of(name):
     return libcontact.Joint.from_file(source / f"data/{place}/{name}.toml")
 
 
+@functools.cache
+def kernel_of(name, language="c", error=1e-4):
+    return joint_of(name).kernel(language, error=error)
+
+
 def claims(text):
     """Errors in double and in float, least and largest load."""
     found = re.search(
-        r"over M: (\S+) in double, (\S+) in float.* from (\S+)\W+to (\S+) N", text, re.S)  # fmt: skip
+        r"over \|?M.*?: (\S+) in double, (\S+) in float.* from (\S+)\W+to (\S+) N",
+        text, re.S)  # fmt: skip
     return [float(number) for number in found.groups()]
 
 
@@ -40,6 +46,15 @@ batches = {
     "pin": """
 void batch(long n, const KREAL *R, const KREAL *f, KREAL *M, KREAL *dM) {
   for (long i = 0; i < n; ++i) M[i] = friction(R[i], f[i], dM + i);
+}
+""",
+    "ball": """
+void batch(long n, const KREAL *R, const KREAL *w, const KREAL *f, KREAL *M,
+           KREAL *out) {
+  for (long i = 0; i < n; ++i) {
+    out[3 * i + 1] = friction(R + 3 * i, w + 3 * i, *f, M + 3 * i, out + 3 * i);
+    out[3 * i + 2] = friction_hold(R + 3 * i, w + 3 * i, *f);
+  }
 }
 """,
 }
@@ -50,8 +65,7 @@ def compiled(text, kind, real="double"):
     """The text as C11, without a warning; as C++17 too."""
     with tempfile.TemporaryDirectory() as place:
         file = Path(place) / "law.c"
-        export = 'extern "C"\n' if kind is None else ""
-        file.write_text(f"#define KREAL {real}\n{text}{export}{batches[kind]}")
+        file.write_text(f"#define KREAL {real}\n{text}{batches[kind]}")
         flags = ["-O2", "-Wall", "-Wextra", "-pedantic", "-Werror"]
         cc, cxx = os.environ.get("CC", "cc"), os.environ.get("CXX", "c++")
         subprocess.check_call(
@@ -73,8 +87,21 @@ def pin_in_c(text, load, f, real="double"):
     return [x.astype(float) for x in out]
 
 
+def ball_in_c(text, R, w, f, real="double"):
+    """M; normal force, flag, and the share of _hold() with w for the moment."""
+    kind = np.float64 if real == "double" else np.float32
+    R, w, f = (np.ascontiguousarray(x, kind) for x in (R, w, f))
+    R, w = np.broadcast_arrays(R, w)
+    given = [np.ascontiguousarray(x) for x in (R, w, f)]
+    out = [np.empty_like(given[0]), np.empty_like(given[0])]
+    compiled(text, "ball", real).batch(
+        ctypes.c_long(R.size // 3), *(x.ctypes.data_as(ctypes.c_void_p) for x in given + out))  # fmt: skip
+    M, rest = (x.astype(float) for x in out)
+    return M, rest[..., 0], rest[..., 1], rest[..., 2]
+
+
 def in_node(text, call, values):
-    """What JavaScript has for each of some values."""
+    """The answers of JavaScript to some values."""
     with tempfile.TemporaryDirectory() as place:
         (Path(place) / "law.mjs").write_text(text)
         (Path(place) / "run.mjs").write_text(
@@ -91,6 +118,26 @@ def in_numpy(text):
     scope = {}
     exec(text, scope)
     return scope
+
+
+def off(M, exact):
+    """The largest error of vectors."""
+    return np.max(np.linalg.norm(M - exact, axis=-1) / np.linalg.norm(exact, axis=-1))
+
+
+def ball_states(low, high, number=count):
+    """Reactions and rates in random directions, a third of them close."""
+    random = np.random.default_rng(75)
+    R = random.normal(size=(number, 3))
+    low, high = low * (1 + 1e-5), high * (1 - 1e-5)  # as they are printed
+    R *= (np.exp(random.uniform(np.log(low), np.log(high), number)) / np.linalg.norm(R, axis=1))[:, None]
+    across = np.cross(R, random.normal(size=(number, 3)))
+    b = random.uniform(0, np.pi, number)
+    close = random.random(number) < 0.3
+    b[close] = np.exp(random.uniform(np.log(1e-4), np.log(3), close.sum()))
+    unit = [x / np.linalg.norm(x, axis=1)[:, None] for x in (R, across)]
+    w = unit[0] * np.cos(b)[:, None] + unit[1] * np.sin(b)[:, None]
+    return R, w * np.exp(random.uniform(-9, 3, number))[:, None]
 
 
 def relative(a, b):
@@ -142,7 +189,7 @@ class Pins(unittest.TestCase):
                 off = np.abs(difference - slope) / (moment / load)
                 self.assertLess(np.quantile(off, 0.999), 1e-6)
 
-    # Of the sheet that the law comes from: what the joint itself had.
+    # The joint's own moments, of version 0.2.0.
     def test_have_the_moments_of_the_table(self):
         with open(folder / "pins.csv") as file:
             rows = np.genfromtxt(file, delimiter=",", dtype=None, names=True,
@@ -197,7 +244,7 @@ class Pins(unittest.TestCase):
             self.assertNotIn("NAME", text)
             self.assertEqual("do not run" in text, language not in ("c", "js", "numpy"))
 
-    # Of a pin of another size than the page's numbers are from.
+    # A pin of another size than that of the page's numbers.
     def test_pairs_of_the_page(self):
         page = (source / "libcontact/docs/equivalent.md").read_text()
         pairs = re.findall(r"^\| steel [^|]*\|(.*, 0\..*)\|$", page, re.M)
@@ -233,6 +280,123 @@ class Pins(unittest.TestCase):
             ({"friction.coefficient": 0.0}, {}, "with a coefficient above 0"),
         ):  # fmt: skip
             joint = joint_of("pin_joint").replace(keys)
+            with self.assertRaisesRegex(libcontact.Error, message):
+                joint.kernel(**arguments)
+
+
+class Balls(unittest.TestCase):
+    def test_are_as_exact_as_they_say(self):
+        for name, error in (
+            ("hip_cocr_uhmwpe", 6e-3), ("hip_cocr_uhmwpe", 1e-4), ("hip_cocr_uhmwpe", 1e-6),
+            ("wheel_ball", 2e-4), ("wheel_ball", 1e-6), ("ball_stud", 2e-4),
+            ("spherical_plain_bearing", 1e-6),
+        ):  # fmt: skip
+            with self.subTest(name=name, error=error):
+                joint = joint_of(name)
+                text = kernel_of(name, error=error)
+                double, single, low, high = claims(text)
+                self.assertLessEqual(double, error * 1.05)
+                R, w = ball_states(low, high)
+                s = joint.solve(R, w, threads=2)
+                M, N, flag, _ = ball_in_c(text, R, w, joint.coefficient)
+                self.assertLess(off(M, s.friction_moment), 1.2 * double)
+                self.assertLess(relative(N, s.normal_force), max(double, 1e-4))
+                self.assertFalse(flag.any())
+                self.assertLess(np.max(np.sum(M * w, axis=1)), 0)
+                M32, *_ = ball_in_c(text, R, w, joint.coefficient, "float")
+                self.assertLess(off(M32, s.friction_moment), 1.5 * single)  # roundings
+                # Turned back it resists the same, in a mirror.
+                k = np.cross(w, R) / np.linalg.norm(np.cross(w, R), axis=1)[:, None]
+                mirrored = 2 * np.sum(M * k, axis=1)[:, None] * k - M
+                back, *_ = ball_in_c(text, R, -w, joint.coefficient)
+                self.assertLess(off(back, mirrored), 1e-9)
+
+    def test_take_another_coefficient(self):
+        text = kernel_of("wheel_ball", error=1e-6)
+        _, _, low, high = claims(text)
+        R, w = ball_states(low, high, 20_000)
+        slippery = joint_of("wheel_ball").replace({"friction.coefficient": 0.5})
+        M, *_ = ball_in_c(text, R, w, 0.5)
+        self.assertLess(off(M, slippery.solve(R, w).friction_moment), 1e-6)
+
+    def test_have_the_moments_of_the_table(self):
+        with open(folder / "balls.csv") as file:
+            rows = np.genfromtxt(file, delimiter=",", dtype=None, names=True,
+                                 encoding="utf8")  # fmt: skip
+        self.assertEqual(len(rows), 20)
+        for name, share in (
+            ("hip_cocr_uhmwpe", (0.229068015303, 0.608166834066)),
+            ("wheel_ball", (0.183277296419, 0.519408708057)),
+        ):  # fmt: skip
+            joint = joint_of(name)
+            of = rows[rows["joint"] == name]
+            b = np.radians(of["b_deg"])
+            R = np.stack([0 * b, 0 * b, of["R_N"]], -1)
+            w = np.stack([np.sin(b), 0 * b, np.cos(b)], -1)
+            text = kernel_of(name, error=1e-6)
+            M, N, flag, _ = ball_in_c(text, R, w, joint.coefficient)
+            self.assertLess(off(M, np.stack([of[f"M_{x}_N_m"] for x in "xyz"], -1)), 1e-6)
+            self.assertLess(relative(N, of["R_n_N"]), 1e-6)
+            self.assertFalse(flag.any())
+            R = np.array([[0, 0, 2000.0], [0, 0, 50]])
+            moment = np.array([[0.3, 0, 0.1], [0.002, 0, 0.004]])
+            *_, used = ball_in_c(text, R, moment, joint.coefficient)
+            self.assertLess(relative(used, share), 2e-5)
+
+    def test_rest_as_the_joint(self):
+        for name in ("hip_cocr_uhmwpe", "wheel_ball"):
+            joint = joint_of(name)
+            text = kernel_of(name, error=1e-6)
+            _, _, low, high = claims(text)
+            R, moment = ball_states(low, high, 2000)
+            *_, used = ball_in_c(text, R, moment, joint.coefficient)
+            exact = joint.at_rest(R, moment).utilisation
+            self.assertLess(relative(used, exact), 2e-5)
+
+    def test_flags(self):
+        text = kernel_of("hip_cocr_uhmwpe", error=1e-3)
+        _, _, low, high = claims(text)
+        w = np.array([1.0, 2, 3])
+        for R, rate, flag in (
+            ([0, 0, 100.0], w, 0), ([0, 0, low / 2], w, 1), ([0, 0, 2 * high], w, 1),
+            ([0, 0, 0.0], w, 2), ([0, 0, 100.0], 0 * w, 2), ([0, 0, np.nan], w, 4),
+            ([0, 0, 100.0], w * np.nan, 4),
+        ):  # fmt: skip
+            M, _, got, _ = ball_in_c(text, np.array(R), rate, 0.0587)
+            self.assertEqual(got, flag)
+            self.assertEqual(np.isnan(M).all(), flag == 4)
+            self.assertEqual((M == 0).all(), flag == 2)
+        one, two = (
+            ball_in_c(text, np.array([0, 0, x * high]), w, 0.0587)[0] for x in (2, 4))  # fmt: skip
+        np.testing.assert_allclose(two, 2 * one, rtol=1e-12)
+
+    def test_are_the_same_in_javascript_and_numpy(self):
+        joint = joint_of("wheel_ball")
+        _, _, low, high = claims(kernel_of("wheel_ball"))
+        R, w = ball_states(low, high, 300)
+        M, N, flag, used = ball_in_c(kernel_of("wheel_ball"), R, w, joint.coefficient)
+        law = in_numpy(kernel_of("wheel_ball", "numpy"))
+        # All rounds are run there, so that the last bits differ from C's.
+        self.assertLess(off(law["friction"](R, w)[0], M), 1e-5)
+        self.assertLess(relative(law["friction_hold"](R, w), used), 1e-12)
+        if shutil.which("node") is None:
+            self.skipTest("nodejs is missing")
+        js = in_node(kernel_of("wheel_ball", "js"), "friction(...x)",
+                     np.stack([R, w], 1).tolist())  # fmt: skip
+        self.assertLess(off(np.array([x[0] for x in js]), M), 1e-12)
+        self.assertLess(relative([x[1] for x in js], N), 1e-12)
+        self.assertEqual([x[2] for x in js], flag.tolist())
+
+    def test_refusals(self):
+        for keys, arguments, message in (
+            ({"friction.adhesion_Pa": 1e6}, {}, "the load law of a ball requires"),
+            ({"friction.coefficient": 1.5}, {}, "the load law of a ball requires"),
+            ({"geometry.radial_clearance_um": 0.0}, {}, "the load law of a ball requires"),
+            ({}, {"error": 1e-9}, "must be at least"),
+            ({}, {"language": "st"}, "the language st of a ball's load law must be"),
+            ({}, {"reaction": (5, 1)}, "above 0, the first one less"),
+        ):  # fmt: skip
+            joint = joint_of("wheel_ball").replace(keys)
             with self.assertRaisesRegex(libcontact.Error, message):
                 joint.kernel(**arguments)
 
