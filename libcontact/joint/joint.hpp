@@ -137,8 +137,8 @@ class Joint {
   /// M_t(R, u) the moment of solve(): the onset of slip and the limit of slow
   /// sliding agree. For a needed moment of a ball, M = tau M_t(R, u) is
   /// solved: by the symmetry about R one equation in the angle b of u and R.
-  /// Were there several u, the smallest tau of those that 16 intervals of b
-  /// tell apart is returned (none of 10,000 random joints had more than one).
+  /// None of 10,000 random joints had more than one u; where the search is by
+  /// intervals of b, the smallest tau of those that it tells apart is returned.
   /// A viscous joint holds no moment. One with a friction stress holds what
   /// tau(p, 0) holds; if tau falls with the speed there is no answer
   /// (JointContact::rest_refusal()).
