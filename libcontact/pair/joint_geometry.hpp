@@ -99,7 +99,7 @@ class JointGeometry {
   /// The projected area of catalogues, m^2: 2 rho1 length of a pin, pi rho1^2
   /// of a ball, of a seat that ends SeatZone::nominal_area().
   double nominal_area() const {
-    if (seat_) return seat_->nominal_area(radius_);
+    if (drawn_seat()) return drawn_seat()->nominal_area(radius_);
     return kind_ == JointKind::ball ? std::numbers::pi * radius_ * radius_
                                     : 2 * radius_ * length_;
   }

@@ -259,8 +259,11 @@ TEST(JointFile, SeatsThatEnd) {
                               "axis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
   // The law that none names is that of the joint as it is.
-  EXPECT_EQ(turned.half_angle_law_name(), "exact");
-  const JointSpec endless = turned.without_seat();
+  JointSpec unnamed = turned;
+  unnamed.half_angle_law = "";
+  unnamed.half_angle_options = {};
+  EXPECT_EQ(unnamed.half_angle_law_name(), "exact");
+  const JointSpec endless = unnamed.without_seat();
   EXPECT_EQ(endless.half_angle_law_name(), default_half_angle_law);
   EXPECT_FALSE(parse_joint(endless.canonical_text(), "text").geometry.seat());
   EXPECT_ERROR(

@@ -17,8 +17,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if ((data[0] & 2U) != 0) options.sigma_rel = 0.01;
   contact::test::read_or_one_line(
       [&] {
+        std::vector<std::string> names;
         for (const contact::MeasuredMoment& m :
-             hinge_identify::read_data(options, (data[0] & 1U) != 0)) {
+             hinge_identify::read_data(options, (data[0] & 1U) != 0, names)) {
           check(m.sigma > 0);
         }
       },
