@@ -338,6 +338,8 @@ std::vector<DutyCycle::GaussPoint> DutyCycle::gauss_points(bool is_pin) const {
   std::sort(ends.begin(), ends.end());
   const detail::GaussLegendre rule(is_pin ? 4 : 8);
   std::vector<GaussPoint> points;
+  points.reserve((ends.size() - 1) *
+                 static_cast<std::size_t>(rule.node.size()));
   for (std::size_t i = 1; i < ends.size(); ++i) {
     const double middle = (ends[i] + ends[i - 1]) / 2;
     const double half = (ends[i] - ends[i - 1]) / 2;

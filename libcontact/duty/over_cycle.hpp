@@ -1,8 +1,7 @@
 #pragma once
 
-#include <algorithm>
 #include <boost/math/tools/minima.hpp>
-#include <iterator>
+#include <cstddef>
 
 namespace contact::detail {
 
@@ -23,20 +22,26 @@ double integral_of(const Points& points, const Quantity& quantity) {
 template <class Rows, class At, class Quantity>
 auto largest_of(const Rows& rows, double period, const At& at,
                 const Quantity& quantity) {
-  const auto best = std::ranges::max_element(
-      rows, {}, [&](const auto& row) { return quantity(row); });
-  const double first = rows.front().time;
+  const std::size_t count = rows.size();
+  std::size_t best = 0;
+  double most = quantity(rows[0]);
+  for (std::size_t i = 1; i < count; ++i) {
+    const double value = quantity(rows[i]);
+    if (!(most < value)) continue;
+    best = i;
+    most = value;
+  }
+  const double first = rows[0].time;
   const double before =
-      best == rows.begin() ? rows.back().time - period : std::prev(best)->time;
-  const double after =
-      std::next(best) == rows.end() ? first + period : std::next(best)->time;
+      best == 0 ? rows[count - 1].time - period : rows[best - 1].time;
+  const double after = best + 1 == count ? first + period : rows[best + 1].time;
   // Half the digits of a double: a maximum has no more.
   const double time =
       boost::math::tools::brent_find_minima(
           [&](double t) { return -quantity(at(t)); }, before, after, 26)
           .first;
   auto found = at(time < first ? time + period : time);
-  return quantity(found) > quantity(*best) ? found : *best;
+  return quantity(found) > most ? found : rows[best];
 }
 
 }  // namespace contact::detail

@@ -80,10 +80,7 @@ WearMap::Instant WearMap::instant(const JointContact& contact,
 }
 
 WearMap::WearMap(const JointCycle& cycle, JointBody body)
-    : geometry_(cycle.contact().geometry()),
-      total_(cycle.integral([&](const JointCycle::Instant& i) {
-        return cycle.sliding(i).pv_total();
-      })) {
+    : geometry_(cycle.contact().geometry()), total_(cycle.sums().pv) {
   if (geometry_.radial_clearance() > 0) detail::check_wear(cycle);
   std::vector<Instant> instants;
   for (const JointCycle::Instant& point : cycle.gauss_points()) {

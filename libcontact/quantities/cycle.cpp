@@ -17,16 +17,6 @@ constexpr Quantity<JointCycle::Instant> of_instant[] = {
      }},
 };
 
-// rho |Dw|, m/s.
-double rim_speed(const JointCycle& cycle, const JointCycle::Instant& i) {
-  return cycle.contact().geometry().radius() * i.state.angular_velocity.norm();
-}
-
-double energy(const JointCycle& cycle) {
-  return cycle.integral(
-      [](const JointCycle::Instant& i) { return -i.solution.power; });
-}
-
 // L is over R_n, without which interference wears too.
 bool has_load_alone(const JointCycle& c) {
   return !c.contact().has_interference();
@@ -39,36 +29,22 @@ constexpr Quantity<JointCycle> of_cycle[] = {
     {"closure", "", Dimension::angle,
      "by which the turn of integrated rates fails to close",
      [](const JointCycle& c) { return c.cycle().closure(); }},
-    {"energy", "", Dimension::energy, "dissipated by friction", energy},
+    {"energy", "", Dimension::energy, "dissipated by friction",
+     [](const JointCycle& c) { return c.sums().energy; }},
     {"mean_heat", "", Dimension::power, "energy over period",
-     [](const JointCycle& c) { return energy(c) / c.cycle().period(); }},
+     [](const JointCycle& c) { return c.sums().energy / c.cycle().period(); }},
     {"sliding_path", "", Dimension::length, "of the rim: integral of rho |Dw|",
-     [](const JointCycle& c) {
-       return c.integral(
-           [&](const JointCycle::Instant& i) { return rim_speed(c, i); });
-     }},
+     [](const JointCycle& c) { return c.sums().sliding_path; }},
     {"effective_sliding_distance", "", Dimension::length,
      "integral of rho |Dw| L, what wears under p",
-     [](const JointCycle& c) {
-       return c.integral([&](const JointCycle::Instant& i) {
-         return rim_speed(c, i) * c.sliding(i).slip_coefficient();
-       });
-     },
-     "", has_load_alone},
+     [](const JointCycle& c) { return c.sums().effective_distance; }, "",
+     has_load_alone},
     {"pv_integral", "", Dimension::energy,
      "of p v over contact and time; times k: volume",
-     [](const JointCycle& c) {
-       return c.integral([&](const JointCycle::Instant& i) {
-         return c.sliding(i).pv_total();
-       });
-     }},
+     [](const JointCycle& c) { return c.sums().pv; }},
     {"mean_moment", "mean_M_t", Dimension::moment,
      "mean of the friction moment",
-     [](const JointCycle& c) {
-       return c.integral([](const JointCycle::Instant& i) {
-         return i.solution.friction_moment.norm();
-       }) / c.cycle().period();
-     }},
+     [](const JointCycle& c) { return c.sums().moment / c.cycle().period(); }},
     {"contact_spread", "", Dimension::angle,
      "of the contact over the seat: rms angle from its middle, weight p v",
      [](const JointCycle& c) { return c.contact_spread(); }},

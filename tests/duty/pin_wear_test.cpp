@@ -254,7 +254,7 @@ TEST(WearMap, OfAPressedPin) {
   for (const double share : {0.5, 3.0}) {
     const JointCycle cycle(steady(share * contact.lift_off_force()),
                            Joint(contact));
-    const JointCycle::Instant& at = cycle.gauss_points().front();
+    const JointCycle::Instant& at = cycle.gauss_points()[0];
     const WearMap map(cycle, JointBody::body);
     const Eigen::Vector3d centre =
         at.state.turn.conjugate() * cycle.sliding(at).centre();

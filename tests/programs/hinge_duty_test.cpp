@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <cmath>
@@ -36,6 +37,30 @@ class HingeDuty : public testing::Test {
   }
   const ProgramFolder folder_;
 };
+
+// Instants of all Gauss points, kept, were 4.6 kB a row.
+TEST_F(HingeDuty, LongCyclesTakeLittleMemory) {
+#ifdef __SANITIZE_ADDRESS__
+  GTEST_SKIP() << "a sanitizer keeps what is freed";
+#endif
+  std::string rows =
+      "time_s,R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s\n";
+  constexpr int count = 30'000;
+  for (int i = 0; i < count; ++i) {
+    const double turn = 2 * std::numbers::pi * i / 100;
+    rows += fmt::format("{},{},0,{},0,{},1\n", i * 0.01, 200 * std::sin(turn),
+                        -1500 - 800 * std::cos(turn), 2 + std::sin(turn));
+  }
+  folder_.write("long.csv", rows);
+  const double energy = value(
+      out("hinge-duty --joint " + data + "cycle_hip.toml --cycle long.csv"),
+      "energy_J");
+  EXPECT_GT(energy, 0);
+  rusage programs{};
+  ASSERT_EQ(getrusage(RUSAGE_CHILDREN, &programs), 0);
+  // kB: the program without a cycle, and 500 bytes a row.
+  EXPECT_LT(programs.ru_maxrss, 12'000 + count / 2);
+}
 
 // Options and columns of the file say how a pin that ends lies; files along it
 // are PinCycle's.
