@@ -22,6 +22,11 @@ def number(row, name):
     return float(row[name])
 
 
+# The program finds every contact anew, which leaves 5e-9.
+def same(a, b):
+    return abs(a - b) <= 1e-7 * abs(b)
+
+
 class Seats(unittest.TestCase):
     def test_are_those_of_the_program(self):
         rows = table(
@@ -35,10 +40,14 @@ class Seats(unittest.TestCase):
         self.assertEqual(
             [libcontact.SeatStatus(x) for x in s.status], [0, 0])
         for i, row in enumerate(rows):
-            self.assertEqual(s.peak_pressure[i], number(row, "p_peak_Pa"))
-            self.assertEqual(s.friction_moment[i, 2], number(row, "M_t_z_N_m"))
-            self.assertEqual(s.lower_intensity[i], number(row, "K_low"))
-            self.assertEqual(s.upper_rim_gap[i], number(row, "upper_gap_m"))
+            self.assertTrue(same(
+                s.peak_pressure[i], number(row, "p_peak_Pa")))
+            self.assertTrue(same(
+                s.friction_moment[i, 2], number(row, "M_t_z_N_m")))
+            self.assertTrue(same(
+                s.lower_intensity[i], number(row, "K_low")))
+            self.assertTrue(same(
+                s.upper_rim_gap[i], number(row, "upper_gap_m")))
             self.assertEqual(s.free[i], number(row, "free"))
         texts = [str(w.message) for w in said]
         self.assertTrue(all(
@@ -81,9 +90,12 @@ class Seats(unittest.TestCase):
         )[0]  # fmt: skip
         cup = libcontact.Joint.from_file(cup_file)
         rest = libcontact.Seat(cup).at_rest([0, -1000, 1000], [0.3, 0.5, 0])
-        self.assertEqual(rest.utilisation, number(row, "utilisation"))
-        self.assertEqual(rest.direction[1], number(row, "u_y"))
-        self.assertEqual(rest.peak_pressure, number(row, "p_peak_Pa"))
+        self.assertTrue(same(
+            rest.utilisation, number(row, "utilisation")))
+        self.assertTrue(same(
+            rest.direction[1], number(row, "u_y")))
+        self.assertTrue(same(
+            rest.peak_pressure, number(row, "p_peak_Pa")))
 
     def test_out_of_the_seat_there_is_no_contact(self):
         seat = libcontact.Seat(libcontact.Joint.from_file(cup_file))
