@@ -173,12 +173,12 @@ coefficient = 0.1
 END
 }
 ours=$(for group in C2 C3; do ge50 $group
-  joint ge50.toml M_t_N_m --reaction 45180 --beta 90 |
+  joint ge50.toml M_t_N_m --reaction 45180 --beta 90 --without-seat |
     awk '{print $1 / (0.1 * 45180 * 0.033)}'; done | interval %.3f)
 row "$(ref "INA 238" ina-238), GE 50 DO, page 100" catalogue \
   "friction moment over f P d_K/2: 1" "45.18 kN, groups C2 to C3, f0 0.1, a seat without rims" "$ours" \
   "at its lower end" "a convention again: f of catalogues is f_M"
-ours=$(ge50 CN; joint ge50.toml p_nominal_Pa --reaction 45180 --beta 90 --in-seat |
+ours=$(ge50 CN; joint ge50.toml p_nominal_Pa --reaction 45180 --beta 90 |
   awk '{printf "%.2f", $1 / 1e6}')
 row "$(ref "INA 238" ina-238), GE 50 DO, page 100" catalogue \
   "specific load K P/C_r, MPa, 28.96" "45.18 kN over d_K C" "$ours" outside \

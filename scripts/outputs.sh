@@ -75,7 +75,7 @@ for joint in data/joints/*.toml "$out/ge50es.toml"; do
   run "$name.fmu.txt" hinge-fmu "$joint" --output "$out/$name.fmu"
   rm -f "$out/$name.fmu"
   if grep -q '^\[seat\]' "$joint"; then
-    run "$name.in_seat.csv" hinge-joint --joint "$joint" --in-seat \
+    run "$name.without_seat.csv" hinge-joint --joint "$joint" --without-seat \
       --reaction-xyz 800,200,500 --rate-xyz 0.1,0.2,1
   fi
 done

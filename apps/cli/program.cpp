@@ -14,6 +14,7 @@
 #include "cli/choice.hpp"
 #include "cli/files_in_use.hpp"
 #include "cli/gnuplot.hpp"
+#include "cli/gone.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
@@ -72,6 +73,17 @@ std::string nearest_option(const CLI::App& app) {
     return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
   }
   return {};
+}
+
+// Of words that are no options, or no longer.
+std::string stranger_message(const CLI::App& app, const std::string& program) {
+  for (const std::string& word : app.remaining()) {
+    const std::string gone = gone_option(program, word);
+    if (!gone.empty()) return gone;
+  }
+  return fmt::format("unexpected on the command line: {}{} (see {} --help)",
+                     fmt::join(app.remaining(), " "), nearest_option(app),
+                     program);
 }
 
 // ": did you mean "--joint FILE"?" where a joint's file stands alone.
@@ -304,10 +316,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     note_thousands(*app_);
     return status;
   } catch (const CLI::ExtrasError&) {  // its text has them backwards
-    complain(name(),
-             fmt::format("unexpected on the command line: {}{} (see {} --help)",
-                         fmt::join(app_->remaining(), " "),
-                         nearest_option(*app_), name()));
+    complain(name(), stranger_message(*app_, name()));
   } catch (const CLI::ParseError& error) {
     complain(name(), fmt::format("{}{} (see {} --help)", error.what(),
                                  lone_joint(*app_, argc, argv), name()));

@@ -11,6 +11,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/tables/friction_presets.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "page/same_numbers.hpp"
 #include "programs/joint/solution_row.hpp"
 
@@ -194,7 +195,9 @@ struct Calculator::Prepared {
     Json all = Json::array();
     add(contact.validity_notes(), all);
     add(spec.own_notes(), all);
-    add(contact.limits().notes({s.half_angle, s.peak_pressure}), all);
+    add(contact.limits().notes(
+            {s.half_angle, s.peak_pressure, rim_overlap(contact, s)}),
+        all);
     if (s.status == contact::Status::not_converged) {
       all.push_back("the solution has not converged");
     } else if (s.status != contact::Status::ok) {

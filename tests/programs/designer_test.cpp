@@ -98,7 +98,7 @@ TEST_F(Designer, NominalPressureOfABearingIsThatOfItsCatalogue) {
        {"hinge-angle --load 1e5", "hinge-pressure --summary --load 1e5",
         "hinge-pressure --direction 90 --load 1e5",
         "hinge-joint --friction 0 --beta 90 --reaction 1e5",
-        "hinge-joint --friction 0 --beta 90 --in-seat --reaction 1e5"}) {
+        "hinge-joint --friction 0 --beta 90 --reaction 1e5 --without-seat"}) {
     EXPECT_NEAR(value(program + of, "p_nominal_Pa") / expected, 1, 1e-12)
         << program;
   }

@@ -690,11 +690,11 @@ TEST(HingeJoint, Pv) {
               1, 1e-15);
 }
 
-// The numbers are those of SeatJoint, sliding and at rest, with its notes.
+// The numbers are those of SeatJoint, at rest of Joint, with their notes.
 TEST(HingeJoint, ConfinesABallToItsSeat) {
   const ProgramFolder folder;
   const std::string run =
-      "hinge-joint --joint data/joints/hip_cup.toml --in-seat --reaction-xyz ";
+      "hinge-joint --joint data/joints/hip_cup.toml --reaction-xyz ";
   const SeatJoint joint(joint_file("hip_cup"));
   const ProgramResult steep =
       folder.run(run + "100,-1900,-700 --rate-xyz 0.2,0,1");
@@ -716,13 +716,63 @@ TEST(HingeJoint, ConfinesABallToItsSeat) {
       << steep.err;
   const CsvTable rest =
       folder.table(run + "100,-1900,-700 --moment-xyz 0.1,0,0.3");
-  const SeatRestSolution held =
-      joint.at_rest({.reaction = {100, -1900, -700}, .moment = {0.1, 0, 0.3}});
+  const RestSolution held =
+      Joint(joint_file("hip_cup"))
+          .at_rest({.reaction = {100, -1900, -700}, .moment = {0.1, 0, 0.3}});
   EXPECT_EQ(rest.at("utilisation"), held.utilisation);
   EXPECT_EQ(rest.at("u_z"), held.direction.z());
   const ProgramResult out = folder.run(run + "0,1000,0 --rate-xyz 0,0,1");
   EXPECT_EQ(out.status, 1);
   EXPECT_NE(out.err.find("the ball leaves it"), std::string::npos) << out.err;
+}
+
+// A file has the rows of single states; without the seat, and under a normal
+// force, the joint is the endless one.
+TEST(HingeJoint, IsInItsSeatUnlessToldOtherwise) {
+  const ProgramFolder folder;
+  const std::string cup = "hinge-joint --joint data/joints/hip_cup.toml ";
+  folder.write("v.csv",
+               "R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s\n"
+               "0,1000,3000,0,0,1\n0,2000,0,0,0,1\n");
+  const ProgramResult points = folder.run(cup + "--points v.csv --pv");
+  EXPECT_EQ(points.status, 1);
+  const CsvTable rows(points.out);
+  const CsvTable one =
+      folder.table(cup + "--reaction-xyz 0,1000,3000 --rate-xyz 0,0,1 --pv");
+  for (const char* column :
+       {"M_t_N_m", "p_peak_Pa", "p_mean_Pa", "K_high", "pv_max_W_per_m2"}) {
+    EXPECT_GT(one.at(column), 0) << column;
+    EXPECT_EQ(rows.at(1, column), one.at(column)) << column;
+    EXPECT_TRUE(std::isnan(rows.at(2, column))) << column;
+  }
+  EXPECT_TRUE(std::isnan(one.at("theta0_deg")));
+  const Joint endless(joint_file("hip_cup").without_seat());
+  const JointSolution s =
+      endless.solve({.reaction = {0, 2000, 0}, .angular_velocity = {0, 0, 1}});
+  const CsvTable without = folder.table(
+      cup + "--reaction-xyz 0,2000,0 --rate-xyz 0,0,1 --without-seat");
+  EXPECT_EQ(without.at("M_t_N_m"), s.friction_moment.norm());
+  EXPECT_EQ(without.at("p_peak_Pa"), s.peak_pressure);
+  EXPECT_EQ(std::ranges::count(without.names(), "K_high"), 0);
+  const CsvTable pressed = folder.table(cup + "--normal-force 2kN --alpha 60");
+  EXPECT_EQ(std::ranges::count(pressed.names(), "K_high"), 0);
+}
+
+// Almost all of the contact lies nearer to the rim than pressures are told: of
+// 100 N the mean is 2.6 MPa, and a largest pressure below that is none.
+TEST(HingeJoint, SaysNoPressureBelowTheMeanOfARing) {
+  const ProgramFolder folder;
+  for (const char* beta : {"20", "60"}) {
+    const CsvTable row = folder.table(
+        std::string("hinge-joint --joint "
+                    "data/joints/spherical_plain_bearing_ge50.toml "
+                    "--reaction 100 --beta ") +
+        beta);
+    const double peak = row.at("p_peak_Pa");
+    EXPECT_TRUE(std::isnan(peak) || peak >= row.at("p_mean_Pa")) << peak;
+    EXPECT_GT(row.at("p_mean_Pa"), 1e6);
+    EXPECT_GT(row.at("K_low"), 0);
+  }
 }
 
 // The numbers are those of FinitePin; without a relief there is a note.

@@ -30,7 +30,7 @@ def same(a, b):
 class Seats(unittest.TestCase):
     def test_are_those_of_the_program(self):
         rows = table(
-            "hinge-joint", "--joint", ring_file, "--in-seat",
+            "hinge-joint", "--joint", ring_file,
             "--reaction", "1kN,300kN", "--beta", "90", "--rate", "0.5",
         )  # fmt: skip
         with warnings.catch_warnings(record=True) as said:
@@ -85,7 +85,7 @@ class Seats(unittest.TestCase):
 
     def test_rest_as_in_the_program(self):
         row = table(
-            "hinge-joint", "--joint", cup_file, "--in-seat",
+            "hinge-joint", "--joint", cup_file,
             "--reaction-xyz", "0,-1000,1000", "--moment-xyz", "0.3,0.5,0",
         )[0]  # fmt: skip
         cup = libcontact.Joint.from_file(cup_file)

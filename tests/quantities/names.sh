@@ -39,7 +39,7 @@ table columns hinge-joint-pressed hinge-joint $pressed --reaction 2000
 table columns hinge-pressure-direction hinge-pressure \
   --joint data/joints/spherical_plain_bearing_ge50.toml --load 1e5 --direction 90
 table columns hinge-joint-in-seat hinge-joint --joint data/joints/ball_stud.toml \
-  --reaction-xyz 10,0,0 --moment-xyz 0,0.01,0 --in-seat
+  --reaction-xyz 10,0,0 --moment-xyz 0,0.01,0
 table columns hinge-joint-tilt hinge-joint --joint data/joints/relieved_bush.toml \
   --reaction 1e4 --tilt 0.01 --pv
 bush='--joint data/joints/relieved_bush.toml'

@@ -41,7 +41,7 @@ std::string help_with_columns() {
   constexpr std::string_view place = "%COLUMNS%\n";
   std::string columns;
   for (const auto& column :
-       hinge_joint::answer_columns(true, true, true, true, true)) {
+       hinge_joint::answer_columns(true, true, true, true, true, true)) {
     columns += column.meaning.empty()
                    ? fmt::format("  {}\n", column.name)
                    : fmt::format("  {:<19} {}\n", column.name, column.meaning);
@@ -105,15 +105,10 @@ void add_tilt(cli::Program& program, Options& o) {
 }
 
 void add_seat(cli::Program& program, Options& o) {
-  program.add(
-      "Seat",
-      {{"--in-seat", &o.in_seat, "",
-        "confine the contact of a ball to its [seat]: vectors are in the axes "
-        "of the body that has it",
-        "",
-        "--normal-force --points --trace --outer --measured-moment --map "
-        "--beside --summary --plot --jobs --law --pressure --tilt --load-at "
-        "--pv"}});
+  program.add("Seat",
+              {{"--without-seat", &o.without_seat, "",
+                "let the contact of a ball go on beyond the rims of its [seat]",
+                "", "--normal-force --tilt --load-at --kernel"}});
 }
 
 void add_equivalent(cli::Program& program, Options& o) {
@@ -124,14 +119,14 @@ void add_equivalent(cli::Program& program, Options& o) {
         "PhysX, MuJoCo and others, least wrong over the sweep",
         "--reaction",
         "--trace --outer --measured-moment --map --beside --summary "
-        "--plot --jobs --tilt --load-at --in-seat --pv"},
+        "--plot --jobs --tilt --load-at --pv"},
        {"--kernel", &o.kernel.language, "LANGUAGE",
         "the friction that depends on the load as a function in c, "
         "cuda, glsl, jax, js, numpy or st",
         "",
         "--reaction-xyz --beta --normal-force --points --rate --trace "
         "--outer --measured-moment --map --beside --summary --plot "
-        "--jobs --tilt --load-at --in-seat --pv --equivalent --format "
+        "--jobs --tilt --load-at --pv --equivalent --format "
         "--columns --separator --decimal-comma"},
        {"--kernel-error",
         cli::number("--kernel-error", o.kernel.error, Dimension::number,

@@ -38,6 +38,10 @@ class Points {
   }
 
   Question question() const { return form_.question; }
+  Pointing pointing() const {
+    if (form_.question == Question::contact) return Pointing::nowhere;
+    return form_.has_vectors() ? Pointing::vector : Pointing::angle;
+  }
   const cli::PointColumns& columns() const { return columns_; }
 
   // Reads and answers the points of a block: each(i, answer), null for a bad
@@ -54,7 +58,7 @@ class Points {
       }
       const Answer a = hinge_joint::answer(
           joint, question(), state_of(form_, block, i, pin_, rate_));
-      block.problems.add(a, 0);
+      block.problems.add(a, joint, 0);
       each(i, &a);
     }
   }
@@ -85,7 +89,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
   const cli::PointColumns& columns = points.columns();
   const std::vector<AnswerColumn> shown = answer_columns(
       points.question() == Question::rest, joint.approach.has_value(),
-      joint.has_preload(), false, options.pv);
+      joint.has_preload(), false, options.pv, !joint.joint.is_endless());
   std::vector<std::string> names = solution_columns(joint, shown, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
@@ -139,9 +143,11 @@ Problems summarise(Points& points, const NamedJoint& joint,
 
 }  // namespace
 
-PointResult write_points(const NamedJoint& joint, const Options& options,
+PointResult write_points(Setup& setup, const Options& options,
                          const std::function<void()>& begin) {
-  Points points(options, joint.joint.is_pin());
+  Points points(options, setup.joints[0].joint.is_pin());
+  put_in_seats(options, points.pointing(), setup);
+  const NamedJoint& joint = setup.joints[0];
   PointSeries series(points.question(), points.columns());
   begin();
   const bool keeps = !options.output.plot.empty();

@@ -20,8 +20,9 @@ struct PointResult {
 /// its riding columns if the line could be split.
 /// With Options::summary one table of all of them instead.
 /// Throws contact::Error if the header names no state, or several.
+/// @param setup  one joint, which the header may put in its seat
 /// @param begin  called when the header is good, before work
-PointResult write_points(const NamedJoint& joint, const Options& options,
+PointResult write_points(Setup& setup, const Options& options,
                          const std::function<void()>& begin);
 
 }  // namespace hinge_joint

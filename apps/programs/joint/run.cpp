@@ -10,7 +10,6 @@
 #include "cli/output.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/magnitude.hpp"
-#include "libcontact/pressure/validity.hpp"
 #include "programs/joint/beside.hpp"
 #include "programs/joint/contact_picture.hpp"
 #include "programs/joint/equivalent_table.hpp"
@@ -19,7 +18,6 @@
 #include "programs/joint/measured_moment.hpp"
 #include "programs/joint/point_table.hpp"
 #include "programs/joint/points/plot.hpp"
-#include "programs/joint/seat_table.hpp"
 #include "programs/joint/solution_table.hpp"
 #include "programs/joint/tilt_table.hpp"
 #include "programs/joint/torque_plot.hpp"
@@ -81,15 +79,17 @@ cli::ExitStatus run_loops(const Options& options, const Setup& setup,
   return write_outer(joint, inputs[0], options, beside);
 }
 
-// The largest contacts of each joint and pair of laws.
+// The contacts of each joint and pair of laws.
 void warn_of_contacts(const Problems& problems, const Setup& setup) {
   std::set<std::string> notes;
-  for (std::size_t i = 0; i < problems.largest.size(); ++i) {
-    const contact::JointContact& contact = setup.joints[i].joint.contact();
-    const contact::ContactLimits limits = contact.limits();
-    for (const std::string& note : limits.notes(problems.largest[i])) {
-      notes.insert(fmt::format("law {}, pressure {}: {}", setup.joints[i].law,
-                               setup.joints[i].pressure, note));
+  for (std::size_t i = 0; i < problems.notes.size(); ++i) {
+    const NamedJoint& joint = setup.joints[i];
+    const std::set<std::string>& of_seat = problems.notes[i].of_seat();
+    notes.insert(of_seat.begin(), of_seat.end());
+    for (const std::string& note : problems.notes[i].notes(joint.joint)) {
+      if (of_seat.contains(note)) continue;
+      notes.insert(fmt::format("law {}, pressure {}: {}", joint.law,
+                               joint.pressure, note));
     }
   }
   for (const std::string& note : notes) cli::warn("hinge-joint", note);
@@ -119,13 +119,12 @@ cli::ExitStatus report(const Problems& problems, const Setup& setup) {
              : cli::some_bad;
 }
 
-cli::ExitStatus run_points(const Options& options, const Setup& setup) {
+cli::ExitStatus run_points(const Options& options, Setup& setup) {
   if (setup.joints.size() != 1) {
     cli::refuse_without("--points", "one joint, one law and one pressure law");
   }
-  const PointResult result = write_points(setup.joints[0], options, [&] {
-    warn_of_validity("hinge-joint", setup.given);
-  });
+  const PointResult result = write_points(
+      setup, options, [&] { warn_of_validity("hinge-joint", setup.given); });
   const std::string& plot = options.output.plot;
   if (!result.series.time_problem().empty()) {
     cli::warn("hinge-joint",
@@ -162,6 +161,11 @@ void check_map(const Options& options, const Setup& setup,
   names_of(options.output).add("--map", map);
 }
 
+Pointing pointing(const Inputs& inputs) {
+  if (inputs.question() == Question::contact) return Pointing::nowhere;
+  return inputs.forces() ? Pointing::angle : Pointing::vector;
+}
+
 void check_rest(const Setup& setup, const Inputs& inputs) {
   if (inputs.question() != Question::rest) return;
   for (const NamedJoint& joint : setup.joints) {
@@ -180,11 +184,11 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 
 cli::ExitStatus run(const Options& options) {
   if (options.tilt.given()) return run_tilted(options);
-  if (options.in_seat) return run_in_seat(options);
   Setup setup = make_setup(options);
   if (!options.kernel.language.empty()) return write_kernel(options, setup);
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup.joints[0].joint.is_pin());
+  put_in_seats(options, pointing(inputs), setup);
   if (options.trace || options.outer.has_value()) {
     return run_loops(options, setup, inputs);
   }

@@ -1,10 +1,16 @@
 #include "programs/joint/setup.hpp"
 
+#include <algorithm>
 #include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
 
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/seat/contact.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -24,7 +30,81 @@ contact::FrictionModel friction_of(
                       "--adhesion: the joint's friction is not dry");
 }
 
+bool are_several(const std::vector<std::string>& laws) {
+  return laws.size() > 1 || (laws.size() == 1 && laws[0] == "all");
+}
+
+// What asks for a contact with an axis of symmetry; "" of nothing.
+std::string_view endless_question(const Options& o) {
+  const std::pair<bool, std::string_view> questions[] = {
+      {o.trace, "--trace"},
+      {o.outer.has_value(), "--outer"},
+      {o.equivalent, "--equivalent"},
+      {o.measured_moment.has_value(), "--measured-moment"},
+      {!o.map.empty(), "--map"},
+      {are_several(o.joint.laws), "several --law"},
+      {are_several(o.joint.pressures), "several --pressure"},
+      {!o.joint.limit_angle.empty(), "--limit-angle"}};
+  for (const auto& [asked, question] : questions) {
+    if (asked) return question;
+  }
+  return {};
+}
+
+// The joint in its seat.
+NamedJoint in_seat(const Options& options, const cli::Joint& joint,
+                   const NamedJoint& endless, contact::SharedLaws& laws) {
+  contact::JointSpec spec = joint.spec;
+  spec.friction = endless.joint.contact().friction();
+  const auto& law = options.joint.laws;
+  const auto& pressure = options.joint.pressures;
+  if (!law.empty()) spec.half_angle_law = law[0];
+  if (!pressure.empty()) spec.pressure_law = pressure[0];
+  NamedJoint confined{spec.half_angle_law_name(), spec.pressure_law_name(),
+                      contact::Joint(spec, laws), {},
+                      joint.differences,          options.pv};
+  confined.approach.emplace(laws.half_angle(spec), joint);
+  return confined;
+}
+
+void check_in_seat(const Options& options, Pointing pointing,
+                   const contact::SeatZone& seat) {
+  if (const auto question = endless_question(options); !question.empty()) {
+    cli::refuse_without(std::string(question) + " with a [seat]",
+                        "--without-seat");
+  }
+  if (pointing == Pointing::angle && !is_about_z(seat)) {
+    const bool points = !options.points.empty();
+    cli::refuse_without(
+        std::string(points ? "b_deg of --points" : "--reaction") +
+            " with a seat about another axis than z",
+        points ? "vectors or --without-seat"
+               : "--reaction-xyz or --without-seat");
+  }
+}
+
 }  // namespace
+
+void put_in_seats(const Options& options, Pointing pointing, Setup& setup) {
+  const bool any = std::any_of(
+      setup.given.begin(), setup.given.end(),
+      [](const cli::Joint& j) { return j.spec.geometry.seat().has_value(); });
+  if (options.without_seat && !any) {
+    cli::refuse_without("--without-seat", "a joint with a [seat]");
+  }
+  if (options.without_seat || pointing == Pointing::nowhere) return;
+  contact::SharedLaws laws;
+  auto joint = setup.joints.begin();
+  for (cli::Joint& given : setup.given) {
+    const std::size_t pairs = given.laws.size() * given.pressures.size();
+    if (const auto& seat = given.spec.geometry.seat()) {
+      check_in_seat(options, pointing, *seat);
+      *joint = in_seat(options, given, *joint, laws);
+      given.laws = {{joint->law, laws.half_angle(given.spec)}};
+    }
+    joint += static_cast<std::ptrdiff_t>(pairs);
+  }
+}
 
 Setup make_setup(const Options& options) {
   Setup setup{.given = make_joints(options.joint), .joints = {}};

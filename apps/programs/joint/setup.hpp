@@ -40,8 +40,8 @@ struct Options {
   std::string points;
   cli::TiltOptions tilt;
   std::optional<double> slide;  ///< m/s
-  /// Whether the contact of a ball ends at the rims of its seat.
-  bool in_seat = false;
+  /// Whether the contacts of joints with a seat go on beyond its rims.
+  bool without_seat = false;
   bool equivalent = false;
   /// Its language "" if no load law is wanted.
   contact::LoadLawOptions kernel = {.language = ""};
@@ -96,6 +96,12 @@ struct Setup {
         joints.begin(), joints.end(),
         [](const NamedJoint& joint) { return joint.approach.has_value(); });
   }
+  /// Whether any of them is in a seat that ends.
+  bool has_rims() const {
+    return std::any_of(
+        joints.begin(), joints.end(),
+        [](const NamedJoint& joint) { return !joint.joint.is_endless(); });
+  }
   /// Whether any of them is without clearance or has interference.
   bool has_preload() const {
     return std::any_of(joints.begin(), joints.end(),
@@ -103,8 +109,19 @@ struct Setup {
   }
 };
 
-/// Throws contact::Error if the options do not fit together or a value is not
-/// allowed.
+/// The joints without the rims of their seats. Throws contact::Error if the
+/// options do not fit together or a value is not allowed.
 Setup make_setup(const Options& options);
+
+/// How states say where a force points.
+enum class Pointing {
+  nowhere,  ///< a normal force: the contact is in the middle of its seat
+  angle,    ///< from Dw, which is along z
+  vector,   ///< in the axes of the body with the seat
+};
+
+/// Puts the joints that have a seat in it, unless Options::without_seat: with
+/// the laws exact. Throws contact::Error for options that do not go with that.
+void put_in_seats(const Options& options, Pointing pointing, Setup& setup);
 
 }  // namespace hinge_joint

@@ -101,13 +101,34 @@ double AnswerColumn::operator()(const Answer& a) const {
     solved = (*held)(a.rest);
   } else if (const auto* approached = std::get_if<4>(&of)) {
     solved = (*approached)(a.approach);
+  } else if (const auto* patch = std::get_if<5>(&of)) {
+    solved = (*patch)(*a.patch);
   } else {
-    solved = std::get<5>(of)(*a.patch);
+    solved = std::get<6>(of)(a.rims);
   }
   const bool is_given =
       given && a.given && a.question == given_in && !std::isnan(solved);
   return is_given ? (*a.given).*given : solved;
 }
+
+namespace {
+
+// The numbers that a contact at a rim has without an axis of symmetry.
+void add_rims(const NamedJoint& named, Answer& a) {
+  const contact::JointSolution& s = a.solution();
+  const auto rims = named.joint.rims(s);
+  if (!rims) return;
+  a.rims = *rims;
+  if (rims->is_free) return;
+  a.mean_pressure = rims->mean_pressure();
+  if (!named.pv) return;
+  const contact::ContactPv pv = named.joint.pv(s, a.rate);
+  a.rating.pv = {pv.largest, nan, pv.place};
+  a.rating.pv_mean = pv.total / rims->area;
+  a.rating.slides = pv.largest > 0;
+}
+
+}  // namespace
 
 Answer answer(const NamedJoint& named, Question question, const Input& input) {
   const contact::Joint& joint = named.joint;
@@ -160,6 +181,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   if (named.pv) {
     a.rating = contact::SlidingContact(joint.contact(), s, a.rate).rating();
   }
+  add_rims(named, a);
   return a;
 }
 
@@ -180,8 +202,11 @@ bool have_preload(std::span<const AnswerColumn> columns) {
 }
 
 std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
-                                         bool friction, bool pv) {
+                                         bool friction, bool pv, bool rims) {
   std::vector<AnswerColumn> all = solution_columns();
+  if (rims) {
+    for (const auto& quantity : contact::rim_quantities()) add(quantity, all);
+  }
   if (approach) {
     for (const auto& quantity : contact::approach_quantities()) {
       add(quantity, all);
@@ -200,8 +225,10 @@ std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
   if (friction) add(found_friction, all);
   if (!pv) return all;
   for (const auto& quantity : contact::rating_quantities()) {
-    if (std::find(std::begin(not_of_pv), std::end(not_of_pv), quantity.key) ==
-        std::end(not_of_pv)) {
+    const bool is_of_rims =
+        rims && find_quantity(contact::rim_quantities(), quantity.key);
+    if (!is_of_rims && std::find(std::begin(not_of_pv), std::end(not_of_pv),
+                                 quantity.key) == std::end(not_of_pv)) {
       add(quantity, all);
     }
   }

@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/joint/input.hpp"
 #include "programs/joint/setup.hpp"
@@ -33,6 +34,8 @@ struct Answer {
   contact::ContactApproach approach;
   /// Patch of the joint that answered; it must not outlive this.
   std::optional<contact::ContactPatch> patch;
+  /// NaN without a seat that ends.
+  contact::RimContact rims = {};
 
   const contact::JointSolution& solution() const { return rest.slip; }
 };
@@ -53,7 +56,8 @@ struct AnswerColumn {
                contact::Column<contact::SlidingContact::Rating>,
                contact::Column<contact::RestSolution>,
                contact::Column<contact::ContactApproach>,
-               contact::Column<contact::ContactPatch>>
+               contact::Column<contact::ContactPatch>,
+               contact::Column<contact::RimContact>>
       of;
   /// A force or an angle that was given is shown as it was given: what the
   /// solution says of it differs in the last digits, and rows would not be
@@ -70,8 +74,10 @@ struct AnswerColumn {
 /// @param preload   with those of joints without clearance
 /// @param friction  with f0
 /// @param pv        with those of NamedJoint::pv
+/// @param rims      with those of seats that end
 std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
-                                         bool friction, bool pv);
+                                         bool friction, bool pv,
+                                         bool rims = false);
 
 /// Whether they are those of joints without clearance, with the word
 /// contact_state.

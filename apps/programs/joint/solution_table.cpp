@@ -17,18 +17,20 @@ struct Block : cli::RowBlock {
 std::vector<AnswerColumn> columns_of(const Setup& setup, const Inputs& inputs) {
   return answer_columns(inputs.question() == Question::rest,
                         setup.has_approach(), setup.has_preload(),
-                        setup.friction_found, setup.joints[0].pv);
+                        setup.friction_found, setup.joints[0].pv,
+                        setup.has_rims());
 }
 
 }  // namespace
 
-void Problems::add(const Answer& answer, std::size_t joint) {
+void Problems::add(const Answer& answer, const NamedJoint& joint,
+                   std::size_t number) {
   const contact::JointSolution& s = answer.solution();
   if (s.status == contact::Status::out_of_range) ++out_of_range;
   if (s.status == contact::Status::not_converged) ++not_converged;
   if (s.status == contact::Status::out_of_seat) ++out_of_seat;
-  largest.resize(std::max(largest.size(), joint + 1));
-  largest[joint].add(s.half_angle, s.peak_pressure);
+  notes.resize(std::max(notes.size(), number + 1));
+  notes[number].add(joint.joint, s);
 }
 
 void Problems::add(const Problems& more) {
@@ -36,9 +38,9 @@ void Problems::add(const Problems& more) {
   not_converged += more.not_converged;
   out_of_seat += more.out_of_seat;
   bad_lines += more.bad_lines;
-  largest.resize(std::max(largest.size(), more.largest.size()));
-  for (std::size_t i = 0; i < more.largest.size(); ++i) {
-    largest[i].add(more.largest[i]);
+  notes.resize(std::max(notes.size(), more.notes.size()));
+  for (std::size_t i = 0; i < more.notes.size(); ++i) {
+    notes[i].add(more.notes[i]);
   }
 }
 
@@ -90,7 +92,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
         for (std::size_t i = block.first; i < block.last; ++i) {
           const NamedJoint& joint = setup.joints[i % joints];
           const Answer a = answer(joint, inputs.question(), inputs[i / joints]);
-          block.problems.add(a, i % joints);
+          block.problems.add(a, joint, i % joints);
           write_cells(row, joint, columns, a, i + 1, beside);
           row.end();
         }
@@ -128,7 +130,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   report.write(output, options);
   output.commit();
   Problems problems;
-  problems.add(a, 0);
+  problems.add(a, joint, 0);
   return problems;
 }
 

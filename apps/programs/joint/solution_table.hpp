@@ -3,7 +3,7 @@
 #include <functional>
 #include <span>
 
-#include "libcontact/pressure/validity.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "programs/joint/beside.hpp"
 #include "programs/joint/input.hpp"
 #include "programs/joint/setup.hpp"
@@ -11,17 +11,17 @@
 
 namespace hinge_joint {
 
-/// Answers that are no solutions, and the largest contacts.
+/// Answers that are no solutions, and what is to be said of the contacts.
 struct Problems {
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;
   std::size_t out_of_seat = 0;
   std::size_t bad_lines = 0;
-  std::vector<contact::LargestContact> largest =
+  std::vector<contact::ContactNotes> notes =
       {};  ///< one for each of Setup::joints
 
-  /// @param joint  its number in Setup::joints
-  void add(const Answer& answer, std::size_t joint);
+  /// @param number  of the joint in Setup::joints
+  void add(const Answer& answer, const NamedJoint& joint, std::size_t number);
   void add(const Problems& more);
 };
 

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <string_view>
+
+/// Options that programs had, and what to write in their place.
+namespace cli {
+
+struct GoneOption {
+  std::string_view program;
+  std::string_view flag;
+  std::string_view instead;
+};
+
+inline constexpr GoneOption gone_options[] = {
+    {"hinge-joint", "--in-seat",
+     "a joint with a [seat] is in it; --without-seat for the endless one"},
+};
+
+/// "--in-seat is gone: ..."; "" of words that are none of them.
+inline std::string gone_option(std::string_view program,
+                               std::string_view word) {
+  const std::string_view flag = word.substr(0, word.find('='));
+  for (const GoneOption& each : gone_options) {
+    if (each.program == program && each.flag == flag) {
+      return fmt::format("{} is gone: {}", each.flag, each.instead);
+    }
+  }
+  return {};
+}
+
+}  // namespace cli
