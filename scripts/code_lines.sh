@@ -4,6 +4,7 @@
 #   scripts/code_lines.sh >tests/rooms/code_lines.txt   writes them anew
 #   scripts/code_lines.sh --check                       compares
 set -euo pipefail
+unset CDPATH
 cd "$(dirname "$0")/.."
 if [[ ${1-} == --check ]]; then
   if ! diff tests/rooms/code_lines.txt <("$0"); then

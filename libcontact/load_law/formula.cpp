@@ -53,7 +53,8 @@ std::string word(const std::smatch& found, const Constants& constants,
 
 std::string expression(const std::string& text, const Constants& constants,
                        const Notation& in) {
-  static const std::regex words(R"((\w+)(?:\[(\d)\]|\((\w+)\))?)");
+  static const std::regex& words =
+      *new std::regex(R"((\w+)(?:\[(\d)\]|\((\w+)\))?)");
   std::string out;
   auto rest = text.cbegin();
   for (std::sregex_iterator i(text.begin(), text.end(), words), end; i != end;
@@ -68,7 +69,7 @@ std::string expression(const std::string& text, const Constants& constants,
 
 std::string printed(std::string_view formula, const Constants& constants,
                     const Notation& in, std::string_view indent) {
-  static const std::regex statement(
+  static const std::regex& statement = *new std::regex(
       R"(\s*(?:Real ([^;]+);|for \(int (\w) = 0; \w < (\w+); \+\+\w\) \{|(\})|)"
       R"(if \(([^;]+)\) break;|(\w+) = ([^;?]+)(?:\? ([^;:]+) : ([^;]+))?;))");
   const auto of = [&](const auto& part) {

@@ -196,10 +196,11 @@ SlipRoot bracket(const SlipEquation& equation, double guess,
   root.residual = std::abs(root.point.residual);
   // Adhesion falls like the root of R_n - R_n0 where interference lifts off, so
   // steeply that the last bit of R_n is more than the tolerance: a bracket of
-  // two neighbours has the root.
+  // two neighbours has the root, unless more than usual was asked for.
   const bool is_closed =
       evaluations < static_cast<std::uintmax_t>(options.evaluation_limit) &&
-      root.residual < largest_jump;
+      root.residual < largest_jump &&
+      options.tolerance >= SolveOptions().tolerance;
   if (root.residual <= options.tolerance || is_closed) {
     root.status = Status::ok;
   } else if (!(root.residual < largest_jump)) {
