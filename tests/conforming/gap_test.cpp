@@ -10,6 +10,7 @@
 #include "libcontact/conforming/gap/ball_gap.hpp"
 #include "libcontact/conforming/gap/odd_bessel.hpp"
 #include "libcontact/conforming/gap/pin_gap.hpp"
+#include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
@@ -191,6 +192,38 @@ TEST(PinGap, OfTablesIsNearTheOther) {
       shift.add(a.contact.gap_shift, b.contact.gap_shift, label);
       centre.add(coarse.centre(a), fine.centre(b), label);
     }
+  }
+}
+
+// Far fewer harmonics than radius/thickness, and the same numbers: against the
+// sum over every stride below pi/psi (as HarmonicSamples takes it).
+TEST(GradedSamples, GiveTheSum) {
+  constexpr int end = 130000;
+  for (const double psi : {0.1, 0.3, 0.8, 1.3}) {
+    const detail::PinWallModes modes(psi, 64);
+    const detail::HarmonicSamples plain(psi, end);
+    const detail::GradedSamples graded(psi, end, modes.smooth_from());
+    EXPECT_LT(graded.swinging.n.size() + 2 * graded.n.size(), 4000) << psi;
+    // c_n of a layer of 1e-4 radii or so.
+    const auto adder = [](const auto& order, const auto& weight, auto& sum) {
+      return [&](int first, const auto& g) {
+        for (int i = 0; i < g.rows(); ++i) {
+          const double c = weight[first + i] / (1 + 1e-4 * order[first + i]);
+          sum += c * g.row(i).transpose() * g.row(i);
+        }
+      };
+    };
+    const Eigen::Index size = modes.transformation().rows();
+    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
+    Eigen::MatrixXd sum = expected;
+    modes.visit(plain.n, adder(plain.n, plain.weight, expected));
+    modes.visit(graded.swinging.n,
+                adder(graded.swinging.n, graded.swinging.weight, sum));
+    modes.visit(graded.n, adder(graded.n, graded.weight, sum));
+    modes.visit_second_kind(graded.n, adder(graded.n, graded.weight, sum));
+    const auto& t = modes.transformation();
+    const Eigen::MatrixXd error = t.transpose() * (sum - expected) * t;
+    EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-9) << psi;
   }
 }
 

@@ -23,6 +23,21 @@ int harmonics(double opening, double share, std::size_t corrected) {
   return std::max(static_cast<int>(smooth), static_cast<int>(corrected));
 }
 
+// edge_averages() with -2/pi Q_n for P_n: what Y is to J.
+std::vector<double> second_edge_averages(double half_angle, int end) {
+  const double x = std::cos(half_angle);
+  std::vector<double> average = {0};
+  double before = -2 / pi * std::atanh(x);
+  double now = x * before + 2 / pi;
+  for (int n = 1; n < end; ++n) {
+    average.push_back((now + before) / 2);
+    const double next = ((2 * n + 1) * x * now - n * before) / (n + 1);
+    before = now;
+    now = next;
+  }
+  return average;
+}
+
 }  // namespace
 
 PinGap::PinGap(const LayeredPair& pair, int unknowns, double harmonics)
@@ -60,22 +75,33 @@ GapField PinGap::field(double psi) const {
 
   // sum r_n G_n G_n^T, and the edge's sum r_n om_n G_n.
   const int end = harmonics(psi, harmonics_, correction_.size());
-  const HarmonicSamples samples(psi, end);
-  const std::vector<double> average = edge_averages(psi, end);
+  const GradedSamples samples(psi, end, modes.smooth_from());
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
   Eigen::VectorXd edge_sum = Eigen::VectorXd::Zero(t.rows());
-  modes.visit(samples.n, [&](int first, const auto& g) {
-    Eigen::VectorXd rest(g.rows());
-    Eigen::VectorXd at_edge(g.rows());
-    for (int i = 0; i < g.rows(); ++i) {
-      const int n = static_cast<int>(samples.n[first + i]);
-      rest(i) = samples.weight[first + i] * stiffness_rest(n);
-      at_edge(i) = rest(i) * average[n];
-    }
-    const Eigen::MatrixXd weighted = rest.asDiagonal() * g;
-    sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
-    edge_sum += g.transpose() * at_edge;
-  });
+  const auto adder = [&](const auto& order, const auto& weight,
+                         const std::vector<double>& average) {
+    return [&](int first, const auto& g) {
+      Eigen::VectorXd rest(g.rows());
+      Eigen::VectorXd at_edge(g.rows());
+      for (int i = 0; i < g.rows(); ++i) {
+        const int n = static_cast<int>(order[first + i]);
+        rest(i) = weight[first + i] * stiffness_rest(n);
+        at_edge(i) = rest(i) * average[n];
+      }
+      const Eigen::MatrixXd weighted = rest.asDiagonal() * g;
+      sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
+      edge_sum += g.transpose() * at_edge;
+    };
+  };
+  const std::vector<double> average = edge_averages(psi, end);
+  const HarmonicSamples& swinging = samples.swinging;
+  modes.visit(swinging.n, adder(swinging.n, swinging.weight, average));
+  if (!samples.n.empty()) {
+    const auto second = second_edge_averages(psi, end);
+    modes.visit(samples.n, adder(samples.n, samples.weight, average));
+    modes.visit_second_kind(samples.n,
+                            adder(samples.n, samples.weight, second));
+  }
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
   Eigen::MatrixXd matrix = t.transpose() * all / (2 * pi);
   for (int k = 0; k < count; ++k) {

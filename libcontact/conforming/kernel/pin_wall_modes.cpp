@@ -13,10 +13,11 @@ using Rows = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 
 // J_1(x), J_3(x), ..., J_{2 orders - 1}(x) in each row, for x above the
 // largest order: forward recurrence, which loses nothing there.
-void forward(const Eigen::ArrayXd& x, Rows out) {
+void forward(const Eigen::ArrayXd& x, Rows out, double (*zeroth)(double),
+             double (*first)(double)) {
   const Eigen::ArrayXd over = 2 / x;
-  Eigen::ArrayXd before = x.unaryExpr([](double v) { return ::j0(v); });
-  Eigen::ArrayXd now = x.unaryExpr([](double v) { return ::j1(v); });
+  Eigen::ArrayXd before = x.unaryExpr([=](double v) { return zeroth(v); });
+  Eigen::ArrayXd now = x.unaryExpr([=](double v) { return first(v); });
   const Eigen::Index last = 2 * out.cols() - 1;
   for (Eigen::Index m = 1; m <= last; ++m) {
     if (m % 2 == 1) out.col(m / 2) = now;
@@ -94,6 +95,19 @@ PinWallModes::PinWallModes(double half_angle, int unknowns)
   transformation_.noalias() = 2.0 / points * psi.transpose() * phi;
 }
 
+void PinWallModes::visit_second_kind(
+    std::span<const double> n,
+    const std::function<void(int, const Block&)>& use) const {
+  const Eigen::ArrayXd order = Eigen::Map<const Eigen::ArrayXd>(
+      n.data(), static_cast<Eigen::Index>(n.size()));
+  Eigen::MatrixXd modes(order.size(), transformation_.rows());
+  forward(order * half_angle_, modes, ::y0, ::y1);
+  for (int j = 0; j < modes.cols(); ++j) {
+    modes.col(j).array() *= (j % 2 == 0 ? pi : -pi) * (2 * j + 1) / order;
+  }
+  use(0, modes);
+}
+
 void PinWallModes::visit(
     std::span<const double> n,
     const std::function<void(int, const Block&)>& use) const {
@@ -118,7 +132,7 @@ void PinWallModes::visit(
     }
     if (low < count) {
       forward(order.tail(count - low) * half_angle_,
-              modes.middleRows(low, count - low));
+              modes.middleRows(low, count - low), ::j0, ::j1);
     }
     modes.topRows(count).array().colwise() /= order;
     modes.topRows(count) *= factor.asDiagonal();
@@ -158,6 +172,48 @@ HarmonicSamples::HarmonicSamples(double half_angle, int end) {
   }
   for (i += (stride - i % stride) % stride; i < end; i += stride) {
     add(i, stride);
+  }
+}
+
+GradedSamples::GradedSamples(double half_angle, int end, double smooth_from)
+    : swinging(half_angle, end) {
+  constexpr double wide = 8.5;  // as above
+  const std::size_t all = swinging.n.size();
+  const double stride = all > 1 ? swinging.n[all - 1] - swinging.n[all - 2] : 1;
+  // Near the highest order J swings at 0.7 of theta0.
+  const double s =
+      wide / std::min(1.4 * half_angle, 2 * pi / stride - 2 * half_angle);
+  const double start = smooth_from / half_angle;
+  const auto step = [](double order, double middle, double width) {
+    return std::erfc((middle - order) / (width * std::numbers::sqrt2)) / 2;
+  };
+  const auto fade = [&](double order) {
+    return step(order, start + wide * s, s);
+  };
+  if (start + 2 * wide * s > end) return;
+  std::size_t kept = 0;
+  for (; kept < all && swinging.n[kept] < start + 2 * wide * s; ++kept) {
+    swinging.weight[kept] *= 1 - fade(swinging.n[kept]);
+  }
+  swinging.n.resize(kept);
+  swinging.weight.resize(kept);
+  // Strides m double around 128 m, within +-29 m.
+  const auto up = [&](double order, double by) {
+    return step(order, 128 * by, 3.4 * by);
+  };
+  int m = 1;
+  while (99 * m < start) m *= 2;
+  for (int i = static_cast<int>(start) / m * m + m; i < end; i += m) {
+    if (i > 157 * m) {
+      m *= 2;
+      i += i % m;
+      if (i >= end) break;
+    }
+    const double rising = up(i, m);
+    const double share =
+        m * (1 - rising) + (i % (2 * m) == 0 ? 2 * m * rising : 0);
+    n.push_back(i);
+    weight.push_back(share * fade(i) / 2);
   }
 }
 

@@ -30,6 +30,14 @@ class PinWallModes {
   using Block = Eigen::Ref<const Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
   void visit(std::span<const double> order,
              const std::function<void(int, const Block&)>& use) const;
+  /// The same with Y for J, n half_angle above every order: see smooth_from().
+  void visit_second_kind(
+      std::span<const double> order,
+      const std::function<void(int, const Block&)>& use) const;
+  /// The least n half_angle from which J_i J_k + Y_i Y_k is smooth in log n.
+  double smooth_from() const {
+    return 3.0 * static_cast<double>(transformation_.rows());
+  }
 
   const Eigen::MatrixXd& transformation() const { return transformation_; }
 
@@ -47,6 +55,17 @@ struct HarmonicSamples {
   /// @param end  of the sum
   HarmonicSamples(double half_angle, int end);
   std::vector<double> n;
+  std::vector<double> weight;
+};
+
+/// The same sum with fewer n for thin walls: from about `smooth_from`/theta0 on
+/// a product J_i J_k of harmonics is replaced by (J_i J_k + Y_i Y_k)/2. What
+/// that leaves out swings with 2 theta0 and fades away; what it keeps is smooth
+/// in log n, so that the stride grows with n.
+struct GradedSamples {
+  GradedSamples(double half_angle, int end, double smooth_from);
+  HarmonicSamples swinging;
+  std::vector<double> n;  ///< of the rest; none if `end` comes before
   std::vector<double> weight;
 };
 
