@@ -380,7 +380,7 @@ class Files(unittest.TestCase):
     def test_warn_of_a_liner_without_a_wall(self):
         keys = dict(
             kind="pin", diameter_mm=20, radial_clearance_um=20, length_mm=20,
-            pair=libcontact.examples["materials/steel_ptfe_liner.toml"])
+            pair=str(libcontact.examples["materials/steel_ptfe_liner.toml"]))
         bush = libcontact.Joint(**keys)
         said = "outer body, woven PTFE liner, is taken without end"
         with self.assertWarnsRegex(libcontact.ContactWarning, said):

@@ -217,7 +217,8 @@ def _in_radians(
     is_degree = [str(name).endswith("_deg") for name in names]
     if not any(is_degree):
         return angles
-    return angles * np.where(is_degree, np.pi / 180, 1.0)
+    turned: NDArray[np.float64] = angles * np.where(is_degree, np.pi / 180, 1.0)
+    return turned
 
 
 class Wear:
