@@ -204,11 +204,12 @@ TEST(GradedSamples, GiveTheSum) {
     const detail::HarmonicSamples plain(psi, end);
     const detail::GradedSamples graded(psi, end, modes.smooth_from());
     EXPECT_LT(graded.swinging.n.size() + 2 * graded.n.size(), 4000) << psi;
-    // c_n of a layer of 1e-4 radii or so.
+    // Ends like the c_n of a layer of 1e-4 radii.
     const auto adder = [](const auto& order, const auto& weight, auto& sum) {
       return [&](int first, const auto& g) {
         for (int i = 0; i < g.rows(); ++i) {
-          const double c = weight[first + i] / (1 + 1e-4 * order[first + i]);
+          const double c =
+              weight[first + i] * std::exp(-2e-4 * order[first + i]);
           sum += c * g.row(i).transpose() * g.row(i);
         }
       };
