@@ -112,7 +112,7 @@ struct PinContact::Wall {
 
   int end() const { return static_cast<int>(correction.size()); }
   // Weights of the terms of a sum over Dc_n (n^2 - 1).
-  Eigen::VectorXd weights(const detail::HarmonicSamples& samples) const {
+  Eigen::VectorXd weights(const auto& samples) const {
     Eigen::VectorXd weight(samples.n.size());
     for (Eigen::Index i = 0; i < weight.size(); ++i) {
       const double n = samples.n[i];
@@ -234,13 +234,21 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   modes.emplace(half_angle, pin.unknowns_);
   const Eigen::MatrixXd& t = modes->transformation();
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
-  const detail::HarmonicSamples samples(half_angle, pin.wall_->end());
-  const Eigen::VectorXd weight = pin.wall_->weights(samples);
-  modes->visit(samples.n, [&](int i, const auto& g) {
-    const Eigen::MatrixXd weighted =
-        weight.segment(i, g.rows()).asDiagonal() * g;
-    sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
-  });
+  const detail::GradedSamples samples(half_angle, pin.wall_->end(),
+                                      modes->smooth_from());
+  const auto adder = [&](const Eigen::VectorXd& weight) {
+    return [&sum, weight](int i, const auto& g) {
+      const Eigen::MatrixXd weighted =
+          weight.segment(i, g.rows()).asDiagonal() * g;
+      sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
+    };
+  };
+  modes->visit(samples.swinging.n, adder(pin.wall_->weights(samples.swinging)));
+  if (!samples.n.empty()) {
+    const auto add = adder(pin.wall_->weights(samples));
+    modes->visit(samples.n, add);
+    modes->visit_second_kind(samples.n, add);
+  }
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
   matrix.noalias() += t.transpose() * all / (2 * pi);
 }
