@@ -75,7 +75,7 @@ std::string nearest_option(const CLI::App& app) {
   return {};
 }
 
-// Of words that are no options, or no longer.
+// Messages on words that are no options, or no longer.
 std::string stranger_message(const CLI::App& app, const std::string& program) {
   for (const std::string& word : app.remaining()) {
     const std::string gone = gone_option(program, word);

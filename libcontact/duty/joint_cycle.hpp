@@ -93,10 +93,10 @@ class JointCycle {
   /// the same, to the last bit, and of a long cycle solve every instant again.
   struct Sums {
     double energy = 0;              ///< dissipated by friction, J
-    double sliding_path = 0;        ///< of rho |Dw|, m
-    double effective_distance = 0;  ///< of rho |Dw| L, m
-    double pv = 0;                  ///< of SlidingContact::pv_total(), J
-    double moment = 0;              ///< of |M_t|, N m s
+    double sliding_path = 0;        ///< integral of rho |Dw|, m
+    double effective_distance = 0;  ///< integral of rho |Dw| L, m
+    double pv = 0;      ///< integral of SlidingContact::pv_total(), J
+    double moment = 0;  ///< integral of |M_t|, N m s
   };
   const Sums& sums() const { return sums_; }
 

@@ -74,7 +74,7 @@ std::size_t datum_of(std::span<const MeasuredMoment> data,
   return datum;
 }
 
-// What messages call a datum, from 0.
+// The name of a datum in messages, from 0.
 std::string name_of(std::size_t datum, const IdentifyOptions& options) {
   return datum < options.names.size()
              ? options.names[datum]

@@ -13,7 +13,7 @@
 /// How the contact of a joint ends. Makers of models lie in later rooms.
 namespace contact::detail {
 
-/// What a contact that ends was found with.
+/// The work that found a contact that ends.
 struct ContactWork {
   virtual ~ContactWork() = default;
   virtual std::shared_ptr<const ContactWork> without_grid() const = 0;

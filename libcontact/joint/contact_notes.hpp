@@ -15,7 +15,7 @@ namespace contact {
 /// the solution were in the axes of the body with the seat.
 double rim_overlap(const JointContact& contact, const JointSolution& solution);
 
-/// What is to be said of many solutions of a joint, each sentence once: limits
+/// Sentences to be said of many solutions of a joint, each once: limits
 /// that the largest contact has passed, and what the model of a seat that ends
 /// leaves out.
 class ContactNotes {
@@ -23,7 +23,7 @@ class ContactNotes {
   /// Solutions without a number count for nothing but their Joint::notes() in a
   /// seat that ends.
   void add(const Joint& joint, const JointSolution& solution);
-  /// Of the same joint.
+  /// Notes of the same joint.
   void add(const ContactNotes& more);
 
   const LargestContact& largest() const { return largest_; }

@@ -94,7 +94,7 @@ class Joint {
     /// is the caller's to say, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    /// Of a seat that ends; null: its axes are those of the vectors.
+    /// The place of a seat that ends; null: its axes are those of the vectors.
     const Placement* placement = nullptr;
   };
   /// Friction under a reaction while the halves turn.
@@ -214,7 +214,7 @@ class Joint {
   Joint with_model(std::shared_ptr<const detail::ContactModel> model) const;
 
   JointContact contact_;
-  /// Of a contact that ends; null of others.
+  /// The model of a contact that ends; null of others.
   std::shared_ptr<const detail::ContactModel> model_ = {};
 };
 

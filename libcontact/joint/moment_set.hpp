@@ -43,7 +43,7 @@ class MomentSet {
             double normal_force, double half_angle) noexcept;
   MomentSet(const JointContact&&, const Eigen::Vector3d&, double,
             double) = delete;
-  /// Of a contact that is not round about n.
+  /// Moments of a contact that is not round about n.
   MomentSet(const JointContact& contact,
             std::shared_ptr<const detail::ContactMoments> moments) noexcept;
 

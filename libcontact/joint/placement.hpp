@@ -4,7 +4,7 @@
 
 namespace contact {
 
-/// Where the seat of a joint lies whose contact ends.
+/// The place of the seat of a joint whose contact ends.
 struct Placement {
   /// Rotation from the axes of the body that has the seat, in which
   /// JointGeometry::seat() gives its axis, to those of the vectors.

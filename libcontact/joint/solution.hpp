@@ -169,7 +169,7 @@ struct JointSolution {
 
   Memory memory;
 
-  /// What a contact at a rim was found with; null of a joint without end.
+  /// The work that found a contact at a rim; null of a joint without end.
   /// Joint::rims() and others read it.
   std::shared_ptr<const detail::ContactWork> work = {};
   /// The same without the grid of a contact at a rim, of 0.1 to 0.2 MB: for

@@ -18,7 +18,7 @@ struct StepStart {
   Eigen::Vector3d free;
   /// Axis of a pin, unit vector; 0: the direction of Dw or of `free`.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  /// Of a seat that ends; null: its axes are those of the vectors.
+  /// The place of a seat that ends; null: its axes are those of the vectors.
   const Placement* placement = nullptr;
 };
 

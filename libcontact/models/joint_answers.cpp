@@ -8,7 +8,7 @@
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/joint.hpp"
 
-// What a joint says of its solutions, whatever its contact.
+// Answers of a joint about its solutions, whatever its contact.
 namespace contact {
 namespace {
 

@@ -56,7 +56,7 @@ double elastic_depth(const LayeredBody& body, double radius, double modulus) {
   return ends ? depth : depth + radius;
 }
 
-// That of the deeper one of the bodies that yield.
+// The depth of the deeper one of the bodies that yield.
 double elastic_depth(const LayeredPair& bodies) {
   const double modulus = std::min(bodies.inner().surface().youngs_modulus,
                                   bodies.outer().surface().youngs_modulus);

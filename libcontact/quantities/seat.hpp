@@ -9,9 +9,9 @@
 /// The tables of seats that end.
 namespace contact {
 
-/// Of a SeatState, or of Joint::rims() alone.
+/// Quantities of a SeatState, or of Joint::rims() alone.
 std::span<const Quantity<RimContact>> seat_quantities();
-/// Of Joint::rims(): what solution_quantities() do not say, beside them.
+/// Quantities of Joint::rims() that solution_quantities() do not say.
 std::span<const Quantity<RimContact>> rim_quantities();
 /// With those of its contact.
 std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();

@@ -51,7 +51,7 @@ class Broyden {
   bool has_last_ = false;
 };
 
-// What a solution of a seat that ends was found with; null of a free one in the
+// The work that found a solution in a seat that ends; null of a free one in the
 // axes of its body.
 const SeatFound* found_of(const JointSolution& s) {
   return static_cast<const SeatFound*>(s.work.get());

@@ -141,7 +141,7 @@ void expect_numbers(std::span<const contact::Quantity<T>> all, const T& of,
   }
 }
 
-// Whoever looks at the status may use the numbers: what is not known is not ok.
+// Numbers may be used where the status is ok: what is not known is not ok.
 TEST(Quantities, AreNumbersWhereTheStatusIsOk) {
   using contact::Status;
   using Eigen::Vector3d;

@@ -626,7 +626,7 @@ TEST(SeatTable, AnswersAsTheContact) {
       EXPECT_NEAR(read.peak_pressure / exact.peak_pressure, 1, 2e-2);
       EXPECT_LT((of_read.shift - of_exact.shift).norm() / of_exact.shift.norm(),
                 2e-3);
-      // What the table does not know the grid does, found from one near by.
+      // The grid does what the table does not know, from a contact near by.
       const JointSolution whole = with.with_grid(read, exact);
       EXPECT_NEAR(with.pv(whole, w).total / without.pv(exact, w).total, 1,
                   2e-3);

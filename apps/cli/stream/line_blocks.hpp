@@ -40,7 +40,7 @@ class LineReader {
   /// The next line alone (a header), no value at the end. Throws
   /// contact::Error if it is longer than longest_line.
   std::optional<std::string> line();
-  /// What has been read of the lines that come next, at least one of them if
+  /// The part that has been read of the lines that come next, at least one if
   /// there is one.
   std::string_view ahead();
   /// Number of the line that comes next, from 1.

@@ -30,7 +30,8 @@ struct PointHeader {
 
   /// Whether it names all of these columns.
   bool has(std::span<const PointColumn> columns) const;
-  /// What was read, for messages: "the header has a, b (separator ;)".
+  /// The header that was read, for messages: "the header has a, b (separator
+  /// ;)".
   std::string shown() const;
   /// "PLACE: PROBLEM; the header has ..."
   [[noreturn]] void fail(std::string_view problem) const;

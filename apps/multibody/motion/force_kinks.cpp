@@ -7,7 +7,7 @@
 namespace multibody {
 namespace {
 
-// What a force misses of a kink from as far away goes with its square.
+// A force misses of a kink what goes with the square of this distance.
 double near(double kink) {
   constexpr double share = 1e-10;
   return share * std::max(1.0, std::abs(kink));

@@ -34,7 +34,7 @@ bool are_several(const std::vector<std::string>& laws) {
   return laws.size() > 1 || (laws.size() == 1 && laws[0] == "all");
 }
 
-// What asks for a contact with an axis of symmetry; "" of nothing.
+// The option that asks for a contact with an axis of symmetry; "" if none.
 std::string_view endless_question(const Options& o) {
   const std::pair<bool, std::string_view> questions[] = {
       {o.trace, "--trace"},

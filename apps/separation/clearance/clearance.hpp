@@ -39,7 +39,7 @@ class Clearance {
   struct SolidLook {
     double time;
     double distance;  ///< as distance()
-    /// Of b's centre of mass against a, m/s, and of b, rad/s.
+    /// Speed of b's centre of mass against a, m/s, and rate of b, rad/s.
     Eigen::Vector3d velocity, turn;
     double radius;  ///< no point of the solid of b is farther from there, m
     /// Two planes that prove the distance go apart with at least, and at most,

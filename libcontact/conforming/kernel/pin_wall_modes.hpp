@@ -65,7 +65,7 @@ struct HarmonicSamples {
 struct GradedSamples {
   GradedSamples(double half_angle, int end, double smooth_from);
   HarmonicSamples swinging;
-  std::vector<double> n;  ///< of the rest; none if `end` comes before
+  std::vector<double> n;  ///< harmonics of the rest; none if `end` comes before
   std::vector<double> weight;
 };
 
