@@ -212,13 +212,17 @@ moment_N_m = [[0, 0, 0], [0, 0, 3e6]]
         EXPECT_EQ(result.status, 1);
         const json summary = json::parse(result.out);
         const std::string failure = summary["failure"];
-        // Hertz ends beyond the limit of some materials, which is said too.
+        // Hertz ends beyond the limit of some materials, and where contacts are
+        // wider than this pin is long, which is said too.
         std::string said = result.err;
         const auto line =
             said.find("hinge-separation: warning: joint bearing: ");
         if (line != said.npos) {
-          EXPECT_NE(said.find("the limit half-angle of this joint\n", line),
-                    said.npos);
+          EXPECT_TRUE(said.find("the limit half-angle of this joint\n", line) !=
+                          said.npos ||
+                      said.find("wider than the pin is long", line) !=
+                          said.npos)
+              << said;
           said.erase(line);
         }
         EXPECT_EQ(said,
