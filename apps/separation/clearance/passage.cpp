@@ -35,7 +35,7 @@ double least_between(const SolidLook& from, const SolidLook& to) {
 
 void search_passage(const std::function<SolidLook(double time)>& look,
                     const SolidLook& from, const SolidLook& to,
-                    const double& known, double accuracy) {
+                    const double& known, const double& accuracy) {
   const bool overlap = from.distance <= 0;
   const bool changes = overlap != (to.distance <= 0);
   if (overlap && !changes) return;

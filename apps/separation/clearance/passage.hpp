@@ -21,9 +21,11 @@ double least_between(const Clearance::SolidLook& from,
 /// can have a distance that is smaller than known by `accuracy`.
 /// @param look   takes note of what it sees
 /// @param known  the smallest distance seen by all looks so far
+/// @param accuracy  m; `look` may raise it where distances hardly change, which
+///               no halving tells from those that will
 void search_passage(
     const std::function<Clearance::SolidLook(double time)>& look,
     const Clearance::SolidLook& from, const Clearance::SolidLook& to,
-    const double& known, double accuracy);
+    const double& known, const double& accuracy);
 
 }  // namespace separation

@@ -431,7 +431,13 @@ void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
   const multibody::Motion& motion = simulation.motion();
   const MotionSample& sample = simulation.sample();
   for (std::size_t solids = 0; solids < clearance_->solid_pairs(i); ++solids) {
+    // Passages take some hundred looks; a distance that stays the same as
+    // bodies turn would take as many as its way has parts of `accuracy`.
+    constexpr int many = 300;
+    double accuracy = negligible;
+    int looks = 0;
     const auto look = [&](double time) {
+      if (++looks > many) accuracy *= 1.1;
       const auto seen =
           clearance_->look(i, solids, time, motion.place_back(a, time),
                            motion.place_back(b, time));
@@ -441,7 +447,7 @@ void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
     const auto now = clearance_->look(i, solids, sample.time(),
                                       sample.motions()[a], sample.motions()[b]);
     search_passage(look, look(ways_[i].since()), now, memory_.pairs[i].smallest,
-                   negligible);
+                   accuracy);
   }
 }
 
