@@ -46,6 +46,9 @@ class ContactModel {
   virtual std::shared_ptr<const ContactMoments> moments(
       const JointSolution& solution) const = 0;
   virtual std::optional<RimContact> rims(const JointSolution& of) const = 0;
+  virtual std::optional<PinLie> lie(const JointSolution& /*of*/) const {
+    return {};
+  }
   virtual ContactPv pv(const JointSolution& solution,
                        const Eigen::Vector3d& rate) const = 0;
   virtual std::vector<double> pressures(const JointSolution& solution,

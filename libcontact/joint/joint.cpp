@@ -180,7 +180,12 @@ Joint::Joint(JointContact contact) : contact_(std::move(contact)) {
 JointSolution Joint::solve_confined(
     const Slip& slip, const JointSolution& last,
     const SolveOptions& options) const noexcept {
-  return model_->solve(slip, last, options);
+  if (slip.placement && slip.placement->ends_pin()) {
+    if (tilted_) return tilted_->solve(slip, last, options);
+    return not_a_number(Status::out_of_range, slip.reaction);
+  }
+  if (model_) return model_->solve(slip, last, options);
+  return solve_from(last.memory, slip, options);
 }
 
 MomentSet Joint::confined_moment_set(

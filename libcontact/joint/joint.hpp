@@ -10,6 +10,7 @@
 
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/moment_set.hpp"
+#include "libcontact/joint/pin_lie.hpp"
 #include "libcontact/joint/placement.hpp"
 #include "libcontact/joint/rim_contact.hpp"
 #include "libcontact/joint/solution.hpp"
@@ -94,7 +95,8 @@ class Joint {
     /// is the caller's to say, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    /// The place of a seat that ends; null: its axes are those of the vectors.
+    /// How the halves lie; null: the axes of a seat that ends are those of the
+    /// vectors, and a pin is level.
     const Placement* placement = nullptr;
   };
   /// Friction under a reaction while the halves turn.
@@ -168,6 +170,9 @@ class Joint {
   /// angles from the seat's axis, vectors in the frame of the solution. None
   /// without a seat that ends and without load.
   std::optional<RimContact> rims(const JointSolution& solution) const;
+  /// How the pin of a solution lies in its hole: of one with relief, or whose
+  /// Placement asks for it. None of others.
+  std::optional<PinLie> lie(const JointSolution& solution) const;
   /// p v over the contact of a solution; NaN without a contact.
   /// @param rate  Dw, rad/s, in the frame of the solution
   ContactPv pv(const JointSolution& solution,
@@ -216,17 +221,20 @@ class Joint {
   JointContact contact_;
   /// The model of a contact that ends; null of others.
   std::shared_ptr<const detail::ContactModel> model_ = {};
+  /// The model of a pin that is tilted by its Placement; null where there is
+  /// none.
+  std::shared_ptr<const detail::ContactModel> tilted_ = {};
 };
 
 inline JointSolution Joint::solve(const Slip& slip,
                                   const SolveOptions& options) const noexcept {
-  if (model_) [[unlikely]]
+  if (model_ || slip.placement) [[unlikely]]
     return solve_confined(slip, {}, options);
   return solve_from({}, slip, options);
 }
 inline JointSolution Joint::solve(const Slip& slip, const JointSolution& last,
                                   const SolveOptions& options) const noexcept {
-  if (model_) [[unlikely]]
+  if (model_ || slip.placement) [[unlikely]]
     return solve_confined(slip, last, options);
   return solve_from(last.memory, slip, options);
 }

@@ -90,6 +90,12 @@ JointSpec JointSpec::at(Temperatures to) const {
   return warm;
 }
 
+JointSpec JointSpec::without_relief() const {
+  JointSpec other = *this;
+  other.relief = Relief::none();
+  return other;
+}
+
 JointSpec JointSpec::without_seat() const {
   if (!geometry.seat()) return *this;
   JointSpec endless = *this;

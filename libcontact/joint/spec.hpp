@@ -89,6 +89,9 @@ struct JointSpec {
   /// contacts that would reach a rim.
   JointSpec without_seat() const;
 
+  /// The joint with a straight pin in a straight hole.
+  JointSpec without_relief() const;
+
   /// The materials at the surfaces.
   ElasticPair pair() const { return {inner.surface(), outer.surface()}; }
   /// Loading, and walls where a body has layers.

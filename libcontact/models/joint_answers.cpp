@@ -32,6 +32,11 @@ std::optional<RimContact> Joint::rims(const JointSolution& solution) const {
   return model_->rims(solution);
 }
 
+std::optional<PinLie> Joint::lie(const JointSolution& solution) const {
+  if (model_) return model_->lie(solution);
+  return tilted_ ? tilted_->lie(solution) : std::nullopt;
+}
+
 ContactPv Joint::pv(const JointSolution& solution, const Vector3d& rate) const {
   if (solution.status != Status::ok) return {};
   if (!is_round(solution))
