@@ -172,7 +172,7 @@ struct Calculator::Prepared {
         endless(spec.without_seat()),
         joint{endless.half_angle_law_name(),
               endless.pressure_law_name(),
-              contact::Joint(endless, laws),
+              contact::Joint(endless.contact(laws)),
               {},
               {},
               true} {

@@ -35,8 +35,8 @@ contact::Joint friction_or_none(const contact::JointSpec& spec,
                                 contact::SharedLaws* laws) {
   contact::SharedLaws own;
   if (!laws) laws = &own;
-  if (spec.friction) return contact::Joint(spec.without_seat(), *laws);
-  contact::JointSpec smooth = spec.without_seat();
+  contact::JointSpec smooth = spec.without_seat().without_relief();
+  if (spec.friction) return contact::Joint(smooth, *laws);
   smooth.friction = contact::FrictionLaw(0);
   return contact::Joint(smooth, *laws);
 }

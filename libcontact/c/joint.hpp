@@ -14,7 +14,7 @@ struct contact_joint  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
   explicit contact_joint(contact::JointSpec of)
       : spec(std::move(of)),
-        joint(spec.without_seat()),
+        joint(spec.without_seat().contact()),
         notes(joint.contact().validity_notes()) {}
 
   const contact::JointSpec spec;

@@ -24,18 +24,24 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr int nodes = 40;
 
 JointSpec with_exact_laws(JointSpec joint) {
-  const auto refuse = [](const std::string& needed) {
-    throw Error(detail::needs("a pin of finite length", needed));
-  };
-  if (joint.geometry.kind() != JointKind::pin) refuse("kind = pin");
-  if (joint.friction && !std::holds_alternative<FrictionLaw>(*joint.friction)) {
-    refuse("dry friction: a coefficient and an adhesion");
-  }
+  const std::string why = FinitePin::refusal(joint);
+  if (!why.empty()) throw Error(why);
   joint.half_angle_law = joint.pressure_law = "exact";
   return joint;
 }
 
 }  // namespace
+
+std::string FinitePin::refusal(const JointSpec& joint) {
+  const auto needs = [](const std::string& needed) {
+    return detail::needs("a pin of finite length", needed);
+  };
+  if (joint.geometry.kind() != JointKind::pin) return needs("kind = pin");
+  if (joint.friction && !std::holds_alternative<FrictionLaw>(*joint.friction)) {
+    return needs("dry friction: a coefficient and an adhesion");
+  }
+  return ForceLaw::refusal(joint);
+}
 
 FinitePin::FinitePin(const JointSpec& joint)
     : joint_(with_exact_laws(joint)),

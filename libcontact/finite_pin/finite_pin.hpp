@@ -4,6 +4,7 @@
 #include <array>
 #include <memory>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "libcontact/base/error.hpp"
@@ -81,6 +82,8 @@ class FinitePin {
   /// @throws Error of a ball, of friction that is not dry, of a relief that
   ///   does not fit, and as ForceLaw does
   explicit FinitePin(const JointSpec& joint);
+  /// The sentence of that Error, but of a relief; "" for a pin that this is.
+  static std::string refusal(const JointSpec& joint);
 
   /// With a shift and a tilt; out_of_range and NaN beyond the force law's end.
   FinitePinState at(const Eigen::Vector2d& shift,
@@ -116,6 +119,10 @@ class FinitePin {
                              double rate) const noexcept {
     return solve_at(reaction, place, Motion{rate});
   }
+
+  /// Friction of a contact that is known.
+  FinitePinSolution friction(const FinitePinState& contact,
+                             const Motion& motion) const noexcept;
 
   /// Speed of the surfaces on each other, the same everywhere, m/s.
   double slip_speed(const Motion& motion) const noexcept;
@@ -175,6 +182,8 @@ class FinitePin {
                         const Eigen::Vector2d& tilt) const noexcept;
   FinitePinState solved(const Eigen::Vector4d& load, bool tilts,
                         const Eigen::Vector2d& tilt) const noexcept;
+  struct Slip;
+  Slip slip(const Motion& motion) const noexcept;
   FinitePinSolution sliding(const Eigen::Vector4d& load, bool tilts,
                             const Eigen::Vector2d& tilt,
                             const Motion& motion) const noexcept;

@@ -114,6 +114,29 @@ FinitePinState FinitePin::under_moment(const Vector2d& force,
   return solved(load, true, Vector2d::Zero());
 }
 
+// Strengths of friction about the axis and along it, 0 without motion.
+struct FinitePin::Slip {
+  double around, along;          // cos and sin of the direction of slip
+  double coefficient, adhesion;  // f0, A
+  double radius;
+
+  double slip() const { return around * coefficient; }
+  double stick() const { return around * adhesion; }
+  // The share of G by friction along the axis.
+  Vector2d axial(const Vector2d& force, const Vector2d& tangent) const {
+    return along * radius * (coefficient * force - adhesion * turned(tangent));
+  }
+};
+
+FinitePin::Slip FinitePin::slip(const Motion& motion) const noexcept {
+  const double rho = joint_.geometry.radius();
+  const double speed = slip_speed(motion);
+  if (!(speed > 0) || !joint_.friction) return {0, 0, 0, 0, rho};
+  const FrictionLaw& friction = std::get<FrictionLaw>(*joint_.friction);
+  return {rho * motion.rate / speed, motion.axial_velocity / speed,
+          friction.coefficient(), friction.adhesion(), rho};
+}
+
 // Slip is along cos t + sin Z everywhere, with cos and sin by the motion:
 //   R = (s - cos f0 J) F - cos A T_A,  J the turn by 90 deg,
 // and the same of the z-moments, but for what friction along the axis adds,
@@ -121,57 +144,56 @@ FinitePinState FinitePin::under_moment(const Vector2d& force,
 FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
                                      const Vector2d& tilt,
                                      const Motion& motion) const noexcept {
-  const FrictionLaw friction = joint_.friction
-                                   ? std::get<FrictionLaw>(*joint_.friction)
-                                   : FrictionLaw(0);
-  const double rho = joint_.geometry.radius();
   const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
-  const double speed = slip_speed(motion);
-  const bool slips = speed > 0;
-  const double around = slips ? rho * motion.rate / speed : 0;
-  const double along = slips ? motion.axial_velocity / speed : 0;
-  const double f0 = slips ? friction.coefficient() : 0;
-  const double adhesion = slips ? friction.adhesion() : 0;
-  const double slip = around * f0;
-  const double stick = around * adhesion;
+  const Slip by = slip(motion);
   Matrix2d of_force;
-  of_force << s, slip, -slip, s;
+  of_force << s, by.slip(), -by.slip(), s;
   const Matrix2d to_force = of_force.inverse();
-  // The share of G by friction along the axis.
-  const auto axial = [&](const Vector2d& force, const Vector2d& tangent) {
-    return Vector2d(along * rho * (f0 * force - adhesion * turned(tangent)));
-  };
-  FinitePinSolution found;
-  FinitePinState& at = found.contact;
+  FinitePinState at;
   Vector4d area = Vector4d::Zero();
   constexpr int most = 100;
   for (int i = 0; i < most; ++i) {
-    Vector4d normal = load + stick * area;
+    Vector4d normal = load + by.stick() * area;
     normal.head<2>() = to_force * normal.head<2>();
     normal.tail<2>() =
-        tilts ? Vector2d(to_force * (normal.tail<2>() -
-                                     axial(normal.head<2>(), area.head<2>())))
-              : Vector2d::Zero();
+        tilts
+            ? Vector2d(to_force * (normal.tail<2>() -
+                                   by.axial(normal.head<2>(), area.head<2>())))
+            : Vector2d::Zero();
     at = solved(normal, tilts, tilt);
     Vector4d next;
     next << at.area_tangent, at.area_tangent_moment;
-    Vector4d change = adhesion * (next - area);
+    Vector4d change = by.adhesion * (next - area);
     area = next;
     if (tilts) {
       change.tail<2>() /= half_length_;
     } else {
       change.tail<2>().setZero();
     }
-    if (!(change.norm() > 1e-12 * load.head<2>().norm())) break;
+    // Without a load a tilted pin may be pressed at both ends.
+    const double size =
+        load.isZero(0) ? at.pressure_moment / by.radius : load.head<2>().norm();
+    if (!(change.norm() > 1e-12 * size)) break;
     if (i + 1 == most) at.status = Status::not_converged;
   }
-  found.friction_force = -slip * turned(at.force) - stick * at.area_tangent;
-  const double twist = f0 * at.pressure_moment + adhesion * at.area_moment;
-  found.axial_friction_force = -along * twist / rho;
-  const Vector2d g = s * at.force_moment - slip * turned(at.force_moment) -
-                     stick * at.area_tangent_moment +
-                     axial(at.force, at.area_tangent);
-  found.moment = {-g.y(), g.x(), -around * twist};
+  return friction(at, motion);
+}
+
+FinitePinSolution FinitePin::friction(const FinitePinState& at,
+                                      const Motion& motion) const noexcept {
+  const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const Slip by = slip(motion);
+  FinitePinSolution found;
+  found.contact = at;
+  found.friction_force =
+      -by.slip() * turned(at.force) - by.stick() * at.area_tangent;
+  const double twist =
+      by.coefficient * at.pressure_moment + by.adhesion * at.area_moment;
+  found.axial_friction_force = -by.along * twist / by.radius;
+  const Vector2d g = s * at.force_moment - by.slip() * turned(at.force_moment) -
+                     by.stick() * at.area_tangent_moment +
+                     by.axial(at.force, at.area_tangent);
+  found.moment = {-g.y(), g.x(), -by.around * twist};
   return found;
 }
 

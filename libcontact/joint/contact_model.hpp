@@ -21,6 +21,13 @@ struct ContactWork {
   double moment_coefficient = 0;  ///< |M_t|/(rho R)
 };
 
+/// Of a solution whose Placement asks for what its joint has no model of.
+struct PlacementRefused final : ContactWork {
+  std::shared_ptr<const ContactWork> without_grid() const override {
+    return std::make_shared<PlacementRefused>();
+  }
+};
+
 /// The friction moments of a contact that is not round about n.
 class ContactMoments {
  public:
@@ -39,13 +46,21 @@ class ContactModel {
                               const SolveOptions& options) const = 0;
   virtual JointSolution solve_contact(
       const Joint::KnownContact& known) const = 0;
-  virtual RestSolution at_rest(const Joint::Hold& hold,
-                               const RestSolution& last,
-                               const SolveOptions& options) const = 0;
-  /// Null of a contact that is round about n: that of the joint without end.
+  /// Of a ball: a pin rests by solve().
+  virtual RestSolution at_rest(const Joint::Hold& /*hold*/,
+                               const RestSolution& /*last*/,
+                               const SolveOptions& /*options*/) const {
+    return {};
+  }
+  /// Null of a contact that is round about n, that of the joint without end,
+  /// and of a pin.
   virtual std::shared_ptr<const ContactMoments> moments(
-      const JointSolution& solution) const = 0;
-  virtual std::optional<RimContact> rims(const JointSolution& of) const = 0;
+      const JointSolution& /*solution*/) const {
+    return nullptr;
+  }
+  virtual std::optional<RimContact> rims(const JointSolution& /*of*/) const {
+    return {};
+  }
   virtual std::optional<PinLie> lie(const JointSolution& /*of*/) const {
     return {};
   }
@@ -57,14 +72,21 @@ class ContactModel {
   virtual std::vector<std::string> notes(
       const JointSolution& solution) const = 0;
   virtual JointSolution with_grid(const JointSolution& solution,
-                                  const JointSolution& near) const = 0;
+                                  const JointSolution& /*near*/) const {
+    return solution;
+  }
 
+  /// Null without a seat.
   virtual std::shared_ptr<const ContactModel> tabulated(
-      const RimTableOptions& options) const = 0;
+      const RimTableOptions& /*options*/) const {
+    return nullptr;
+  }
   virtual std::shared_ptr<const ContactModel> tabulated(
-      std::string_view table) const = 0;
-  virtual std::string table() const = 0;
-  virtual std::optional<RimTableCheck> table_check() const = 0;
+      std::string_view /*table*/) const {
+    return nullptr;
+  }
+  virtual std::string table() const { return {}; }
+  virtual std::optional<RimTableCheck> table_check() const { return {}; }
 };
 
 /// A solution with no numbers.

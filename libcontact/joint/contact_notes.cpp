@@ -25,7 +25,10 @@ double rim_overlap(const JointContact& contact, const JointSolution& solution) {
 void ContactNotes::add(const Joint& joint, const JointSolution& solution) {
   largest_.add(solution.half_angle, solution.peak_pressure,
                rim_overlap(joint.contact(), solution));
-  if (joint.is_endless()) return;
+  if (const auto lie = joint.lie(solution)) {
+    largest_.add(lie->largest_half_angle, lie->peak_pressure);
+  }
+  if (joint.is_endless() && !solution.work) return;
   for (std::string& note : joint.notes(solution)) {
     of_seat_.insert(std::move(note));
   }

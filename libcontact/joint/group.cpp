@@ -34,8 +34,10 @@ void check_joints(const std::vector<Member>& joints, bool has_face) {
   }
   if (!std::ranges::all_of(
           joints, [](const Member& one) { return one.joint.is_endless(); })) {
-    throw Error(
-        detail::needs(place, "joints without a [seat], or without_seat"));
+    throw Error(detail::needs(
+        place,
+        "joints without a [seat] and a [relief], or without_seat and "
+        "without_relief"));
   }
   if (count_balls(joints) == 0 && !has_face) {
     throw Error(detail::needs(

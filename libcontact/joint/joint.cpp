@@ -177,12 +177,23 @@ Joint::Joint(JointContact contact) : contact_(std::move(contact)) {
   }
 }
 
+namespace {
+
+// A Placement asks for a pin that ends, and there is none.
+JointSolution refused(const Vector3d& reaction) {
+  JointSolution s = not_a_number(Status::out_of_range, reaction);
+  s.work = std::make_shared<detail::PlacementRefused>();
+  return s;
+}
+
+}  // namespace
+
 JointSolution Joint::solve_confined(
     const Slip& slip, const JointSolution& last,
     const SolveOptions& options) const noexcept {
   if (slip.placement && slip.placement->ends_pin()) {
     if (tilted_) return tilted_->solve(slip, last, options);
-    return not_a_number(Status::out_of_range, slip.reaction);
+    return refused(slip.reaction);
   }
   if (model_) return model_->solve(slip, last, options);
   return solve_from(last.memory, slip, options);
@@ -262,6 +273,10 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
+  if (known.placement && known.placement->ends_pin()) [[unlikely]] {
+    if (tilted_) return tilted_->solve_contact(known);
+    return refused(known.normal_force);
+  }
   if (model_) [[unlikely]]
     return model_->solve_contact(known);
   const Vector3d normal_force =

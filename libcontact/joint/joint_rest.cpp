@@ -172,7 +172,8 @@ bool has_no_answer(RestSolution& rest, const Vector3d& moment) {
   return true;
 }
 
-// The sliding that friction would oppose with a moment of this sign.
+// The sliding that friction would oppose with a moment of this sign. A pin that
+// slides along its axis holds none about it. Balls have no such placement.
 RestSolution pin_at_rest(const Joint& joint, const Joint::Hold& hold,
                          const SolveOptions& options) {
   const Vector3d& moment = hold.moment;
@@ -181,8 +182,9 @@ RestSolution pin_at_rest(const Joint& joint, const Joint::Hold& hold,
   const double needed = moment.dot(axis);
   RestSolution rest;
   if (needed != 0) rest.direction = needed > 0 ? Vector3d(-axis) : axis;
-  const Vector3d& u = rest.direction;
-  rest.slip = joint.solve({hold.reaction, u, axis}, options);
+  const bool slides = hold.placement && hold.placement->axial_velocity != 0;
+  const Vector3d u = slides ? Vector3d::Zero() : rest.direction;
+  rest.slip = joint.solve({hold.reaction, u, axis, hold.placement}, options);
   rest.solves = 1;
   if (has_no_answer(rest, moment) || needed == 0) return rest;
   const double limit = joint.contact().is_viscous()
@@ -290,24 +292,25 @@ RestSolution slow_at_rest(const JointContact& contact,
 
 RestSolution Joint::at_rest(const Hold& hold,
                             const SolveOptions& options) const noexcept {
-  if (model_) [[unlikely]]
+  const bool ends_pin = hold.placement && hold.placement->ends_pin();
+  if (model_ && !is_pin() && !ends_pin) [[unlikely]]
     return model_->at_rest(hold, {}, options);
   if (depends_on_speed(contact_)) {
     return slow_at_rest(contact_, hold, options);
   }
-  return is_pin() ? pin_at_rest(*this, hold, options)
-                  : ball_at_rest(*this, hold, nullptr, options);
+  return is_pin() || ends_pin ? pin_at_rest(*this, hold, options)
+                              : ball_at_rest(*this, hold, nullptr, options);
 }
 
 RestSolution Joint::at_rest(const Hold& hold, const RestSolution& last,
                             const SolveOptions& options) const noexcept {
+  const bool ends_pin = hold.placement && hold.placement->ends_pin();
+  if (is_pin() || ends_pin) return at_rest(hold, options);
   if (model_) [[unlikely]]
     return model_->at_rest(hold, last, options);
-  if (depends_on_speed(contact_)) {
-    return slow_at_rest(contact_, hold, last, options);
-  }
-  return is_pin() ? pin_at_rest(*this, hold, options)
-                  : ball_at_rest(*this, hold, &last, options);
+  return depends_on_speed(contact_)
+             ? slow_at_rest(contact_, hold, last, options)
+             : ball_at_rest(*this, hold, &last, options);
 }
 
 }  // namespace contact

@@ -5,6 +5,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
+#include "libcontact/finite_pin/slices_model.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/joint.hpp"
 
@@ -17,12 +18,21 @@ using Eigen::Vector3d;
 // A contact at a rim has none.
 bool is_round(const JointSolution& s) { return !std::isnan(s.half_angle); }
 
-const detail::ContactModel& in_seat(
-    const std::shared_ptr<const detail::ContactModel>& model) {
+using Model = std::shared_ptr<const detail::ContactModel>;
+
+// The model that found a solution, that of a tilt or that of the joint.
+const detail::ContactModel* finder(const JointSolution& s, const Model& model,
+                                   const Model& tilted) {
+  const bool is_tilted =
+      dynamic_cast<const detail::SlicesFound*>(s.work.get()) != nullptr;
+  return is_tilted ? tilted.get() : model.get();
+}
+
+Model in_seat(Model model) {
   if (!model) {
     throw Error(detail::needs("a table of contacts", "a joint with a [seat]"));
   }
-  return *model;
+  return model;
 }
 
 }  // namespace
@@ -33,14 +43,16 @@ std::optional<RimContact> Joint::rims(const JointSolution& solution) const {
 }
 
 std::optional<PinLie> Joint::lie(const JointSolution& solution) const {
-  if (model_) return model_->lie(solution);
-  return tilted_ ? tilted_->lie(solution) : std::nullopt;
+  const auto* model = finder(solution, model_, tilted_);
+  return model ? model->lie(solution) : std::nullopt;
 }
 
 ContactPv Joint::pv(const JointSolution& solution, const Vector3d& rate) const {
   if (solution.status != Status::ok) return {};
-  if (!is_round(solution))
-    return model_ ? model_->pv(solution, rate) : ContactPv();
+  if (!is_round(solution)) {
+    const auto* model = finder(solution, model_, tilted_);
+    return model ? model->pv(solution, rate) : ContactPv();
+  }
   const SlidingContact sliding(contact_, solution, rate);
   const SlidingContact::Peak peak = sliding.largest_pv();
   return {sliding.pv_total(), peak.value, peak.place};
@@ -49,8 +61,9 @@ ContactPv Joint::pv(const JointSolution& solution, const Vector3d& rate) const {
 std::vector<double> Joint::pressures(const JointSolution& solution,
                                      std::span<const Vector3d> places,
                                      RimPressure at_rims) const {
-  if (model_ && !is_round(solution)) {
-    return model_->pressures(solution, places, at_rims);
+  const auto* model = finder(solution, model_, tilted_);
+  if (model && !is_round(solution)) {
+    return model->pressures(solution, places, at_rims);
   }
   const double side =
       contact_.geometry().inner_body() == JointBody::carrier ? 1 : -1;
@@ -70,7 +83,14 @@ std::vector<double> Joint::pressures(const JointSolution& solution,
 }
 
 std::vector<std::string> Joint::notes(const JointSolution& solution) const {
-  if (model_) return model_->notes(solution);
+  if (dynamic_cast<const detail::PlacementRefused*>(solution.work.get())) {
+    return {detail::needs(
+        "a pin that is tilted, loaded at a place or slides along its axis",
+        "a pin of a JointSpec with dry friction, a radial_clearance above 0 m, "
+        "loading = centre and a wall with an end")};
+  }
+  const auto* model = finder(solution, model_, tilted_);
+  if (model) return model->notes(solution);
   switch (solution.status) {
     case Status::ok:
       return {};
@@ -96,11 +116,11 @@ Joint Joint::with_model(
 }
 
 Joint Joint::tabulated(const RimTableOptions& options) const {
-  return with_model(in_seat(model_).tabulated(options));
+  return with_model(in_seat(in_seat(model_)->tabulated(options)));
 }
 
 Joint Joint::tabulated(std::string_view table) const {
-  return with_model(in_seat(model_).tabulated(table));
+  return with_model(in_seat(in_seat(model_)->tabulated(table)));
 }
 
 std::string Joint::table() const {

@@ -2,6 +2,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/finite_pin/slices_model.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/spec.hpp"
@@ -37,8 +38,29 @@ JointSpec without_friction(JointSpec joint) {
   return joint;
 }
 
-std::shared_ptr<const detail::ContactModel> model_of(const JointSpec& joint,
-                                                     SharedLaws& laws) {
+bool has_relief(const JointSpec& joint) {
+  return joint.relief.kind() != Relief::Kind::none;
+}
+
+// The contact without end. A relief that the joint has is none of its notes;
+// one that no slices have is, with the reason.
+JointContact endless_contact(const JointSpec& joint, SharedLaws& laws) {
+  if (!has_relief(joint)) return joint.contact(laws);
+  JointContact contact = joint.without_relief().contact(laws);
+  if (const std::string why = FinitePin::refusal(joint); !why.empty()) {
+    contact.add_validity_note("the relief of the ends is left out: " + why);
+  }
+  return contact;
+}
+
+std::shared_ptr<const detail::ContactModel> tilted_model(
+    const JointSpec& joint, const JointContact& contact) {
+  if (!FinitePin::refusal(joint).empty()) return nullptr;
+  return std::make_shared<const detail::SlicesModel>(joint, contact);
+}
+
+std::shared_ptr<const detail::ContactModel> seat_model(const JointSpec& joint,
+                                                       SharedLaws& laws) {
   if (!joint.geometry.seat()) return nullptr;
   check(joint);
   JointSpec endless = joint.without_seat();
@@ -66,7 +88,11 @@ std::shared_ptr<const detail::SeatGrids> SharedLaws::seat(
 }
 
 Joint::Joint(const JointSpec& spec, SharedLaws& laws)
-    : contact_(spec.contact(laws)), model_(model_of(spec, laws)) {}
+    : contact_(endless_contact(spec, laws)),
+      model_(seat_model(spec, laws)),
+      tilted_(tilted_model(spec, contact_)) {
+  if (has_relief(spec) && tilted_) model_ = tilted_;
+}
 
 Joint::Joint(const JointSpec& spec)
     : Joint([&] {

@@ -45,33 +45,18 @@ ForceSeries series_of(JointKind kind, const Pair& pair, int count) {
 }
 
 ForceSeries series_of(const JointSpec& joint) {
+  if (const std::string why = ForceLaw::refusal(joint); !why.empty()) {
+    throw Error(why);
+  }
   const JointKind kind = joint.geometry.kind();
-  const std::string name = to_string(kind) + " joint with play";
-  if (!(joint.geometry.radial_clearance() > 0)) {
-    throw Error(detail::needs(name, "a radial_clearance above 0 m"));
-  }
-  if (joint.loading.is_back()) {
-    throw Error(detail::needs(name,
-                              "loading = centre: a body that is pressed from "
-                              "behind has no approach"));
-  }
   const ContactConditions conditions = joint.conditions();
-  if (conditions.walls) {
-    const int count = walled_unknowns(*conditions.walls);
-    if (kind == JointKind::ball) {
-      return series_of<BallContact>(kind, *conditions.walls, count);
-    }
-    const PinContact pin(*conditions.walls, InnerLoading::centre(), count);
-    if (!std::isnan(pin.approach(0.5).approach)) {
-      return series_of<PinContact>(kind, *conditions.walls, count);
-    }
-  } else if (kind == JointKind::ball) {
+  if (!conditions.walls) {
     return series_of<BallContact>(kind, joint.pair(), unknowns);
   }
-  throw Error(
-      detail::needs(name,
-                    "a wall with a backing other than an infinite body: in an "
-                    "infinite hole the displacement has no limit"));
+  const int count = walled_unknowns(*conditions.walls);
+  return kind == JointKind::ball
+             ? series_of<BallContact>(kind, *conditions.walls, count)
+             : series_of<PinContact>(kind, *conditions.walls, count);
 }
 
 // The bits of a double at which the cells of octaves begin.
@@ -213,6 +198,28 @@ ForceLaw::Cells::Cells(const ForceSeries& series, double clearance, double unit)
            edge.half_angle_at(-1), 0, 0};
   start.force_ratio = force_ratio(smallest, start.force, start.energy);
   power = start.force * smallest / start.energy - 1;
+}
+
+std::string ForceLaw::refusal(const JointSpec& joint) {
+  const std::string name =
+      to_string(joint.geometry.kind()) + " joint with play";
+  if (!(joint.geometry.radial_clearance() > 0)) {
+    return detail::needs(name, "a radial_clearance above 0 m");
+  }
+  if (joint.loading.is_back()) {
+    return detail::needs(name,
+                         "loading = centre: a body that is pressed from "
+                         "behind has no approach");
+  }
+  if (joint.geometry.kind() == JointKind::pin &&
+      (joint.outer.backing.kind() == Backing::Kind::medium ||
+       !joint.conditions().walls)) {
+    return detail::needs(
+        name,
+        "a wall with a backing other than an infinite body: in an "
+        "infinite hole the displacement has no limit");
+  }
+  return {};
 }
 
 ForceLaw::ForceLaw(const JointSpec& joint) : geometry_(joint.geometry) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 
 #include "libcontact/joint/spec.hpp"
 
@@ -38,6 +39,8 @@ class ForceLaw {
   ///   in an infinite hole, which gives way without end.
   explicit ForceLaw(const JointSpec& joint);
   ~ForceLaw();
+  /// The sentence of that Error; "" for a joint that has a law.
+  static std::string refusal(const JointSpec& joint);
 
   /// @param penetration  delta, m; below 0 there is no contact
   ForceState at(double penetration) const noexcept;

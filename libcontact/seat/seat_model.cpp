@@ -54,7 +54,7 @@ class Broyden {
 // The work that found a solution in a seat that ends; null of a free one in the
 // axes of its body.
 const SeatFound* found_of(const JointSolution& s) {
-  return static_cast<const SeatFound*>(s.work.get());
+  return dynamic_cast<const SeatFound*>(s.work.get());
 }
 
 const SeatFound* at_rim(const JointSolution& s) {

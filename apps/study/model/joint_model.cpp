@@ -79,7 +79,7 @@ JointModel::Loaded JointModel::loaded(const TomlTable& joint,
   return {
       spec,
       read_ended_load(load, spec.geometry),
-      contact::Joint(spec.without_seat(), laws),
+      contact::Joint(spec.without_seat().contact(laws)),
       {.reaction = load.number("reaction", Interval::non_negative()),
        .beta = load.optional_number("beta", {0, std::numbers::pi})
                    .value_or(std::numbers::pi / 2),
