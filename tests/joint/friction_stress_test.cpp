@@ -13,7 +13,6 @@
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "libcontact/tracking/joint_tracker.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
@@ -383,8 +382,6 @@ TEST(FrictionStress, Rest) {
                                             .axis = {0, 0, 1},
                                             .needed = 1},
                                            solution)));
-  EXPECT_ERROR(JointTracker({falls.contact()}),
-               "friction of a joint that is tracked must be dry or viscous");
 }
 
 // The friction of a curve through points of a smooth law over five decades:

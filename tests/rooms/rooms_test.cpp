@@ -34,13 +34,13 @@ const std::vector<std::string> rooms = {
     "libcontact/identify",
     "libcontact/load_law",
     "libcontact/quantities",
-    "libcontact/tracking",
     "libcontact/files",
     "libcontact/reference",
     "libcontact/c",
     "apps/cli",
     "apps/multibody/system",
     "apps/multibody/dynamics",
+    "apps/multibody/tracking",
     "apps/multibody/friction",
     "apps/multibody/motion",
     "apps/separation/case",
@@ -69,7 +69,7 @@ const std::vector<std::string> rooms = {
 // Folders and headers that the repository's own programs may include beside the
 // installed ones: hinge-table compares the routes of the friction integrals,
 // hinge-angle prints Hertz' peak, hinge-joint traces the paper's loop, the
-// multibody library tracks joints, cases and studies are TOML files too,
+// multibody library tracks joints by the kernels, cases and studies are TOML files too,
 // hinge-fmu looks at files as an FMU does. What is said of laws stands in their
 // registries.
 const std::vector<std::string> for_programs = {
@@ -80,7 +80,9 @@ const std::vector<std::string> for_programs = {
     "libcontact/pressure/registry.hpp",
     "libcontact/pressure/hertz.hpp",
     "libcontact/joint/fixed_point.hpp",
-    "libcontact/tracking",
+    "libcontact/friction/kernel/cap_kernel.hpp",
+    "libcontact/pressure/expansion.hpp",
+    "libcontact/joint/slip",
     "libcontact/files",
     "libcontact/c",
     "libcontact/reference",

@@ -13,7 +13,7 @@ namespace multibody {
 /// The friction moments M_i of the sliding hinges depend on the reactions R_i
 /// and these on all M_i: M = F(R(M)), the paper's outer loop (section 4). R(M)
 /// is affine, and only its changes are computed (Dynamics::add_friction). The
-/// joints are tracked by their secant slopes (contact::JointTracker); where
+/// joints are tracked by their secant slopes (JointTracker); where
 /// that is not safe they are solved, each hinge with Newton steps and a secant
 /// slope. Where that fails, or kappa >= 1 allows several solutions or none
 /// (Painleve), all solutions are looked for and the report says how many there

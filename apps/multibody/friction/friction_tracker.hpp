@@ -4,14 +4,14 @@
 #include <vector>
 
 #include "libcontact/base/vector_rows.hpp"
-#include "libcontact/tracking/joint_tracker.hpp"
 #include "multibody/dynamics/dynamics.hpp"
 #include "multibody/friction/hinge_solver.hpp"
+#include "multibody/tracking/joint_tracker.hpp"
 
 namespace multibody {
 
 /// Friction of all hinges side by side, tracked from evaluation to evaluation
-/// (contact::JointTracker): moments as functions of the reactions nearby, with
+/// (JointTracker): moments as functions of the reactions nearby, with
 /// one evaluation of every contact. Link axes. This is how hinges and the
 /// joints in them correspond; where joints cannot be tracked the HingeSolvers
 /// have to be asked.
@@ -58,7 +58,7 @@ class FrictionTracker {
   }
 
   /// The joints of all hinges.
-  contact::JointTracker& joints() { return joints_; }
+  JointTracker& joints() { return joints_; }
   /// Makes the motion follow the changes by joints().apply().
   void move(Dynamics& dynamics);
 
@@ -92,7 +92,7 @@ class FrictionTracker {
   int depth_ = 0;  ///< most joints of a hinge
   /// Every hinge has one joint: rows of hinges are rows of joints.
   bool is_direct_ = true;
-  contact::JointTracker joints_;
+  JointTracker joints_;
   Shares shares_;
   std::vector<double> across_;  ///< 1: moments across the axis count as well
   std::vector<HingeRows> rows_;

@@ -95,8 +95,8 @@ double TrackedLoop::relax(Hinges& hinges, double enough) {
   // Ten times the moment applied; 0.5 would be infinity.
   constexpr double lost = 0.45;
   double left = 1;
-  contact::JointTracker& joints = tracker_.joints();
-  const contact::JointTracker::Largest& found = joints.largest();
+  JointTracker& joints = tracker_.joints();
+  const JointTracker::Largest& found = joints.largest();
   for (int round = 0; round < round_limit; ++round) {
     if (round > 0) {
       joints.extend();
@@ -159,8 +159,8 @@ bool TrackedLoop::track_joints(Hinges& hinges) {
   // the end, and reactions nearer: then slopes, wrong by some percent, do for
   // the rest.
   constexpr double near = 1e-7;
-  contact::JointTracker& joints = tracker_.joints();
-  const contact::JointTracker::Largest& found = joints.largest();
+  JointTracker& joints = tracker_.joints();
+  const JointTracker::Largest& found = joints.largest();
   CoupledProgress& report = hinges.report();
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {

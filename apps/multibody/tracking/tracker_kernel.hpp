@@ -1,9 +1,11 @@
 #pragma once
 
 #include "libcontact/base/instruction_set.hpp"
-#include "libcontact/tracking/tracker_exchange.hpp"
+#include "multibody/tracking/tracker_exchange.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
+
+using contact::InstructionSet;
 
 /// All joints of a JointTracker.
 struct TrackerJoints {
@@ -33,4 +35,4 @@ struct TrackerKernel {
 /// fill cost more than they bring.
 const TrackerKernel& tracker_kernel(InstructionSet set, int joints);
 
-}  // namespace contact::detail
+}  // namespace multibody::detail

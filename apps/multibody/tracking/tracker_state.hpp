@@ -5,7 +5,11 @@
 
 /// State of JointTracker: numbers of one joint (T = double), or of several in
 /// lanes.
-namespace contact::detail {
+namespace multibody::detail {
+
+using contact::Mat3;
+using contact::Vec3;
+using contact::detail::SlipTriangle;
 
 /// How far series, slopes and windows are good: moves of ln R,
 /// ln R_n, b, ... With moves of 10 % the seventh order of the series is 1e-8.
@@ -130,4 +134,4 @@ struct TrackerState {
   Vec3<T> kept, stretch;
 };
 
-}  // namespace contact::detail
+}  // namespace multibody::detail

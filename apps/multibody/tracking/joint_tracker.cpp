@@ -1,4 +1,4 @@
-#include "libcontact/tracking/joint_tracker.hpp"
+#include "multibody/tracking/joint_tracker.hpp"
 
 #include <algorithm>
 #include <array>
@@ -13,12 +13,19 @@
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/kernel/cap_kernel.hpp"
 #include "libcontact/pressure/expansion.hpp"
-#include "libcontact/tracking/tracker_kernel.hpp"
-#include "libcontact/tracking/tracker_state.hpp"
+#include "multibody/tracking/tracker_kernel.hpp"
+#include "multibody/tracking/tracker_state.hpp"
 
-namespace contact {
+namespace multibody {
 namespace {
 
+using contact::Error;
+using contact::FrictionIntegrals;
+using contact::JointBody;
+using contact::JointGeometry;
+using contact::JointKind;
+using contact::JointState;
+using contact::Status;
 using Eigen::Vector3d;
 using State = detail::TrackerState<double>;
 using Window = detail::Window<double>;
@@ -29,23 +36,23 @@ using StateNumbers = std::array<double, sizeof(State) / sizeof(double)>;
 JointTracker::JointTracker(std::vector<JointContact> contacts)
     : contacts_(std::make_shared<const std::vector<JointContact>>(
           std::move(contacts))),
-      kernel_(&detail::tracker_kernel(instruction_set(), size())),
-      integrals_(&detail::cap_kernel(instruction_set())),
+      kernel_(&detail::tracker_kernel(contact::instruction_set(), size())),
+      integrals_(&contact::detail::cap_kernel(contact::instruction_set())),
       exchange_(packet(size() + Exchange::size - 1)),
       states_(exchange_.size() * std::tuple_size_v<StateNumbers>),
       is_plain_(contacts_->size()),
       is_smooth_(contacts_->size()) {
-  static_assert(Exchange::size == detail::CapKernel::few_points);
+  static_assert(Exchange::size == contact::detail::CapKernel::few_points);
   for (int i = 0; i < size(); ++i) {
     const JointContact& contact = this->contact(i);
     if (contact.stress()) {
-      throw Error(detail::must_be("friction of a joint that is tracked",
-                                  "dry or viscous"));
+      throw Error(contact::detail::must_be(
+          "friction of a joint that is tracked", "dry or viscous"));
     }
     const JointGeometry& geometry = contact.geometry();
     if (geometry.seat()) {
-      throw Error(detail::must_be("the seat of a joint that is tracked",
-                                  "without end"));
+      throw Error(contact::detail::must_be(
+          "the seat of a joint that is tracked", "without end"));
     }
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
@@ -53,8 +60,9 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
     s.side = geometry.inner_body() == JointBody::carrier ? 1 : -1;
     s.is_ball = geometry.kind() == JointKind::ball;
     s.is_viscous = contact.is_viscous();
-    is_plain_[i] = s.is_ball != 0 && !contact.is_viscous() &&
-                   detail::expansion_form(contact.pressure_law()).is_cosine();
+    is_plain_[i] =
+        s.is_ball != 0 && !contact.is_viscous() &&
+        contact::detail::expansion_form(contact.pressure_law()).is_cosine();
     s.is_plain = is_plain_[i];
     s.pressure_part = strength.pressure_part;
     s.area_part = strength.area_part;
@@ -265,4 +273,4 @@ void JointTracker::extrapolate(double share) noexcept {
   kernel_->extrapolate(joints(), share);
 }
 
-}  // namespace contact
+}  // namespace multibody

@@ -1,4 +1,4 @@
-#include "libcontact/tracking/joint_tracker.hpp"
+#include "multibody/tracking/joint_tracker.hpp"
 #include "libcontact/base/instruction_set.hpp"
 
 #include <gtest/gtest.h>
@@ -14,8 +14,10 @@
 
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/spec.hpp"
 #include "libcontact/pressure/factory.hpp"
 #include "support/allocation_count.hpp"
+#include "support/error_message.hpp"
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
@@ -25,6 +27,7 @@ namespace contact::test {
 namespace {
 
 using Eigen::Vector3d;
+using multibody::JointTracker;
 
 ElasticPair steel() { return ElasticPair({2e11, 0.3}, {2e11, 0.3}); }
 
@@ -670,6 +673,45 @@ TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
       }
     }
   }
+}
+
+TEST(JointTracker, RefusesAFrictionStress) {
+  const JointSpec spec{.geometry = JointGeometry::ball(0.05, 5e-5),
+                       .inner = Material{2e11, 0.3},
+                       .outer = Material{2e11, 0.3},
+                       .friction = FrictionStress::stribeck(0.15, 0.05, 0.01)};
+  EXPECT_ERROR(JointTracker({spec.contact()}),
+               "friction of a joint that is tracked must be dry or viscous");
+}
+
+// Laws end where loads do not: what a solution that is ok starts has numbers.
+TEST(JointTracker, StartsWithNumbersWhereTheStatusIsOk) {
+  const Vector3d z = Vector3d::UnitZ();
+  int started = 0;
+  for (const auto& geometry : {JointGeometry::ball(0.01, 2e-5),
+                               JointGeometry::pin(0.01, 2e-5, 0.02)}) {
+    for (const std::string& half_angle : half_angle_law_names()) {
+      for (const std::string& pressure : pressure_law_names()) {
+        const Joint joint(JointSpec{.geometry = geometry,
+                                    .inner = Material{2.1e11, 0.3},
+                                    .outer = Material{1e11, 0.34},
+                                    .friction = FrictionLaw(0.1, 1e3),
+                                    .half_angle_law = half_angle,
+                                    .pressure_law = pressure});
+        JointTracker tracker({joint.contact()});
+        for (double load = 1e-9; load < 1e13; load *= 20) {
+          const Vector3d reaction(load, 0, joint.is_pin() ? 0 : 0.3 * load);
+          const auto s = joint.solve({reaction, 0.1 * z, z});
+          if (s.status != Status::ok) continue;
+          ++started;
+          tracker.start(0, s, 0.1 * z);
+          EXPECT_TRUE(tracker.moment(0).allFinite())
+              << half_angle << ", " << pressure << " under " << load;
+        }
+      }
+    }
+  }
+  EXPECT_GT(started, 100);
 }
 
 // Readers of rows may read the whole last packet.

@@ -1,6 +1,6 @@
-#include "libcontact/tracking/tracker_kernel.hpp"
+#include "multibody/tracking/tracker_kernel.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
 
 extern const TrackerKernel tracker_kernel_baseline;
 extern const TrackerKernel tracker_kernel_avx2;
@@ -19,4 +19,4 @@ const TrackerKernel& tracker_kernel([[maybe_unused]] InstructionSet set,
   return tracker_kernel_baseline;
 }
 
-}  // namespace contact::detail
+}  // namespace multibody::detail

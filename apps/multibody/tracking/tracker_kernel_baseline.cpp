@@ -1,8 +1,8 @@
-#include "libcontact/tracking/tracker_kernel_impl.hpp"
+#include "multibody/tracking/tracker_kernel_impl.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
 
 extern const TrackerKernel tracker_kernel_baseline;
 constinit const TrackerKernel tracker_kernel_baseline = make_kernel();
 
-}  // namespace contact::detail
+}  // namespace multibody::detail

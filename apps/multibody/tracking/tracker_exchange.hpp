@@ -2,7 +2,9 @@
 
 #include "libcontact/base/vector_rows.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
+
+using contact::VectorRows;
 
 /// JointTracker::Largest
 struct TrackerLargest {
@@ -43,4 +45,4 @@ struct TrackerExchange {
   Row friction, sliding, spinning;     ///< f/cos a, c_Y/cos a, c_Z/sin a
 };
 
-}  // namespace contact::detail
+}  // namespace multibody::detail

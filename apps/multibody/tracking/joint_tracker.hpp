@@ -8,17 +8,25 @@
 #include "libcontact/base/vector_rows.hpp"
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
-#include "libcontact/tracking/tracker_exchange.hpp"
+#include "multibody/tracking/tracker_exchange.hpp"
 
-namespace contact {
+namespace contact::detail {
+struct CapKernel;
+}
+
+namespace multibody {
 
 namespace detail {
-struct CapKernel;
 struct TrackerJoints;
 struct TrackerKernel;
 template <class T>
 struct TrackerState;
 }  // namespace detail
+
+using contact::JointContact;
+using contact::JointSolution;
+using contact::SlipAxis;
+using contact::VectorRows;
 
 /// Friction of several sliding joints, side by side, tracked through small
 /// changes of R and Dw with one evaluation of each contact: for solvers of
@@ -101,7 +109,7 @@ class JointTracker {
   }
   /// Likely relative error of M_t, from the errors found in the slopes lately:
   /// after correct() at most 0.62 of it on 1200 random paths
-  /// (tracking/joint_tracker_test.cpp).
+  /// (multibody/joint_tracker_test.cpp).
   double error(int joint) const noexcept { return at(&Exchange::error, joint); }
 
   /// Moment with which the motion has been computed, N m, for iterations of M_t
@@ -190,7 +198,7 @@ class JointTracker {
 
   std::shared_ptr<const std::vector<JointContact>> contacts_;
   const detail::TrackerKernel* kernel_;
-  const detail::CapKernel* integrals_;
+  const contact::detail::CapKernel* integrals_;
   std::vector<Exchange> exchange_;
   std::vector<Line> states_;  // TrackerState in lanes of the kernel
   bool any_plain_ = false;
@@ -200,4 +208,4 @@ class JointTracker {
   Largest largest_{};
 };
 
-}  // namespace contact
+}  // namespace multibody

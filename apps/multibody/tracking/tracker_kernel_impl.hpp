@@ -6,10 +6,10 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/tracking/tracker_kernel.hpp"
-#include "libcontact/tracking/tracker_lanes.hpp"
+#include "multibody/tracking/tracker_kernel.hpp"
+#include "multibody/tracking/tracker_lanes.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
 namespace {
 
 static_assert(TrackerExchange::size % width == 0);
@@ -321,4 +321,4 @@ constexpr TrackerKernel make_kernel() {
 }
 
 }  // namespace
-}  // namespace contact::detail
+}  // namespace multibody::detail

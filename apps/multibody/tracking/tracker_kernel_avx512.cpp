@@ -1,10 +1,10 @@
 #ifdef __x86_64__
-#include "libcontact/tracking/tracker_kernel_impl.hpp"
+#include "multibody/tracking/tracker_kernel_impl.hpp"
 
-namespace contact::detail {
+namespace multibody::detail {
 
 extern const TrackerKernel tracker_kernel_avx512;
 constinit const TrackerKernel tracker_kernel_avx512 = make_kernel();
 
-}  // namespace contact::detail
+}  // namespace multibody::detail
 #endif

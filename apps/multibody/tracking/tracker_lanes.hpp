@@ -3,14 +3,16 @@
 #include "libcontact/base/lanes.hpp"
 #include "libcontact/base/lanes/inverse_root.hpp"
 #include "libcontact/base/select.hpp"
-#include "libcontact/tracking/tracker_exchange.hpp"
-#include "libcontact/tracking/tracker_state.hpp"
+#include "multibody/tracking/tracker_exchange.hpp"
+#include "multibody/tracking/tracker_state.hpp"
 
 // The mathematics of joints in lanes: where R and Dw lead by the secants. Part
 // of tracker_kernel_impl.hpp.
 
-namespace contact::detail {
+namespace multibody::detail {
 namespace {
+
+using namespace contact::detail;
 
 using Vector = Vec3<Lanes>;
 using State = TrackerState<Lanes>;
@@ -226,4 +228,4 @@ using Move = ContactMove<Lanes>;
 }
 
 }  // namespace
-}  // namespace contact::detail
+}  // namespace multibody::detail
