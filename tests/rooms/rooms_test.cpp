@@ -25,6 +25,7 @@ const std::vector<std::string> rooms = {
     "libcontact/half_angle",
     "libcontact/pressure",
     "libcontact/friction",
+    "tools/friction_rules",
     "libcontact/joint",
     "libcontact/seat",
     "libcontact/play",
@@ -35,7 +36,7 @@ const std::vector<std::string> rooms = {
     "libcontact/load_law",
     "libcontact/quantities",
     "libcontact/files",
-    "libcontact/reference",
+    "tools/reference",
     "libcontact/c",
     "apps/cli",
     "apps/multibody/system",
@@ -69,9 +70,9 @@ const std::vector<std::string> rooms = {
 // Folders and headers that the repository's own programs may include beside the
 // installed ones: hinge-table compares the routes of the friction integrals,
 // hinge-angle prints Hertz' peak, hinge-joint traces the paper's loop, the
-// multibody library tracks joints by the kernels, cases and studies are TOML files too,
-// hinge-fmu looks at files as an FMU does. What is said of laws stands in their
-// registries.
+// multibody library tracks joints by the kernels, cases and studies are TOML
+// files too, hinge-fmu looks at files as an FMU does. What is said of laws
+// stands in their registries.
 const std::vector<std::string> for_programs = {
     "libcontact/base",
     "libcontact/friction/elliptic",
@@ -85,7 +86,7 @@ const std::vector<std::string> for_programs = {
     "libcontact/joint/slip",
     "libcontact/files",
     "libcontact/c",
-    "libcontact/reference",
+    "tools/reference",
     "libcontact/quantities"};
 
 const fs::path root = CONTACT_SOURCE_DIR;
@@ -123,7 +124,7 @@ std::vector<std::string> sources(const std::string& folder) {
 std::vector<Include> includes() {
   static const std::regex line_of("^#include [<\"]([^>\"]+)[>\"]");
   std::vector<Include> all;
-  for (const std::string folder : {"libcontact", "apps"}) {
+  for (const std::string folder : {"libcontact", "apps", "tools"}) {
     for (const std::string& file : sources(folder)) {
       std::ifstream stream(root / file);
       std::smatch match;
@@ -292,7 +293,7 @@ TEST(Rooms, NoFileHasANameThatIsGone) {
   const std::set<std::string> may = {"apps/cli/gone.cpp",
                                      "tests/rooms/gone_names.txt"};
   for (const std::string folder :
-       {"libcontact", "apps", "tests", "scripts", "data", "plots"}) {
+       {"libcontact", "apps", "tools", "tests", "scripts", "data", "plots"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string file = fs::relative(entry.path(), root).string();
       if (!entry.is_regular_file() || may.contains(file)) continue;
@@ -308,7 +309,7 @@ TEST(Rooms, NoFileHasANameThatIsGone) {
 // More and a folder no longer shows what is in it.
 TEST(Rooms, FoldersHaveAtMostThirtySources) {
   std::map<std::string, int> count;
-  for (const std::string folder : {"libcontact", "apps", "tests"}) {
+  for (const std::string folder : {"libcontact", "apps", "tools", "tests"}) {
     for (const std::string& file : sources(folder)) {
       ++count[fs::path(file).parent_path().string()];
     }

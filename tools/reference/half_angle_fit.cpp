@@ -1,4 +1,4 @@
-#include "libcontact/reference/half_angle_fit.hpp"
+#include "tools/reference/half_angle_fit.hpp"
 
 #include <fmt/format.h>
 

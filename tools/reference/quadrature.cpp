@@ -1,4 +1,4 @@
-#include "libcontact/reference/quadrature.hpp"
+#include "tools/reference/quadrature.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "libcontact/reference/gsl.hpp"
+#include "tools/reference/gsl.hpp"
 
 namespace contact::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "libcontact/reference/friction_rules.hpp"
+#include "tools/reference/friction_rules.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

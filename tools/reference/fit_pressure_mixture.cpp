@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "libcontact/reference/pressure_mixture_fit.hpp"
+#include "tools/reference/pressure_mixture_fit.hpp"
 
 /// Prints libcontact/pressure/mixture_coefficients.hpp.
 int main() {

@@ -1,4 +1,4 @@
-#include "libcontact/reference/elliptic_fit.hpp"
+#include "tools/reference/elliptic_fit.hpp"
 
 #include <fmt/format.h>
 

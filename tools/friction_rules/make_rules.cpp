@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "libcontact/friction/kernel/cap_rule.hpp"
-#include "libcontact/friction/rules/families.hpp"
+#include "tools/friction_rules/families.hpp"
 
 namespace {
 

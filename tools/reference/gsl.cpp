@@ -1,4 +1,4 @@
-#include "libcontact/reference/gsl.hpp"
+#include "tools/reference/gsl.hpp"
 
 #include <gsl/gsl_errno.h>
 

@@ -1,4 +1,4 @@
-#include "libcontact/reference/pressure_mixture_fit.hpp"
+#include "tools/reference/pressure_mixture_fit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -1,4 +1,4 @@
-#include "libcontact/friction/rules/log_corrections.hpp"
+#include "tools/friction_rules/log_corrections.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>
