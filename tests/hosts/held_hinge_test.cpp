@@ -1,6 +1,5 @@
-// Recipes for hosts that are not installed: what HeldHinge does in a loop as
-// theirs. That the recipes compile is checked by the library recipes_types.
-#include "hosts/recipes/held_hinge.hpp"
+// A hinge that is held in a loop like that of a host with explicit torques.
+#include "hosts/held_hinge.hpp"
 
 #include <gtest/gtest.h>
 
@@ -48,7 +47,7 @@ struct Pendulum {
   }
 };
 
-TEST(Recipes, PendulumComesToRestAndStays) {
+TEST(HeldHinge, PendulumComesToRestAndStays) {
   Pendulum pendulum;
   const double time = pendulum.rests_after(inertia);
   ASSERT_TRUE(std::isfinite(time));
@@ -59,7 +58,7 @@ TEST(Recipes, PendulumComesToRestAndStays) {
   EXPECT_TRUE(pendulum.hinge.last().holds);
 }
 
-TEST(Recipes, InertiaNeedNotBeExact) {
+TEST(HeldHinge, InertiaNeedNotBeExact) {
   Pendulum exact;
   const double time = exact.rests_after(inertia);
   for (const double factor : {0.2, 0.5, 1.3}) {
@@ -72,7 +71,7 @@ TEST(Recipes, InertiaNeedNotBeExact) {
   EXPECT_FALSE(std::isfinite(unstable.rests_after(1.5 * inertia)));
 }
 
-TEST(Recipes, SlidingTorqueIsThatOfSolve) {
+TEST(HeldHinge, SlidingTorqueIsThatOfSolve) {
   HeldHinge hinge(file);
   const auto joint = contact_hosts::read_joint(file, "test", CONTACT_PIN);
   for (const double load : {10.0, 300.0, 5000.0}) {
@@ -86,7 +85,7 @@ TEST(Recipes, SlidingTorqueIsThatOfSolve) {
 }
 
 // The onset is at the limit of contact_joint_at_rest().
-TEST(Recipes, LetsGoAtItsLimit) {
+TEST(HeldHinge, LetsGoAtItsLimit) {
   const auto joint = contact_hosts::read_joint(file, "test", CONTACT_PIN);
   const contact_hold hold = {{0, mass * g, 0}, {0, 0, 1}, {0, 0, 1}};
   contact_rest rest;

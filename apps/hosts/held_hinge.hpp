@@ -15,7 +15,7 @@ namespace contact_hosts {
 /// taken to gain what it gained in the step before. A hinge that holds comes to
 /// rest within two steps, with a rate of the change of the other torques in a
 /// step; an inertia that is too small by any factor, or too large by less than
-/// a third, only takes more steps (hosts/recipes_test.cpp).
+/// a third, only takes more steps (hosts/held_hinge_test.cpp).
 class HeldHinge {
  public:
   /// @throws std::runtime_error if the file is not a pin with dry friction

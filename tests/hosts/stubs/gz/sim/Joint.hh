@@ -1,4 +1,0 @@
-// See System.hh.
-#pragma once
-
-#include "gz/sim/System.hh"

@@ -1,4 +1,0 @@
-// See model.hpp.
-#pragma once
-
-#include "pinocchio/multibody/model.hpp"
