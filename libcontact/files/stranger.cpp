@@ -21,6 +21,10 @@ bool has_word(std::string_view words, std::string_view word) {
   return false;
 }
 
+// A key that is its own former name: what reads it says what to write instead,
+// and nobody is pointed to it.
+bool is_gone(const KnownKey& key) { return key.key == key.former; }
+
 // The known spelling that a user has most likely meant by a key; "" for none:
 // its new name, one that is nearly the same, or the same but for an ending,
 // such as a unit that it does not take. One that is there was not meant, unless
@@ -29,6 +33,7 @@ std::string meant_by(const std::string& key, const toml::table& table,
                      const std::vector<const KnownKey*>& known) {
   std::vector<std::string> likely;
   for (const KnownKey* other : known) {
+    if (is_gone(*other)) continue;
     const auto now = spellings(other->key, other->dimension);
     const auto before = spellings(other->former, other->dimension);
     const auto renamed = std::ranges::find(before, key) - before.begin();
@@ -104,7 +109,7 @@ void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
       std::vector<std::string> names;
       for (const KnownKey* k : known) {
         // Keys of several kinds are there once for each.
-        if (std::ranges::find(names, k->key) == names.end()) {
+        if (!is_gone(*k) && std::ranges::find(names, k->key) == names.end()) {
           names.emplace_back(k->key);
         }
       }

@@ -9,14 +9,14 @@
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/wheel.hpp"
 
-// Bodies on balls whose contacts are confined to seats that end.
+// Bodies on balls in seats that end.
 namespace multibody::test {
 namespace {
 
+using contact::Joint;
 using contact::JointBody;
 using contact::JointSpec;
-using contact::SeatContact;
-using contact::SeatJoint;
+using contact::RimContact;
 
 // 60 kN are enough for the rims of the ring; it is the body's.
 constexpr double mass = 12000;
@@ -29,14 +29,13 @@ const JointSpec& ring() {
   return joint;
 }
 
-// A coarse grid: what is compared is of the same one.
-std::shared_ptr<const SeatJoint> seat_of(const JointSpec& joint) {
-  return std::make_shared<const SeatJoint>(
-      joint, SeatContact::Grid{.cells = 12, .longitudes = 30});
-}
-
-JointFriction in(const std::shared_ptr<const SeatJoint>& seat) {
-  return {seat->unbounded(), FrictionEstimate::consistent, seat};
+const Joint& endless() {
+  static const Joint joint = [] {
+    JointSpec spec = ring().without_seat();
+    spec.half_angle_law = "exact";
+    return Joint(spec);
+  }();
+  return joint;
 }
 
 System pendulum(double of_mass) {
@@ -65,10 +64,10 @@ MotionOptions with_gravity(double step) {
   return options;
 }
 
-// The same pendulum by one angle, its friction by SeatJoint called here.
+// The same pendulum by one angle, its friction by Joint called here.
 struct Plane {
-  const SeatJoint& seat;
-  contact::SeatJointSolution last = {};
+  const Joint& seat;
+  contact::JointSolution last = {};
 
   // phi'' of the reaction that it causes.
   double acceleration(double phi, double rate) {
@@ -106,13 +105,13 @@ double angle_of(const Motion& motion) {
 }
 
 TEST(MotionSeat, AtTheRimsIsTheEquationOfOneAngle) {
-  const auto seat = seat_of(ring());
+  const Joint seat(ring());
   constexpr double h = 0.02;
   constexpr int steps = 4;
-  Motion motion(pendulum(mass), {in(seat)}, nullptr, turned(0.5, -0.2),
-                with_gravity(h));
+  Motion motion(pendulum(mass), {JointFriction{seat}}, nullptr,
+                turned(0.5, -0.2), with_gravity(h));
   const double before = motion.sample().energy().balance();
-  Plane plane{*seat};
+  Plane plane{seat};
   std::array<double, 2> state = {0.5, -0.2};
   for (int i = 0; i < steps; ++i) plane.step(state, h);
   ASSERT_EQ(motion.advance_to(h * steps), Stop::time);
@@ -122,15 +121,16 @@ TEST(MotionSeat, AtTheRimsIsTheEquationOfOneAngle) {
   EXPECT_NEAR(hinge.relative_angular_velocity.z(), state[1], 1e-9);
   EXPECT_LT(hinge.relative_angular_velocity.head<2>().norm(), 1e-9);
   // At both rims of the ring; friction there is not that of the whole ball.
-  EXPECT_EQ(hinge.rim_gaps[0], 0);
-  EXPECT_EQ(hinge.rim_gaps[1], 0);
+  const RimContact at = *seat.rims(hinge.joints[0]);
+  EXPECT_EQ(at.rims[0].gap, 0);
+  EXPECT_EQ(at.rims[1].gap, 0);
+  EXPECT_TRUE(std::isnan(hinge.joints[0].half_angle));
   const contact::Joint::Slip slip{hinge.reaction_force,
                                   hinge.relative_angular_velocity};
-  const auto found = seat->solve(slip);
-  EXPECT_FALSE(found.contact.is_free);
+  const auto found = seat.solve(slip);
   EXPECT_NEAR(hinge.friction_moment.z() / found.friction_moment.z(), 1, 1e-6);
   EXPECT_GT(std::abs(hinge.friction_moment.z() /
-                         seat->unbounded().solve(slip).friction_moment.z() -
+                         endless().solve(slip).friction_moment.z() -
                      1),
             1e-3);
   EXPECT_EQ(hinge.joints[0].peak_pressure > 0, true);
@@ -140,20 +140,20 @@ TEST(MotionSeat, AtTheRimsIsTheEquationOfOneAngle) {
 }
 
 TEST(MotionSeat, AwayFromTheRimsExactLawsAnswer) {
-  const auto seat = seat_of(ring());
+  const Joint seat(ring());
   constexpr double light = 20;
-  Motion confined(pendulum(light), {in(seat)}, nullptr, turned(0.5, -0.2),
-                  with_gravity(0.01));
-  Motion whole(pendulum(light), {JointFriction{seat->unbounded()}}, nullptr,
+  Motion confined(pendulum(light), {JointFriction{seat}}, nullptr,
+                  turned(0.5, -0.2), with_gravity(0.01));
+  Motion whole(pendulum(light), {JointFriction{endless()}}, nullptr,
                turned(0.5, -0.2), with_gravity(0.01));
   ASSERT_EQ(confined.advance_to(0.5), Stop::time);
   ASSERT_EQ(whole.advance_to(0.5), Stop::time);
   // The same equations; one of them is tracked.
   EXPECT_NEAR(angle_of(confined), angle_of(whole), 1e-10);
-  EXPECT_GT(confined.sample().hinge(0).rim_gaps[0], 0);
   const HingeSample hinge = confined.sample().hinge(0);
+  EXPECT_GT(seat.rims(hinge.joints[0])->gap(), 0);
   const double half_angle =
-      seat->unbounded()
+      endless()
           .solve({hinge.reaction_force, hinge.relative_angular_velocity})
           .half_angle;
   // Begun elsewhere: to the joint solver's tolerance.
@@ -169,12 +169,12 @@ TEST(MotionSeat, RestsAsTheSeatSays) {
         contact::JointGeometry::ball(joint.geometry.radius(),
                                      joint.geometry.radial_clearance(), inner)
             .with_seat(*joint.geometry.seat());
-    const auto seat = seat_of(joint);
+    const Joint seat(joint);
     // Across the ring's axis the load leaves its middle.
     const Vector3d axis = Vector3d(1, 0, 1).normalized();
     for (const double angle : {0.8e-3, 4e-3}) {
-      Motion motion(pendulum(mass), {in(seat)}, nullptr, turned(angle, 0, axis),
-                    with_gravity(0.01));
+      Motion motion(pendulum(mass), {JointFriction{seat}}, nullptr,
+                    turned(angle, 0, axis), with_gravity(0.01));
       const Matrix3d to_body =
           Eigen::AngleAxisd(-angle, axis).toRotationMatrix();
       const Vector3d weight(0, mass * g, 0);
@@ -182,7 +182,7 @@ TEST(MotionSeat, RestsAsTheSeatSays) {
       const Vector3d held = -(to_body.transpose() * Vector3d(0, -arm, 0))
                                  .cross(Vector3d(0, -mass * g, 0));
       const bool has_body = inner == JointBody::carrier;
-      const auto rest = seat->at_rest(
+      const auto rest = seat.at_rest(
           {.reaction = has_body ? Vector3d(to_body * weight) : weight,
            .moment = has_body ? Vector3d(to_body * held) : held});
       const HingeSample hinge = motion.sample().hinge(0);
@@ -192,7 +192,7 @@ TEST(MotionSeat, RestsAsTheSeatSays) {
       EXPECT_EQ(rest.utilisation <= 1, angle < 2e-3) << rest.utilisation;
       if (hinge.mode == HingeMode::resting) {
         EXPECT_NEAR(hinge.utilisation / rest.utilisation, 1, 1e-6);
-        EXPECT_EQ(hinge.rim_gaps[0], 0);
+        EXPECT_EQ(seat.rims(hinge.joints[0])->rims[0].gap, 0);
         ASSERT_EQ(motion.advance_to(0.1), Stop::time);
         EXPECT_TRUE(
             motion.sample().hinge(0).relative_angular_velocity.isZero(0));
@@ -204,7 +204,7 @@ TEST(MotionSeat, RestsAsTheSeatSays) {
 TEST(MotionSeat, OutOfTheSeatIsSaid) {
   JointSpec joint =
       contact::read_joint(CONTACT_DATA_DIR "/joints/hip_cup.toml");
-  const auto seat = seat_of(joint);
+  const Joint seat(joint);
   // The load pulls along the cup's opening, whichever way it looks.
   const auto& z = joint.geometry.seat()->axis();
   const Vector3d along(z[0], z[1], z[2]);
@@ -219,10 +219,10 @@ TEST(MotionSeat, OutOfTheSeatIsSaid) {
     // At rest too, where there is no moment to be held.
     Body balanced = body;
     balanced.hinge_from_com.setZero();
-    const Motion resting({ground, {balanced}}, {in(seat)}, nullptr,
+    const Motion resting({ground, {balanced}}, {JointFriction{seat}}, nullptr,
                          turned(0, 0), options);
-    Motion motion({ground, {body}}, {in(seat)}, nullptr, turned(0, 0.1),
-                  options);
+    Motion motion({ground, {body}}, {JointFriction{seat}}, nullptr,
+                  turned(0, 0.1), options);
     EXPECT_EQ(resting.failure().has_value(), motion.failure().has_value());
     if (!motion.failure()) continue;
     ++failed;

@@ -152,7 +152,7 @@ TEST(CaseFile, JointsOfAFileHaveNamesOfTheirOwn) {
 std::vector<const JointContact*> contacts(const Case& c) {
   std::vector<const JointContact*> all;
   for (const separation::Body& body : c.bodies) {
-    for (const auto& joint : body.hinge.joints) all.push_back(&joint.contact);
+    for (const auto& joint : body.hinge.joints) all.push_back(&joint.contact());
   }
   return all;
 }

@@ -57,6 +57,7 @@ void fail_at(int body, Hinges& at) {
   if (!std::isfinite(force)) return;
   report.status = CoupledStatus::no_contact;
   report.joint = joint;
+  report.contact = last.joints[joint].status;
   report.force = force;
 }
 

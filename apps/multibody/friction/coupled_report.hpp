@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
+
 /// Options and report of an evaluation with friction.
 namespace multibody {
 
@@ -54,8 +56,10 @@ struct CoupledReport {
   /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
   int body = -1;  ///< body that failed, -1: none in particular
-  /// no_contact: which joint of that body's hinge, and the force on it, N.
+  /// no_contact: which joint of that body's hinge, what came of its contact,
+  /// and the force on it, N.
   int joint = -1;
+  contact::Status contact = contact::Status::ok;
   double force = 0;
 };
 

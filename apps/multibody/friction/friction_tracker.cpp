@@ -26,7 +26,7 @@ std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   const auto* const of_group = std::get_if<GroupFriction>(&friction);
   if (of_group && of_group->group.thrust_face()) return {};
   const auto* const alone = std::get_if<JointFriction>(&friction);
-  if (alone && (alone->seat || !alone->joint.is_endless())) return {};
+  if (alone && !alone->joint.is_endless()) return {};
   const auto is_consistent = [](const auto& of) {
     if constexpr (requires { of.estimate; }) {
       return of.estimate == FrictionEstimate::consistent;

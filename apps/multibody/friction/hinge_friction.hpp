@@ -1,13 +1,11 @@
 #pragma once
 
 #include <array>
-#include <memory>
 #include <variant>
 #include <vector>
 
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/joint.hpp"
-#include "libcontact/seat/joint.hpp"
 
 /// Friction in the hinge of a body.
 namespace multibody {
@@ -20,13 +18,11 @@ enum class FrictionEstimate {
 
 /// A ball alone on a ball body (HingeKind::ball), or a pin on the axis of an
 /// axis body (HingeKind::axis). The pin takes the radial force; the axial force
-/// and moments across the axis are taken by something without friction.
+/// and moments across the axis are taken by something without friction. A ball
+/// in a seat that ends is in it, with the consistent estimate alone.
 struct JointFriction {
   contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
-  /// Confines the contact of a ball to its seat; `joint` is its unbounded().
-  /// Without: the seat goes on beyond its rims.
-  std::shared_ptr<const contact::SeatJoint> seat = {};
 };
 
 /// Several joints on the axis of an axis body (HingeKind::axis); positions

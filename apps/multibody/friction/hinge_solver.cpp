@@ -12,6 +12,7 @@
 #include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/hinges/kinds.hpp"
+#include "multibody/system/kinematics.hpp"
 
 namespace multibody {
 namespace {
@@ -38,6 +39,7 @@ bool holds(const contact::JointContact& contact) {
 HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     : friction_(std::move(friction)),
       contacts_(contacts(friction_)),
+      link_(link),
       axes_(link.axes),
       is_axis_(hinge_traits(link.kind).is_axis) {
   const auto refuse = [&](const char* what, const char* where) {
@@ -50,9 +52,15 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
     } else if (link.kind != HingeKind::ball) {
       refuse("a ball joint alone", "a ball hinge");
     }
-    if (one->seat && one->estimate == FrictionEstimate::consistent) {
-      seat_.emplace(one->seat, link);
+    const contact::Joint& joint = one->joint;
+    if (!joint.is_endless() && one->estimate == FrictionEstimate::traditional) {
+      refuse("the traditional estimate",
+             "a joint without a [seat], or "
+             "without_seat");
     }
+    turns_seat_ =
+        !joint.is_endless() &&
+        joint.contact().geometry().inner_body() == contact::JointBody::body;
   } else if (std::holds_alternative<GroupFriction>(friction_) && !is_axis_) {
     refuse("a group of joints", "an axis");
   }
@@ -60,6 +68,11 @@ HingeSolver::HingeSolver(HingeFriction friction, const Link& link, int body)
   can_rest_ = std::ranges::any_of(contacts_, holds) ||
               (of_group && of_group->group.thrust_face() &&
                of_group->group.thrust_face()->moment(1) > 0);
+}
+
+void HingeSolver::place_seat(const double* link_state, Memory& memory) const {
+  memory.placement.from_seat =
+      axes_ * relative_rotation(link_, link_state).transpose();
 }
 
 HingeSolver::Memory HingeSolver::make_memory() const {
@@ -79,9 +92,14 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     const contact::Joint::Slip slip =
         is_axis_ ? contact::Joint::Slip{force - force.dot(axis) * axis,
                                         rate.z() * axis, axis}
-                 : contact::Joint::Slip{force, axes_ * rate};
+                 : contact::Joint::Slip{.reaction = force,
+                                        .angular_velocity = axes_ * rate,
+                                        .placement = placement(memory)};
     JointSolution& last = memory.joints[0];
-    last = slide_ball(*one, slip, memory);
+    last = one->estimate == FrictionEstimate::traditional
+               ? one->joint.solve_contact(
+                     {slip.reaction, slip.angular_velocity, slip.axis})
+               : one->joint.solve(slip, last, inner);
     if (last.status != contact::Status::ok) return nan_vector();
     if (is_axis_) return {0, 0, last.friction_moment.dot(axis)};
     return axes_.transpose() * last.friction_moment;
@@ -92,20 +110,6 @@ Vector3d HingeSolver::slide(const Reaction<double>& reaction,
     sum += joint.friction_moment.dot(axis);
   }
   return {0, 0, sum};
-}
-
-JointSolution HingeSolver::slide_ball(const JointFriction& ball,
-                                      const contact::Joint::Slip& slip,
-                                      Memory& memory) const {
-  if (ball.estimate == FrictionEstimate::traditional) {
-    return ball.joint.solve_contact(
-        {slip.reaction, slip.angular_velocity, slip.axis});
-  }
-  if (seat_) {
-    const JointSolution confined = seat_->slide(slip, memory.seat);
-    if (!memory.seat.is_free()) return confined;
-  }
-  return ball.joint.solve(slip, memory.joints[0], inner);
 }
 
 // The joints of a group that turns.
@@ -146,10 +150,7 @@ double HingeSolver::utilisation_of(const JointFriction& ball,
                                    Memory& memory) const {
   auto& [joints, group, rest, seat, slip_direction] = memory;
   if (ball.estimate == FrictionEstimate::consistent) {
-    std::optional<contact::RestSolution> confined;
-    if (seat_) confined = seat_->at_rest(hold, seat);
-    rest = confined && !seat.is_free() ? *confined
-                                       : ball.joint.at_rest(hold, rest);
+    rest = ball.joint.at_rest(hold, rest);
     joints[0] = rest.slip;
     slip_direction = axes_.transpose() * rest.direction;
     return rest.utilisation;
@@ -178,7 +179,8 @@ double HingeSolver::utilisation(const Reaction<double>& held,
   if (!is_axis_) {
     return utilisation_of(std::get<JointFriction>(friction_),
                           {.reaction = axes_ * vec3(held.force),
-                           .moment = axes_ * vec3(held.moment)},
+                           .moment = axes_ * vec3(held.moment),
+                           .placement = placement(memory)},
                           memory);
   }
   const double needed = held.moment.z;
@@ -219,9 +221,6 @@ Vector3d HingeSolver::prox(const Matrix3d& inertia, const Vector3d& free,
                            const Memory& memory) const {
   const contact::Joint& joint = std::get<JointFriction>(friction_).joint;
   const Matrix3d given = axes_ * inertia * axes_.transpose();
-  if (seat_ && !memory.seat.is_free()) {
-    return axes_.transpose() * seat_->prox(given, axes_ * free, memory.seat);
-  }
   return axes_.transpose() * joint.moment_set(memory.joints[0])
                                  .prox(given, axes_ * free)
                                  .angular_velocity;

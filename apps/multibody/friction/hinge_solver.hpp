@@ -1,18 +1,17 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 #include <vector>
 
 #include "multibody/friction/hinge_friction.hpp"
-#include "multibody/friction/seat_solver.hpp"
 #include "multibody/system/active_forces.hpp"
 #include "multibody/system/system.hpp"
 
 namespace multibody {
 
 /// Friction of one hinge under a known reaction, between link axes and the
-/// joint solvers of libcontact, which work in body axes. Does not allocate.
+/// joint solvers of libcontact, which work in body axes. Does not allocate but
+/// in seats that end.
 class HingeSolver {
  public:
   /// The last solutions, from which the next ones start; body axes.
@@ -20,7 +19,8 @@ class HingeSolver {
     std::vector<contact::JointSolution> joints;
     contact::JointGroup::Solution group;
     contact::RestSolution rest;
-    SeatSolver::Memory seat;
+    /// From the seat's body to the body: of a carrier's seat.
+    contact::Placement placement;
     /// Direction of impending slip in the last utilisation(), unit vector; 0
     /// without a driving moment.
     Eigen::Vector3d slip_direction = Eigen::Vector3d::Zero();
@@ -34,10 +34,8 @@ class HingeSolver {
   Memory make_memory() const;
   /// A hinge that turns: before the calls that follow.
   void set_state(const double* link_state, Memory& memory) const {
-    if (seat_) seat_->set_state(link_state, memory.seat);
+    if (turns_seat_) place_seat(link_state, memory);
   }
-  /// The contact is confined to a seat that ends.
-  bool is_in_seat() const { return seat_.has_value(); }
   bool has_friction() const { return !contacts_.empty(); }
   /// Dry friction, above 0, in at least one joint.
   bool can_rest() const { return can_rest_; }
@@ -80,16 +78,19 @@ class HingeSolver {
   double utilisation_of(const JointFriction& ball,
                         const contact::Joint::Hold& hold, Memory& memory) const;
 
-  contact::JointSolution slide_ball(const JointFriction& ball,
-                                    const contact::Joint::Slip& slip,
-                                    Memory& memory) const;
+  void place_seat(const double* link_state, Memory& memory) const;
+  // Null where the seat's axes are those of the body.
+  const contact::Placement* placement(const Memory& memory) const {
+    return turns_seat_ ? &memory.placement : nullptr;
+  }
 
   HingeFriction friction_;
   std::vector<contact::JointContact> contacts_;
+  Link link_;
   Eigen::Matrix3d axes_;  // link axes to body axes
   bool is_axis_;
   bool can_rest_ = false;
-  std::optional<SeatSolver> seat_;
+  bool turns_seat_ = false;  // the carrier has the seat of a contact that ends
 };
 
 }  // namespace multibody

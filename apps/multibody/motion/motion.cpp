@@ -42,11 +42,15 @@ const char* reason(CoupledStatus status) {
 std::string reason(const HingeSolver& solver, const CoupledReport& report) {
   const contact::JointContact& contact = solver.contact(report.joint);
   const double force = report.force;
-  if (solver.is_in_seat()) {
+  if (report.contact == contact::Status::out_of_seat) {
     return fmt::format(
         "no contact on the joint's seat carries its load of {:.6g} N: it "
         "points out of the seat, or almost",
         force);
+  }
+  if (report.contact == contact::Status::not_converged) {
+    return fmt::format(
+        "the contact under {:.6g} N was not found to full accuracy", force);
   }
   const std::string law = contact.half_angle_law().name();
   return std::isfinite(contact.half_angle(force).half_angle)

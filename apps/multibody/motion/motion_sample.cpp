@@ -122,10 +122,6 @@ HingeSample MotionSample::hinge(int body) const {
   if (equations_.coupled.hinge(body).has_friction &&
       s.mode != HingeMode::locked) {
     s.joints = hinges.joints(body);
-    if (equations_.coupled.hinge(body).solver.is_in_seat()) {
-      const auto& rims = hinges.memory(body).solver.seat.last.contact.rims;
-      s.rim_gaps = {rims[0].gap, rims[1].gap};
-    }
     if (s.mode == HingeMode::sliding) {
       s.friction_moment = link.axes * hinges.memory(body).moment;
       s.utilisation = 1;

@@ -37,12 +37,8 @@ struct HingeSample {
   /// without friction or if locked or released. At rest: the sliding that is
   /// near; there, and where a ball joint just begins or ends its sliding, power
   /// and slip velocity are those of 1 rad/s.
+  /// Of a ball in a seat that ends, contact::Joint::rims() has the contact.
   std::span<const contact::JointSolution> joints;
-  /// From the contact's ends to the lower and the upper rim of a seat that it
-  /// is confined to, m; 0: at the rim, infinite without one. In such a seat the
-  /// half-angle is half of the contact's extent in the plane of the load.
-  std::array<double, 2> rim_gaps = {std::numeric_limits<double>::infinity(),
-                                    std::numeric_limits<double>::infinity()};
 };
 
 /// Energies and works since the start, J.

@@ -29,6 +29,7 @@
 #include "programs/separation/stop_rule.hpp"
 #include "programs/separation/warnings.hpp"
 #include "separation/case/case_reader.hpp"
+#include "separation/case/hinge_reader.hpp"
 #include "separation/results/saved_state.hpp"
 #include "separation/results/summary.hpp"
 
@@ -109,6 +110,10 @@ void check_case(const Options& o, const Case& c) {
 }
 
 cli::ExitStatus compare(const Case& c, const Options& o) {
+  // Refused before the first run.
+  for (const Body& body : c.bodies) {
+    make_friction(body.hinge, FrictionChoice::traditional);
+  }
   Replays replays(c, o);
   Warnings warnings;
   warn_of_joints(c, warnings);

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/group.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/spec.hpp"
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
@@ -44,10 +44,10 @@ struct RigidBody {
 struct HingeJoint {
   contact::JointSpec joint;
   double position;  ///< along the axis from the hinge's centre, m
-  /// Joints of the case that are alike have the same laws.
-  contact::JointContact contact;
-  /// A ball whose contact is confined to its seat (`in_seat`).
-  std::shared_ptr<const contact::SeatJoint> seat = {};
+  /// What answers for it. Joints of the case that are alike have the same laws.
+  contact::Joint model;
+
+  const contact::JointContact& contact() const { return model.contact(); }
 };
 
 /// The upper node: what a body turns on.

@@ -74,7 +74,8 @@ Keys hinge_keys() {
                 with(contact::joint_keys(),
                      {{.key = "file", .of_file = contact::joint_keys()},
                       {"position", Dimension::length},
-                      {"in_seat"},
+                      {.key = "in_seat", .former = "in_seat"},
+                      {"without_seat"},
                       {"seat_loads", Dimension::force},
                       {"seat_table"}}))};
   for (const HingeType& type : hinge_types()) {

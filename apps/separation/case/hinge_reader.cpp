@@ -4,10 +4,11 @@
 
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/files/joint_tables.hpp"
-#include "libcontact/seat/table.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 
@@ -15,7 +16,6 @@ namespace separation {
 namespace {
 
 using contact::Error;
-using contact::JointContact;
 using Eigen::Matrix3d;
 
 // Errors in these laws are the command line's, not the file's.
@@ -64,60 +64,66 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
   return joint;
 }
 
-// The seat with a table of its contacts, if loads for one are given. Who refers
-// to the seat keeps it.
-std::shared_ptr<const contact::SeatJoint> read_seat(
-    const TomlTable& table, const contact::JointSpec& joint) {
+// The joint, with a table of the contacts in its seat if one is asked for.
+contact::Joint make_joint(const TomlTable& table,
+                          const contact::JointSpec& joint,
+                          contact::SharedLaws& made) {
   const auto loads =
       table.optional_numbers("seat_loads", {2}, Interval::positive());
   const auto kept = table.optional_text("seat_table");
-  if (!table.flag("in_seat")) {
-    if (loads) table.needs("seat_loads", "in_seat = true");
-    if (kept) table.needs("seat_table", "in_seat = true");
-    return {};
+  for (const char* key : {"seat_loads", "seat_table"}) {
+    if (table.has(key) && !joint.geometry.seat()) {
+      table.needs(key, "a ball in a [seat]");
+    }
   }
   if (loads && kept) table.must_be("seat_loads", "left out beside seat_table");
-  if (!joint.geometry.seat()) table.needs("in_seat", "a ball with a [seat]");
   if (loads && !((*loads)[1] > (*loads)[0])) {
     table.must_be("seat_loads", "a load and a larger one");
   }
+  const char* key = table.has("file") ? "file" : "seat";
   try {
-    auto seat = std::make_shared<contact::SeatJoint>(joint);
+    const contact::Joint model(joint, made);
     if (loads) {
-      seat->use(std::make_shared<const contact::SeatTable>(
-          seat->contact(),
-          contact::SeatTable::Options{.least_load = (*loads)[0],
-                                      .most_load = (*loads)[1]}));
+      key = "seat_loads";
+      return model.tabulated(
+          {.least_load = (*loads)[0], .most_load = (*loads)[1]});
     }
     if (kept) {
-      seat->use(std::make_shared<const contact::SeatTable>(
-          seat->contact(), joint,
-          contact::detail::file_text(table.folder() / *kept)));
+      key = "seat_table";
+      return model.tabulated(
+          contact::detail::file_text(table.folder() / *kept));
     }
-    return seat;
+    return model;
   } catch (const Error& error) {
-    table.fail(kept ? "seat_table" : "in_seat", error.what());
+    if (!joint.geometry.seat()) throw;
+    table.fail(key, error.what());
   }
 }
 
 HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
                             contact::SharedLaws& made) {
+  if (table.has("in_seat")) {
+    table.must_be("in_seat",
+                  "left out: a ball with a [seat] is in it; without_seat = "
+                  "true for the endless one");
+  }
   contact::JointSpec joint = read_joint_of(table, laws, made);
+  if (table.flag("without_seat")) {
+    if (!joint.geometry.seat()) {
+      table.needs("without_seat", "a joint with a [seat]");
+    }
+    joint = joint.without_seat();
+  }
   const double position =
       table.optional_number("position", Interval::any()).value_or(0);
-  if (auto seat = read_seat(table, joint)) {
-    // The exact laws, which the seat goes by.
-    JointContact contact = seat->unbounded().contact();
-    return {std::move(joint), position, std::move(contact), std::move(seat)};
-  }
-  JointContact contact = joint.without_seat().contact(made);
-  return {std::move(joint), position, std::move(contact)};
+  contact::Joint model = make_joint(table, joint, made);
+  return {std::move(joint), position, std::move(model)};
 }
 
 contact::JointGroup make_group(const Hinge& hinge) {
   std::vector<contact::JointGroup::Member> joints;
   for (const HingeJoint& joint : hinge.joints) {
-    joints.push_back({contact::Joint(joint.contact), joint.position});
+    joints.push_back({joint.model, joint.position});
   }
   auto sharing = hinge.sharing;
   if (sharing && sharing->radial_stiffness.empty()) {
@@ -162,9 +168,17 @@ multibody::HingeFriction make_friction(const Hinge& hinge,
   const FrictionEstimate estimate = choice == FrictionChoice::traditional
                                         ? FrictionEstimate::traditional
                                         : FrictionEstimate::consistent;
+  for (const HingeJoint& joint : hinge.joints) {
+    if (estimate != FrictionEstimate::traditional || joint.model.is_endless()) {
+      continue;
+    }
+    throw Error(contact::detail::needs(
+        fmt::format("friction traditional of joint \"{}\"",
+                    contact::detail::printable(joint.joint.name)),
+        "without_seat = true: R in the place of R_n knows no rims"));
+  }
   if (hinge.joints.size() == 1) {
-    return multibody::JointFriction{contact::Joint(hinge.joints[0].contact),
-                                    estimate, hinge.joints[0].seat};
+    return multibody::JointFriction{hinge.joints[0].model, estimate};
   }
   return multibody::GroupFriction{make_group(hinge), estimate};
 }

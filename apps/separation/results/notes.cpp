@@ -4,10 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "libcontact/seat/contact.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/force_watch.hpp"
 
@@ -85,27 +87,22 @@ Texts joint_texts(const Case& c, const TextsOf& texts_of) {
   return {texts.begin(), texts.end()};
 }
 
-// The traditional friction knows no seat that ends.
-bool is_confined(const Case& c, const HingeJoint& joint) {
-  return joint.seat && c.friction == FrictionChoice::full;
-}
-
-contact::ContactLimits limits_of(const Case& c, const HingeJoint& joint) {
-  if (!is_confined(c, joint)) return joint.contact.limits();
-  return {joint.contact.half_angle_law(), joint.contact.pair()};
-}
-
-// The model of a seat leaves this out beside the rims that were come near to.
+// The model of a seat leaves this out beside the rims that were come near to,
+// and has no peak of contacts that hide it there.
 Texts rim_notes(const HingeJoint& joint, const JointPeaks& peaks) {
   contact::SeatState nearest;
   nearest.status = contact::SeatStatus::ok;
-  const double radius = joint.contact.geometry().radius();
+  if (std::isnan(peaks.peak_pressure())) {
+    nearest.force = peaks.hidden * Eigen::Vector3d::UnitX();
+    nearest.force_ratio = nearest.area = 1;
+  }
+  const contact::JointGeometry& geometry = joint.contact().geometry();
   for (const auto& [rim, gap] :
        {std::pair(0, peaks.lower_gap), std::pair(1, peaks.upper_gap)}) {
-    nearest.rims[rim].distance = gap / radius;
+    nearest.rims[rim].distance = gap / geometry.radius();
     nearest.rims[rim].intensity = gap > 0 ? 0 : 1;
   }
-  return joint.seat->contact().notes(nearest);
+  return contact::SeatContact(joint.joint, *geometry.seat()).notes(nearest);
 }
 
 }  // namespace
@@ -118,7 +115,7 @@ std::vector<std::string> clearance_notes(const Case& c) {
 
 std::vector<std::string> joint_notes(const Case& c) {
   return joint_texts(c, [](const HingeJoint& joint, auto...) {
-    return joint.contact.validity_notes();
+    return joint.contact().validity_notes();
   });
 }
 
@@ -126,8 +123,9 @@ std::vector<std::string> contact_notes(const Case& c,
                                        const Recorder::Memory& memory) {
   return joint_texts(c, [&](const HingeJoint& joint, auto body, auto place) {
     const JointPeaks& peaks = memory.bodies[body].joints[place];
-    Texts texts = limits_of(c, joint).notes({peaks.half_angle, peaks.pressure});
-    if (!is_confined(c, joint)) return texts;
+    Texts texts =
+        joint.contact().limits().notes({peaks.half_angle, peaks.pressure});
+    if (std::isinf(peaks.least_gap())) return texts;
     for (std::string& note : rim_notes(joint, peaks)) {
       texts.push_back(std::move(note));
     }
@@ -139,9 +137,10 @@ std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory) {
   std::optional<double> most;
   for_each_joint(c, [&](const HingeJoint& joint, auto body, auto place) {
-    const double peak = memory.bodies[body].joints[place].pressure;
-    most =
-        std::max(most.value_or(0), peak / limits_of(c, joint).peak_pressure());
+    const double share = memory.bodies[body].joints[place].peak_pressure() /
+                         joint.contact().limits().peak_pressure();
+    // NaN stays, whatever follows.
+    if (!most || (!(share <= *most) && !std::isnan(*most))) most = share;
   });
   return most;
 }

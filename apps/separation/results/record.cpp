@@ -16,10 +16,6 @@
 namespace separation {
 namespace {
 
-bool has_seat(const Body& body) {
-  return !body.hinge.joints.empty() && body.hinge.joints[0].seat != nullptr;
-}
-
 using contact::degree;
 using Eigen::Vector3d;
 using multibody::BodyMotion;
@@ -40,6 +36,14 @@ std::string break_text(const Event& event, const Body& body) {
 // Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
 // differences below this say nothing.
 constexpr double negligible = 1e-8;
+
+// How a joint's contact lies in a seat that ends; none of others.
+std::optional<contact::RimContact> rims_of(const Body& body,
+                                           const HingeSample& hinge,
+                                           std::size_t joint) {
+  if (joint >= hinge.joints.size()) return {};
+  return body.hinge.joints[joint].model.rims(hinge.joints[joint]);
+}
 
 }  // namespace
 
@@ -217,8 +221,13 @@ void Recorder::look_at_peaks(const MotionSample& sample, int i) {
     peaks.pressure = std::max(peaks.pressure, joint.peak_pressure);
     peaks.half_angle = std::max(peaks.half_angle, joint.half_angle);
     peaks.moment = std::max(peaks.moment, moment);
-    peaks.lower_gap = std::min(peaks.lower_gap, hinge.rim_gaps[0]);
-    peaks.upper_gap = std::min(peaks.upper_gap, hinge.rim_gaps[1]);
+    if (const auto contact = rims_of(body, hinge, j)) {
+      peaks.lower_gap = std::min(peaks.lower_gap, contact->rims[0].gap);
+      peaks.upper_gap = std::min(peaks.upper_gap, contact->rims[1].gap);
+      if (std::isnan(contact->peak_pressure)) {
+        peaks.hidden = std::max(peaks.hidden, contact->mean_pressure());
+      }
+    }
     seen_.insert(seen_.end(),
                  {reaction, joint.peak_pressure, joint.half_angle, moment});
   }
@@ -368,12 +377,14 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     if (memory_.modes[i] == resting) {
       memory_.bodies[i].rest_time += time - since[i];
     }
-    if (has_seat(case_.bodies[i])) {
-      const auto& gaps =
-          simulation.sample().hinge(static_cast<int>(i)).rim_gaps;
-      if (std::min(gaps[0], gaps[1]) > 0) continue;
-      memory_.bodies[i].joints[0].rim_time += time - memory_.last_time;
+    const Body& body = case_.bodies[i];
+    if (body.hinge.joints.empty() || body.hinge.joints[0].model.is_endless()) {
+      continue;
     }
+    const auto contact =
+        rims_of(body, simulation.sample().hinge(static_cast<int>(i)), 0);
+    if (!contact || contact->gap() > 0) continue;
+    memory_.bodies[i].joints[0].rim_time += time - memory_.last_time;
   }
   memory_.last_time = time;
 }

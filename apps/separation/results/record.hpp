@@ -1,5 +1,7 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
@@ -37,8 +39,9 @@ std::vector<std::string> history_columns(const Case& c, bool clearance);
 struct JointPeaks {
   double reaction = 0;       ///< N
   double reaction_time = 0;  ///< s
-  double pressure = 0;       ///< Pa
-  double half_angle = 0;     ///< theta0, rad
+  double pressure = 0;       ///< of contacts that have a peak, Pa
+  double hidden = 0;         ///< mean of contacts that have none, Pa
+  double half_angle = 0;     ///< theta0 of contacts at no rim, rad
   double moment = 0;         ///< friction moment, N m
   /// Least distances to the rims of a seat that the contact is confined to, m.
   double lower_gap = History::not_yet;
@@ -46,6 +49,13 @@ struct JointPeaks {
   double rim_time = 0;  ///< at a rim, s; to a step at its beginning and end
 
   double least_gap() const { return std::min(lower_gap, upper_gap); }
+  /// NaN where a contact at a rim hid its own, and its mean is above all others
+  /// (contact::RimContact::peak_pressure), Pa.
+  double peak_pressure() const { return hidden > pressure ? NAN : pressure; }
+  /// NaN once a contact was at a rim, where it has none, rad.
+  double largest_half_angle() const {
+    return least_gap() > 0 ? half_angle : NAN;
+  }
 };
 
 /// Results of one body.

@@ -74,6 +74,7 @@ void check_body(const BodyRecord& body, const Past& past) {
     check_size(joint.reaction, "bodies.joints.reaction");
     past.check(joint.reaction_time, "bodies.joints.reaction_time");
     check_size(joint.pressure, "bodies.joints.pressure");
+    check_size(joint.hidden, "bodies.joints.hidden");
     check_size(joint.half_angle, "bodies.joints.half_angle");
     check_size(joint.moment, "bodies.joints.moment");
     require(joint.lower_gap >= 0 && joint.upper_gap >= 0, "bodies.joints.gap",

@@ -34,8 +34,8 @@ namespace separation {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
-                                   pressure, half_angle, moment, lower_gap,
-                                   upper_gap, rim_time)
+                                   pressure, hidden, half_angle, moment,
+                                   lower_gap, upper_gap, rim_time)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord::Release, time, angle, rate,
                                    rates, velocity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,

@@ -37,8 +37,8 @@ void add(std::span<const contact::Quantity<T>> quantities, const T& of,
 
 ordered_json joint_json(const HingeJoint& joint, const JointPeaks& peaks) {
   ordered_json j = {{"name", joint.joint.name},
-                    {"half_angle_law", joint.contact.half_angle_law().name()},
-                    {"pressure_law", joint.contact.pressure_law().name()}};
+                    {"half_angle_law", joint.contact().half_angle_law().name()},
+                    {"pressure_law", joint.contact().pressure_law().name()}};
   add(joint_quantities(), peaks, j);
   return j;
 }

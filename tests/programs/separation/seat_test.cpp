@@ -1,11 +1,11 @@
-// Runs of hinge-separation whose balls are confined to their seats.
+// Runs of hinge-separation whose balls are in seats that end.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 
 #include "libcontact/files/joint_file.hpp"
-#include "libcontact/seat/joint.hpp"
-#include "libcontact/seat/table.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "programs/separation/program_runs.hpp"
 
 namespace contact::test {
@@ -38,11 +38,17 @@ file = ")" CONTACT_DATA_DIR R"(/joints/spherical_plain_bearing_ge50.toml"
 )" + joint;
 }
 
+json joint_of(const ProgramResult& run) {
+  return json::parse(run.out)["bodies"][0]["joints"][0];
+}
+
+// A ball on a ball hinge is in its seat without being told.
 TEST(SeparationSeat, SaysHowNearTheRimsContactsCome) {
   const ProgramFolder folder;
-  folder.write("in.toml", swinging("in_seat = true\n"));
-  const auto confined = folder.run_well("hinge-separation in.toml --output -");
-  const json joint = json::parse(confined.out)["bodies"][0]["joints"][0];
+  folder.write("in.toml", swinging(""));
+  const auto confined =
+      folder.run_well("hinge-separation in.toml --output - --history h.csv");
+  const json joint = joint_of(confined);
   EXPECT_EQ(joint["least_rim_gap_m"], 0);
   for (const char* rim : {"lower", "upper"}) {
     EXPECT_NE(confined.err.find("the contact is at its " + std::string(rim) +
@@ -51,10 +57,18 @@ TEST(SeparationSeat, SaysHowNearTheRimsContactsCome) {
         << confined.err;
   }
   EXPECT_EQ(confined.err.find("not confined"), std::string::npos);
-  folder.write("whole.toml", swinging(""));
+  // A contact at a rim has no half-angle.
+  EXPECT_TRUE(joint["largest_theta0_deg"].is_null());
+  const History history(folder.read("h.csv"));
+  for (std::size_t i = 0; i < history["time_s"].size(); ++i) {
+    EXPECT_TRUE(std::isnan(history["load.theta0_deg"][i]));
+    EXPECT_GT(history["load.peak_pressure_Pa"][i], 1e8);
+  }
+  folder.write("whole.toml", swinging("without_seat = true\n"));
   const auto whole = folder.run_well("hinge-separation whole.toml --output -");
-  const json unbounded = json::parse(whole.out)["bodies"][0]["joints"][0];
+  const json unbounded = joint_of(whole);
   EXPECT_FALSE(unbounded.contains("least_rim_gap_m"));
+  EXPECT_GT(unbounded["largest_theta0_deg"], 25);
   EXPECT_NE(whole.err.find("its pressures are not confined here"),
             std::string::npos);
   // By the confined law's own test: the peak at the rims, and more moment.
@@ -66,14 +80,13 @@ TEST(SeparationSeat, TakesATableThatWasKept) {
   const ProgramFolder folder;
   const JointSpec spec =
       read_joint(CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml");
-  const SeatJoint seat(spec);
-  const SeatTable table(seat.contact(),
-                        {.least_load = 1e5, .most_load = 1.2e5});
-  folder.write("ge50.table", table.bytes(spec));
+  folder.write(
+      "ge50.table",
+      Joint(spec).tabulated({.least_load = 1e5, .most_load = 1.2e5}).table());
   const auto moment = [&](const std::string& keys) {
-    folder.write("in.toml", swinging("in_seat = true\n" + keys));
+    folder.write("in.toml", swinging(keys));
     const auto run = folder.run_well("hinge-separation in.toml --output -");
-    const json joint = json::parse(run.out)["bodies"][0]["joints"][0];
+    const json joint = joint_of(run);
     EXPECT_DOUBLE_EQ(joint["time_at_rim_s"], 0.04);
     return double(joint["largest_friction_moment_N_m"]);
   };
@@ -86,52 +99,79 @@ TEST(SeparationSeat, TakesATableThatWasKept) {
 
 TEST(SeparationSeat, RefusesWhatIsNoSeat) {
   const ProgramFolder folder;
-  const auto refused = [&](const std::string& text) {
-    folder.write("c.toml", text);
-    return folder.run("hinge-separation c.toml").err;
+  const auto refused = [&](const std::string& keys,
+                           const std::string& options = "") {
+    folder.write("c.toml", swinging(keys));
+    const ProgramResult run =
+        folder.run("hinge-separation c.toml --output s.json" + options);
+    EXPECT_EQ(run.status, 2);
+    EXPECT_FALSE(folder.has("s.json"));
+    return run.err;
   };
-  EXPECT_NE(refused(swinging("seat_loads_kN = [10, 100]\n"))
-                .find("seat_loads_kN = [10, 100] requires in_seat = true"),
-            std::string::npos)
-      << refused(swinging("seat_loads_kN = [10, 100]\n"));
-  EXPECT_NE(refused(swinging("in_seat = true\nseat_loads_kN = [100, 10]\n"))
-                .find("must be a load and a larger one"),
-            std::string::npos)
-      << refused(swinging("in_seat = true\nseat_loads_kN = [100, 10]\n"));
-  const auto said = [&](const std::string& keys) {
-    return refused(swinging(keys));
-  };
-  EXPECT_NE(said("seat_table = \"t\"\n").find("requires in_seat = true"),
-            std::string::npos)
-      << said("seat_table = \"t\"\n");
-  const std::string both =
-      "in_seat = true\nseat_table = \"t\"\nseat_loads_kN = [10, 100]\n";
-  EXPECT_NE(said(both).find("must be left out beside seat_table"),
-            std::string::npos)
-      << said(both);
-  const std::string none = "in_seat = true\nseat_table = \"t\"\n";
-  EXPECT_NE(said(none).find("t: cannot be read"), std::string::npos)
-      << said(none);
   folder.write("t", "no table");
-  EXPECT_NE(said(none).find("seat_table = \"t\": "), std::string::npos)
-      << said(none);
-  std::string pin = swinging("in_seat = true\n");
-  const std::string ring = "spherical_plain_bearing_ge50";
-  pin.replace(pin.find(ring), ring.size(), "gimbal_ball");
-  EXPECT_NE(refused(pin).find("in_seat = true requires a ball with a [seat]"),
-            std::string::npos)
-      << refused(pin);
+  const struct {
+    std::string keys, said;
+  } cases[] = {
+      {"in_seat = true\n",
+       "in_seat = true must be left out: a ball with a [seat] is in it; "
+       "without_seat = true for the endless one"},
+      {"without_seat = true\nseat_loads_kN = [10, 100]\n",
+       "seat_loads_kN = [10, 100] requires a ball in a [seat]"},
+      {"without_seat = true\nseat_table = \"t\"\n",
+       "seat_table = \"t\" requires a ball in a [seat]"},
+      {"seat_loads_kN = [100, 10]\n", "must be a load and a larger one"},
+      {"seat_table = \"t\"\nseat_loads_kN = [10, 100]\n",
+       "must be left out beside seat_table"},
+      {"seat_table = \"none\"\n", "none: cannot be read"},
+      {"seat_table = \"t\"\n", "seat_table = \"t\": not a table of a seat"},
+  };
+  for (const auto& [keys, said] : cases) {
+    EXPECT_TRUE(has_text(refused(keys), said)) << refused(keys);
+  }
+  // R in the place of R_n knows no rims; the laws are exact.
+  const std::string traditional =
+      "friction traditional of joint \"spherical plain bearing, 66 mm ball in "
+      "a ring of 28 mm\" requires without_seat = true";
+  for (const char* options : {" --friction traditional", " --compare"}) {
+    EXPECT_TRUE(has_text(refused("", options), traditional));
+  }
+  EXPECT_TRUE(has_text(refused("", " --law fitted"),
+                       "requires the laws exact, or without_seat"));
+  folder.run_well("hinge-separation c.toml --friction ideal");
 }
 
-// As without in_seat, a warning says that.
-TEST(SeparationSeat, TraditionalFrictionKnowsNoRims) {
+// Where every contact hides its peak there is none, not 0: of 120 N on the
+// lined ring, 20 deg from its axis, in a contact of 1 deg.
+TEST(SeparationSeat, HiddenPeaksAreNoNumber) {
   const ProgramFolder folder;
-  std::string text = swinging("in_seat = true\n");
-  text.insert(text.find("end_time_s"), "friction = \"traditional\"\n");
-  folder.write("c.toml", text);
-  EXPECT_NE(folder.run_well("hinge-separation c.toml")
-                .err.find("its pressures are not confined here"),
-            std::string::npos);
+  std::string text = swinging("", "0.012");
+  const std::string down = "[0, -9.81, 0]";
+  text.replace(text.find(down), down.size(), "[0, -3.4, -9.2]");
+  folder.write("in.toml", text);
+  const auto run =
+      folder.run_well("hinge-separation in.toml --output - --history h.csv");
+  EXPECT_TRUE(joint_of(run)["peak_pressure_Pa"].is_null());
+  EXPECT_GT(joint_of(run)["largest_friction_moment_N_m"], 0);
+  EXPECT_TRUE(has_text(run.err, "no largest pressure: 0.576 mm or more"))
+      << run.err;
+  const History history(folder.read("h.csv"));
+  EXPECT_TRUE(std::isnan(history["load.peak_pressure_Pa"][0]));
+}
+
+// Both look for their contacts anew where the run was saved.
+TEST(SeparationSeat, GoesOnFromACheckpointAtARim) {
+  const ProgramFolder folder;
+  folder.write("c.toml", swinging(""));
+  const std::string run = "hinge-separation c.toml --output ";
+  folder.run_well(run +
+                  "a.json --history a.csv --checkpoint c.cbor "
+                  "--checkpoint-every 0.02");
+  folder.run_well(run + "b.json --history b.csv --resume c.cbor");
+  EXPECT_EQ(folder.read("a.csv"), folder.read("b.csv"));
+  const auto bodies = [&](const char* file) {
+    return json::parse(folder.read(file))["bodies"];
+  };
+  EXPECT_EQ(bodies("a.json"), bodies("b.json"));
 }
 
 }  // namespace

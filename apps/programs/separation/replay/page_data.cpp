@@ -63,7 +63,7 @@ ordered_json body_json(const Case& c, int i) {
   }
   if (!body.hinge.joints.empty()) {
     const auto inner =
-        body.hinge.joints.front().contact.geometry().inner_body();
+        body.hinge.joints.front().contact().geometry().inner_body();
     j["hinge"]["inner"] =
         inner == contact::JointBody::carrier ? "carrier" : "body";
   }

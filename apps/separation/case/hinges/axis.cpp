@@ -47,10 +47,6 @@ void read_joints(const TomlTable& table, Hinge& hinge) {
   if (hinge.thrust_face && hinge.joints.size() < 2) {
     table.needs("thrust_face", "several pins");
   }
-  for (const HingeJoint& joint : hinge.joints) {
-    if (joint.seat)
-      table.needs("a ball hinge, for a joint with in_seat = true");
-  }
   if (hinge.joints.size() == 1 && is_ball(hinge.joints[0])) {
     table.needs("one pin, or two joints and more, one of them a ball");
   }
