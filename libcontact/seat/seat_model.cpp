@@ -114,6 +114,22 @@ struct SeatModel::Turning {
         memory(last) {}
 };
 
+// The slip axes against a moment, and what lies across them.
+struct SeatModel::Against {
+  Vector3d against, e1, e2;
+
+  // @param moment  of length 1
+  explicit Against(const Vector3d& moment)
+      : against(-moment), e1(against.unitOrthogonal()), e2(against.cross(e1)) {}
+  Vector3d axis(const Vector2d& y) const {
+    return (against + y.x() * e1 + y.y() * e2).normalized();
+  }
+  // Over the part along the moment.
+  Vector2d across(const Vector3d& v) const {
+    return Vector2d(v.dot(e1), v.dot(e2)) / v.dot(against);
+  }
+};
+
 SeatModel::SeatModel(const JointSpec& joint,
                      std::shared_ptr<const SeatGrids> grids, Joint endless,
                      std::shared_ptr<const SeatTable> table)
@@ -212,23 +228,32 @@ JointSolution SeatModel::no_answer(
 JointSolution SeatModel::answer(const Turning& turning, const Pull& pull,
                                 const std::shared_ptr<SeatFound>& found) const {
   const SeatState& state = found->state;
-  const Matrix3d& turn = found->to_solution;
-  if (state.is_free) {  // by friction
-    JointSolution s =
-        endless_.solve_contact({.normal_force = turn * (side_ * state.force),
-                                .angular_velocity = turn * turning.rate});
-    s.reaction = turning.given;
-    s.evaluations = found->evaluations;
-    s.memory = turning.memory;
-    found->is_at_rim = false;
-    s.work = found;
-    return s;
-  }
+  found->is_at_rim = !state.is_free;  // free by friction
+  JointSolution s =
+      state.is_free
+          ? endless_.solve_contact(
+                {.normal_force = found->to_solution * (side_ * state.force),
+                 .angular_velocity = found->to_solution * turning.rate})
+          : at_rim_solution(turning, pull, *found);
+  s.reaction = turning.given;
+  s.evaluations = found->evaluations;
+  s.memory = turning.memory;
+  found->moment_coefficient =
+      pull.moment.norm() /
+      (endless_.contact().geometry().radius() * turning.reaction.norm());
+  s.work = found;
+  return s;
+}
+
+JointSolution SeatModel::at_rim_solution(const Turning& turning,
+                                         const Pull& pull,
+                                         const SeatFound& found) const {
+  const SeatState& state = found.state;
+  const Matrix3d& turn = found.to_solution;
   const JointContact& contact = endless_.contact();
   JointSolution s = not_a_number(status_of(state.status), turning.given);
   const double speed = turning.rate.norm();
   s.state = speed > 0 ? JointState::sliding : JointState::resting;
-  s.evaluations = found->evaluations;
   s.normal_force = state.force.norm();
   s.normal = turn * (side_ * state.force / s.normal_force);
   s.friction_force = turn * pull.force;
@@ -245,12 +270,6 @@ JointSolution SeatModel::answer(const Turning& turning, const Pull& pull,
   s.contact_state = contact.state(s.normal_force);
   s.peak_pressure = state.peak_pressure;
   s.contact_area = state.area;
-  s.memory = turning.memory;
-  found->is_at_rim = true;
-  found->moment_coefficient =
-      pull.moment.norm() /
-      (contact.geometry().radius() * turning.reaction.norm());
-  s.work = found;
   return s;
 }
 
@@ -373,55 +392,50 @@ RestSolution SeatModel::at_rest(const Joint::Hold& hold,
 // u = -M/|M| + y, y across M, so that friction across M vanishes: the least of
 // a convex function of y while F stays what it is.
 // @param direction  u of the seat without end
-bool SeatModel::find_rest(const Joint::Hold& hold, Vector3d direction,
+bool SeatModel::find_rest(const Joint::Hold& hold, const Vector3d& direction,
                           const std::shared_ptr<SeatFound>& found,
                           RestSolution& rest) const {
   const Matrix3d& turn = found->to_solution;
-  const Vector3d moment = turn.transpose() * hold.moment;
-  direction = turn.transpose() * direction;
-  const double size = moment.norm();
-  const Vector3d against = -moment / size;
-  const Vector3d e1 = against.unitOrthogonal(), e2 = against.cross(e1);
-  const auto axis = [&](const Vector2d& y) -> Vector3d {
-    return (against + y.x() * e1 + y.y() * e2).normalized();
-  };
-  const auto across = [&](const Vector3d& of) -> Vector2d {
-    return -Vector2d(of.dot(e1), of.dot(e2)) / of.dot(against);
-  };
+  const double size = hold.moment.norm();
+  const Against against(turn.transpose() * hold.moment / size);
+  const Vector3d start = turn.transpose() * direction;
   Vector2d y = Vector2d::Zero(), step = y;
-  if (const double along = direction.dot(against); along > 0.1) {
-    y = Vector2d(direction.dot(e1), direction.dot(e2)) / along;
-  }
+  if (start.dot(against.axis(y)) > 0.1) y = against.across(start);
   std::optional<Broyden<2>> newton;
   for (rest.solves = 1; rest.solves <= 40; ++rest.solves) {
-    const Vector3d u = axis(y);
-    rest.slip = slide({turn, hold.reaction, turn * u, {}}, found);
+    const Vector3d u = turn * against.axis(y);
+    rest.slip = slide({turn, hold.reaction, u, {}}, found);
     rest.status = rest.slip.status;
     if (rest.status != Status::ok) return false;
-    const Vector3d held = turn.transpose() * rest.slip.friction_moment;
-    const Vector2d off = across(held);
+    const Vector3d& held = rest.slip.friction_moment;
+    const Vector2d off = against.across(turn.transpose() * held);
     if (off.norm() < 10 * tolerance) {
-      rest.direction = turn * u;
+      rest.direction = u;
       rest.utilisation = size / held.norm();
       return true;
     }
-    if (!newton) {
-      Eigen::Matrix2d slope;
-      constexpr double h = 1e-4;
-      for (const int i : {0, 1}) {
-        const Vector2d side = h * Vector2d::Unit(i);
-        slope.col(i) = (across(friction(*found, axis(y + side)).moment) -
-                        across(friction(*found, axis(y - side)).moment)) /
-                       (2 * h);
-      }
-      newton.emplace(slope.inverse());
-    }
+    if (!newton) newton.emplace(slope(*found, against, y).inverse());
     step = newton->step(off, step);
     step *= std::min(1.0, 0.5 * (1 + y.norm()) / step.norm());
     y += step;
   }
   rest.status = Status::not_converged;
   return false;
+}
+
+// Of the friction across M over y, at one contact: by central differences.
+Eigen::Matrix2d SeatModel::slope(const SeatFound& found, const Against& against,
+                                 const Vector2d& y) const {
+  constexpr double h = 1e-4;
+  Eigen::Matrix2d slope;
+  for (const int i : {0, 1}) {
+    const auto across = [&](double by) {
+      return against.across(
+          friction(found, against.axis(y + by * Vector2d::Unit(i))).moment);
+    };
+    slope.col(i) = (across(h) - across(-h)) / (2 * h);
+  }
+  return slope;
 }
 
 // Friction of one contact in the axes of its solution.

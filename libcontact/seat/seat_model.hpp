@@ -84,6 +84,7 @@ class SeatModel final : public ContactModel {
     Eigen::Vector3d force, moment;
   };
   struct Turning;
+  struct Against;
   Eigen::Matrix3d to_solution(const Placement* placement) const;
   bool is_free(const JointSolution& s, const Eigen::Matrix3d& turn) const;
   JointSolution in_its_axes(JointSolution s, const Placement* placement) const;
@@ -91,15 +92,19 @@ class SeatModel final : public ContactModel {
                                    const Placement* placement) const;
   JointSolution slide(const Turning& turning,
                       const std::shared_ptr<SeatFound>& found) const;
-  bool find_rest(const Joint::Hold& hold, Eigen::Vector3d direction,
+  bool find_rest(const Joint::Hold& hold, const Eigen::Vector3d& direction,
                  const std::shared_ptr<SeatFound>& found,
                  RestSolution& rest) const;
+  Eigen::Matrix2d slope(const SeatFound& found, const Against& against,
+                        const Eigen::Vector2d& y) const;
   Eigen::Vector3d start(const Eigen::Vector3d& force) const;
   bool find_contact(const Eigen::Vector3d& force, SeatFound& found) const;
   void add_harmonics(SeatFound& found) const;
   Pull friction(const SeatFound& found, const Eigen::Vector3d& rate) const;
   JointSolution answer(const Turning& turning, const Pull& pull,
                        const std::shared_ptr<SeatFound>& found) const;
+  JointSolution at_rim_solution(const Turning& turning, const Pull& pull,
+                                const SeatFound& found) const;
   JointSolution no_answer(const Turning& turning, SeatStatus status,
                           const std::shared_ptr<SeatFound>& found) const;
   SeatState state_of(const JointSolution& solution) const;

@@ -16,7 +16,6 @@
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/exact.hpp"
-#include "libcontact/seat/joint.hpp"
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
@@ -690,21 +689,22 @@ TEST(HingeJoint, Pv) {
               1, 1e-15);
 }
 
-// The numbers are those of SeatJoint, at rest of Joint, with their notes.
+// The numbers are those of Joint, with their notes.
 TEST(HingeJoint, ConfinesABallToItsSeat) {
   const ProgramFolder folder;
   const std::string run =
       "hinge-joint --joint data/joints/hip_cup.toml --reaction-xyz ";
-  const SeatJoint joint(joint_file("hip_cup"));
+  const Joint joint(joint_file("hip_cup"));
   const ProgramResult steep =
       folder.run(run + "100,-1900,-700 --rate-xyz 0.2,0,1");
   const CsvTable table(steep.out);
-  const SeatJointSolution s = joint.solve(
+  const JointSolution s = joint.solve(
       {.reaction = {100, -1900, -700}, .angular_velocity = {0.2, 0, 1}});
-  ASSERT_FALSE(s.contact.is_free);
+  const RimContact at = *joint.rims(s);
+  ASSERT_FALSE(at.is_free);
   EXPECT_EQ(table.at("M_t_x_N_m"), s.friction_moment.x());
-  EXPECT_EQ(table.at("F_z_N"), s.contact.force.z());
-  EXPECT_EQ(table.at("p_peak_Pa"), s.contact.peak_pressure);
+  EXPECT_EQ(table.at("F_z_N"), at.force.z());
+  EXPECT_EQ(table.at("p_peak_Pa"), at.peak_pressure);
   EXPECT_EQ(table.at("upper_gap_m"), 0);
   // The head's projection is the cup's.
   EXPECT_NEAR(table.at("p_nominal_Pa") * pi * 0.014 * 0.014 /
@@ -717,8 +717,7 @@ TEST(HingeJoint, ConfinesABallToItsSeat) {
   const CsvTable rest =
       folder.table(run + "100,-1900,-700 --moment-xyz 0.1,0,0.3");
   const RestSolution held =
-      Joint(joint_file("hip_cup"))
-          .at_rest({.reaction = {100, -1900, -700}, .moment = {0.1, 0, 0.3}});
+      joint.at_rest({.reaction = {100, -1900, -700}, .moment = {0.1, 0, 0.3}});
   EXPECT_EQ(rest.at("utilisation"), held.utilisation);
   EXPECT_EQ(rest.at("u_z"), held.direction.z());
   const ProgramResult out = folder.run(run + "0,1000,0 --rate-xyz 0,0,1");
