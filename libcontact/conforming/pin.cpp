@@ -111,15 +111,27 @@ struct PinContact::Wall {
       : correction(harmonics.correction), first(harmonics.first) {}
 
   int end() const { return static_cast<int>(correction.size()); }
-  // Weights of the terms of a sum over Dc_n (n^2 - 1).
-  Eigen::VectorXd weights(const auto& samples) const {
-    Eigen::VectorXd weight(samples.n.size());
-    for (Eigen::Index i = 0; i < weight.size(); ++i) {
-      const double n = samples.n[i];
-      weight(i) = samples.weight[i] * (n - 1) * (n + 1) *
-                  correction[static_cast<std::size_t>(n)];
-    }
-    return weight;
+  // Calls add(n, weight, g, second) block by block: a sum over Dc_n (n^2 - 1)
+  // times the product of two harmonics is that of `weight` times theirs, both
+  // of the second kind where `second` says so.
+  void visit(double half_angle, const detail::PinWallModes& modes,
+             const auto& add) const {
+    const detail::GradedSamples samples(half_angle, end(), modes.smooth_from());
+    const auto adder = [&](const auto& some, bool second) {
+      Eigen::VectorXd weight(some.n.size());
+      for (Eigen::Index i = 0; i < weight.size(); ++i) {
+        const double n = some.n[i];
+        weight(i) = some.weight[i] * (n - 1) * (n + 1) *
+                    correction[static_cast<std::size_t>(n)];
+      }
+      return [&, weight, second](int i, const auto& g) {
+        add(&some.n[i], weight.segment(i, g.rows()), g, second);
+      };
+    };
+    modes.visit(samples.swinging.n, adder(samples.swinging, false));
+    if (samples.n.empty()) return;
+    modes.visit(samples.n, adder(samples, false));
+    modes.visit_second_kind(samples.n, adder(samples, true));
   }
 
   // sum weight_n p_n G_n(k), k < count, of a solution.
@@ -129,12 +141,11 @@ struct PinContact::Wall {
     const Eigen::MatrixXd& t = modes.transformation();
     const Eigen::VectorXd series = t.leftCols(y.size()) * y;
     Eigen::VectorXd sum = Eigen::VectorXd::Zero(t.rows());
-    const detail::HarmonicSamples samples(half_angle, end());
-    const Eigen::VectorXd weight = weights(samples);
-    modes.visit(samples.n, [&](int i, const auto& g) {
-      const Eigen::VectorXd p = g * series;
-      sum += g.transpose() * weight.segment(i, g.rows()).cwiseProduct(p);
-    });
+    visit(half_angle, modes,
+          [&](const double*, const auto& weight, const auto& g, bool) {
+            const Eigen::VectorXd p = g * series;
+            sum += g.transpose() * weight.cwiseProduct(p);
+          });
     return t.transpose() * sum / (2 * pi);
   }
 
@@ -234,21 +245,12 @@ PinContact::System::System(const PinContact& pin, double half_angle)
   modes.emplace(half_angle, pin.unknowns_);
   const Eigen::MatrixXd& t = modes->transformation();
   Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(t.rows(), t.rows());
-  const detail::GradedSamples samples(half_angle, pin.wall_->end(),
-                                      modes->smooth_from());
-  const auto adder = [&](const Eigen::VectorXd& weight) {
-    return [&sum, weight](int i, const auto& g) {
-      const Eigen::MatrixXd weighted =
-          weight.segment(i, g.rows()).asDiagonal() * g;
-      sum.triangularView<Eigen::Lower>() += weighted.transpose() * g;
-    };
-  };
-  modes->visit(samples.swinging.n, adder(pin.wall_->weights(samples.swinging)));
-  if (!samples.n.empty()) {
-    const auto add = adder(pin.wall_->weights(samples));
-    modes->visit(samples.n, add);
-    modes->visit_second_kind(samples.n, add);
-  }
+  pin.wall_->visit(half_angle, *modes,
+                   [&](const double*, const auto& weight, const auto& g, bool) {
+                     const Eigen::MatrixXd weighted = weight.asDiagonal() * g;
+                     sum.triangularView<Eigen::Lower>() +=
+                         weighted.transpose() * g;
+                   });
   const Eigen::MatrixXd all = sum.selfadjointView<Eigen::Lower>() * t;
   matrix.noalias() += t.transpose() * all / (2 * pi);
 }
@@ -391,21 +393,22 @@ PinContact::Yield PinContact::yield(double half_angle, const System& system,
                average_without_walls(half_angle, beta, solution.y);
   const double first_average = (1 + std::cos(half_angle)) / 2;
   sum += (wall_->first - 1) * first_average;
-  const std::vector<double> average =
-      detail::edge_averages(half_angle, wall_->end());
-  const detail::HarmonicSamples samples(half_angle, wall_->end());
-  const Eigen::VectorXd weight = wall_->weights(samples);
+  const std::vector<double> average[] = {
+      detail::edge_averages(half_angle, wall_->end()),
+      detail::second_edge_averages(half_angle, wall_->end())};
   Eigen::VectorXd singular = Eigen::VectorXd::Zero(t.rows());
-  system.modes->visit(samples.n, [&](int first, const auto& g) {
-    Eigen::VectorXd part = weight.segment(first, g.rows());
-    const Eigen::VectorXd p = b / pi * (g * series);
-    for (int i = 0; i < g.rows(); ++i) {
-      const double n = samples.n[first + i];
-      part(i) *= average[static_cast<std::size_t>(n)];
-      sum += part(i) / ((n - 1) * (n + 1)) * p(i);
-    }
-    singular += g.transpose() * part;
-  });
+  wall_->visit(
+      half_angle, *system.modes,
+      [&](const double* order, const auto& weight, const auto& g, bool second) {
+        Eigen::VectorXd part = weight;
+        const Eigen::VectorXd p = b / pi * (g * series);
+        for (int i = 0; i < g.rows(); ++i) {
+          const double n = order[i];
+          part(i) *= average[second][static_cast<std::size_t>(n)];
+          sum += part(i) / ((n - 1) * (n + 1)) * p(i);
+        }
+        singular += g.transpose() * part;
+      });
 
   // The rate of the pressure as the load grows is g_s + h, g_s with a
   // square-root infinity at the edge; both are 0 in the equation's clearance.

@@ -81,19 +81,29 @@ void project_first_harmonics(double half_angle, Vector& constant,
   }
 }
 
-/// Harmonics of the weight cos(t/2)/sqrt(sin^2(theta0/2) - sin^2(t/2)):
-/// (P_n + P_{n-1})(cos theta0)/2, n < end; 1 at n = 0.
-inline std::vector<double> edge_averages(double half_angle, int end) {
-  std::vector<double> average = {1};
-  double before = 1;
-  double now = std::cos(half_angle);
+/// (L_n + L_{n-1})/2, 1 <= n < end, of Legendre's functions L by the first two.
+inline std::vector<double> legendre_averages(double x, double before,
+                                             double now, int end) {
+  std::vector<double> average = {before};
   for (int n = 1; n < end; ++n) {
     average.push_back((now + before) / 2);
-    const double next =
-        ((2 * n + 1) * std::cos(half_angle) * now - n * before) / (n + 1);
+    const double next = ((2 * n + 1) * x * now - n * before) / (n + 1);
     before = std::exchange(now, next);
   }
   return average;
+}
+
+/// Harmonics of the weight cos(t/2)/sqrt(sin^2(theta0/2) - sin^2(t/2)):
+/// (P_n + P_{n-1})(cos theta0)/2, n < end; 1 at n = 0.
+inline std::vector<double> edge_averages(double half_angle, int end) {
+  return legendre_averages(std::cos(half_angle), 1, std::cos(half_angle), end);
+}
+
+/// The same with -2/pi Q_n for P_n, n > 0: what Y is to J.
+inline std::vector<double> second_edge_averages(double half_angle, int end) {
+  const double x = std::cos(half_angle);
+  const double zeroth = -2 / std::numbers::pi * std::atanh(x);
+  return legendre_averages(x, zeroth, x * zeroth + 2 / std::numbers::pi, end);
 }
 
 }  // namespace contact::detail

@@ -13,6 +13,7 @@
 #include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/conforming/pin_closed_form.hpp"
+#include "libcontact/conforming/pin_integrals.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/numbers.hpp"
@@ -196,35 +197,48 @@ TEST(PinGap, OfTablesIsNearTheOther) {
 }
 
 // Far fewer harmonics than radius/thickness, and the same numbers: against the
-// sum over every stride below pi/psi (as HarmonicSamples takes it).
+// sum over every stride below pi/psi (as HarmonicSamples takes it). Of products
+// of harmonics, and of one and the edge's.
 TEST(GradedSamples, GiveTheSum) {
-  constexpr int end = 130000;
+  constexpr int end = 26000;
   for (const double psi : {0.1, 0.3, 0.8, 1.3}) {
     const detail::PinWallModes modes(psi, 64);
     const detail::HarmonicSamples plain(psi, end);
     const detail::GradedSamples graded(psi, end, modes.smooth_from());
     EXPECT_LT(graded.swinging.n.size() + 2 * graded.n.size(), 4000) << psi;
-    // Ends like the c_n of a layer of 1e-4 radii.
-    const auto adder = [](const auto& order, const auto& weight, auto& sum) {
+    // Ends like the c_n of a layer of 5e-4 radii.
+    const Eigen::Index size = modes.transformation().rows();
+    struct Sum {
+      explicit Sum(Eigen::Index size)
+          : products(Eigen::MatrixXd::Zero(size, size)),
+            edge(Eigen::VectorXd::Zero(size)) {}
+      Eigen::MatrixXd products;
+      Eigen::VectorXd edge;
+    };
+    Sum expected(size);
+    Sum sum(size);
+    const auto adder = [](const auto& samples, const auto& average, Sum& to) {
       return [&](int first, const auto& g) {
         for (int i = 0; i < g.rows(); ++i) {
-          const double c =
-              weight[first + i] * std::exp(-2e-4 * order[first + i]);
-          sum += c * g.row(i).transpose() * g.row(i);
+          const double n = samples.n[first + i];
+          const double c = samples.weight[first + i] * std::exp(-1e-3 * n);
+          to.products += c * g.row(i).transpose() * g.row(i);
+          to.edge += c * n * average[static_cast<int>(n)] * g.row(i);
         }
       };
     };
-    const Eigen::Index size = modes.transformation().rows();
-    Eigen::MatrixXd expected = Eigen::MatrixXd::Zero(size, size);
-    Eigen::MatrixXd sum = expected;
-    modes.visit(plain.n, adder(plain.n, plain.weight, expected));
-    modes.visit(graded.swinging.n,
-                adder(graded.swinging.n, graded.swinging.weight, sum));
-    modes.visit(graded.n, adder(graded.n, graded.weight, sum));
-    modes.visit_second_kind(graded.n, adder(graded.n, graded.weight, sum));
+    const auto average = detail::edge_averages(psi, end);
+    const auto second = detail::second_edge_averages(psi, end);
+    modes.visit(plain.n, adder(plain, average, expected));
+    modes.visit(graded.swinging.n, adder(graded.swinging, average, sum));
+    modes.visit(graded.n, adder(graded, average, sum));
+    modes.visit_second_kind(graded.n, adder(graded, second, sum));
     const auto& t = modes.transformation();
-    const Eigen::MatrixXd error = t.transpose() * (sum - expected) * t;
+    const Eigen::MatrixXd error =
+        t.transpose() * (sum.products - expected.products) * t;
     EXPECT_LT(error.cwiseAbs().maxCoeff(), 1e-9) << psi;
+    const Eigen::VectorXd edge = t.transpose() * (sum.edge - expected.edge);
+    EXPECT_LT(edge.cwiseAbs().maxCoeff(), 1e-9) << psi;
   }
 }
 

@@ -23,21 +23,6 @@ int harmonics(double opening, double share, std::size_t corrected) {
   return std::max(static_cast<int>(smooth), static_cast<int>(corrected));
 }
 
-// edge_averages() with -2/pi Q_n for P_n: what Y is to J.
-std::vector<double> second_edge_averages(double half_angle, int end) {
-  const double x = std::cos(half_angle);
-  std::vector<double> average = {0};
-  double before = -2 / pi * std::atanh(x);
-  double now = x * before + 2 / pi;
-  for (int n = 1; n < end; ++n) {
-    average.push_back((now + before) / 2);
-    const double next = ((2 * n + 1) * x * now - n * before) / (n + 1);
-    before = now;
-    now = next;
-  }
-  return average;
-}
-
 }  // namespace
 
 PinGap::PinGap(const LayeredPair& pair, int unknowns, double harmonics)
