@@ -293,6 +293,60 @@ reference_area_m2 = 1
   }
 }
 
+// A gust whose pressure rises and falls through a table that has a force in one
+// narrow band of pressures only: it gives the impulse of that band twice.
+TEST(AerodynamicTables, NarrowBandsOfPressureGiveTheirImpulse) {
+  for (const double width : {0.05, 1., 20.}) {  // Pa, about 40 Pa
+    const Case c = parse_case(
+        R"(
+name = "gust"; run = { end_time_s = 30, output_step_s = 30 }
+[carrier]; name = "dart"; mass_kg = 10
+principal_inertia_kg_m2 = [15, 15, 15]
+[[force]]; name = "air"; body = "dart"; kind = "aerodynamic"; starts_at_s = 3
+axis = [1, 0, 0]; flow = [-1, 0, 0]; reference_area_m2 = 1
+time_s = [0, 10, 10, 15, 20]; dynamic_pressure_Pa = [0, 100, 100, 0, 0]
+angle_deg = [0, 180]
+)"_toml + fmt::format("table_pressure_Pa = [1, {}, 40, {}]\n"
+                      "axial = [[0, 0], [0, 0], [{}, {}], [0, 0]]\n",
+                      40 - width / 2, 40 + width / 2, 1 / width, 1 / width),
+        "gust.toml");
+    const Outcome outcome = run_case(c, {});
+    ASSERT_EQ(outcome.failure, "");
+    // The integral of q c over q is 40/2 by its symmetry; at 10 and 20 Pa/s.
+    const double impulse = 20 / 10. + 20 / 20.;
+    const Rows& rows = outcome.memory.rows;
+    // Of the steps' tolerances.
+    EXPECT_NEAR(value(rows, rows.size() - 1, "dart.vx_m_per_s"), -impulse / 10,
+                1e-7)
+        << width;
+  }
+}
+
+// A pusher that begins behind its stroke, on a body that comes fast: the work
+// of the first force up to the stroke, and that of the ramp on it.
+TEST(Pusher, ShortStrokesTakeTheirWork) {
+  for (const double stroke : {1e-4, 1e-2}) {
+    const Case c = parse_case(
+        R"(
+name = "kick"; run = { end_time_s = 3, output_step_s = 3 }
+[carrier]; name = "base"; fixed = true
+[[body]]; name = "pin"; mass_kg = 2; com_m = [0, 0, 0]
+principal_inertia_kg_m2 = [1, 1, 1]
+start = { position_m = [-1, 0, 0], velocity_m_per_s = [1, 0, 0] }
+[[force]]; name = "push"; body = "pin"; kind = "pusher"; point_m = [0, 0, 0]
+carrier_point_m = [0, 0, 0]; direction = [1, 0, 0]; first_force_N = 1
+)"_toml + fmt::format("stroke_m = {}\nlast_force_N = {}\n", stroke, 2 / stroke),
+        "kick.toml");
+    const Outcome outcome = run_case(c, {});
+    ASSERT_EQ(outcome.failure, "");
+    const double work = 1 + (1 + 2 / stroke) / 2 * stroke;
+    const Rows& rows = outcome.memory.rows;
+    EXPECT_NEAR(value(rows, rows.size() - 1, "pin.vx_m_per_s"),
+                std::sqrt(1 + work), 1e-7)
+        << stroke;
+  }
+}
+
 // Two capsules of the radii 0.3 and 0.2 along z, b flying along x past a at
 // some speed and at some distance of their axes; turning about its own, too. On
 // straight ways the distance is sqrt(x^2 + y^2) - 0.5.

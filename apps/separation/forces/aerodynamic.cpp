@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "separation/forces/tables.hpp"
@@ -75,6 +76,20 @@ struct Aerodynamic final : ForceLaw {
   ForceEnds where(const Case&, int) const override { return {point}; }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     dynamic_pressure.add_breaks(begin, breaks);
+    add_passages(begin, breaks);
+  }
+  // Times at which the pressure passes one of `pressures` between two rows.
+  void add_passages(double begin, std::vector<double>& breaks) const {
+    const auto& [at, values] = dynamic_pressure;
+    for (std::size_t i = 1; i < at.size(); ++i) {
+      const auto [low, high] = std::minmax(values[i - 1], values[i]);
+      for (const double pressure : pressures) {
+        if (!(low < pressure && pressure < high)) continue;
+        const double part =
+            (pressure - values[i - 1]) / (values[i] - values[i - 1]);
+        breaks.push_back(begin + at[i - 1] + part * (at[i] - at[i - 1]));
+      }
+    }
   }
   void add_kinks(const ForceInstant& at,
                  std::vector<multibody::KinkedVariable>& to) const override {

@@ -41,6 +41,12 @@ struct Pusher final : ForceLaw {
     add_opposite({at.body, 0}, at.bodies, at.on().point(point),
                  at.carrier().rotation * (force * direction), forces);
   }
+  // Behind its beginning the force does not rise.
+  void add_kinks(const ForceInstant& at,
+                 std::vector<multibody::KinkedVariable>& to) const override {
+    static constexpr double beginning[] = {0};
+    to.push_back({stroke_used(at.body, at.bodies), beginning});
+  }
   ForceEnds where(const Case&, int) const override {
     return {point, 0, carrier_point};
   }
