@@ -493,6 +493,45 @@ TEST(Identify, RecoversDragAndOffset) {
   }
 }
 
+// The joint's moment and its drag, whose errors go together; an offset is the
+// sensor's.
+TEST(Identify, ErrorsOfPredictionsHaveNoOffset) {
+  const JointContact truth = steel_in_bronze(JointKind::pin, FrictionLaw(0.12));
+  auto data = exact_data(truth, 500, 20, false);
+  add_noise(data, 0.005);
+  auto back = exact_data(truth, 500, 20, false);
+  add_noise(back, 0.005, 2);
+  for (MeasuredMoment& datum : back) {
+    datum.reaction *= -1;
+    datum.angular_velocity *= -1;
+    data.push_back(datum);
+  }
+  const FrictionFit fit = identify_friction(
+      truth, data,
+      {.parameters = {f0, FrictionParameter::drag, FrictionParameter::offset}});
+  const MeasuredMoment& any = data[3];
+  const auto torque = [&](double coefficient) {
+    return -moment(truth.with_friction(FrictionLaw(coefficient)), any.reaction)
+                .z();
+  };
+  const double value = fit.estimates[0].value;
+  constexpr double step = 1e-5;
+  const Eigen::Vector2d slope(
+      (torque(value + step) - torque(value - step)) / (2 * step), 1);
+  const double error =
+      std::sqrt(slope.dot(fit.covariance.topLeftCorner<2, 2>() * slope));
+  EXPECT_NEAR(
+      fit.predicted_moment(any.reaction, any.angular_velocity).standard_error,
+      error, 1e-6 * error);
+
+  // Notes on limits go by the largest contact of the data.
+  const JointSolution most =
+      Joint(*fit.joint).solve({data[19].reaction, Vector3d::UnitZ()});
+  EXPECT_NEAR(fit.largest_contact.half_angle, most.half_angle, 1e-12);
+  EXPECT_NEAR(fit.largest_contact.peak_pressure, most.peak_pressure,
+              1e-12 * most.peak_pressure);
+}
+
 // Errors that are not those of sigma are said, with what else may be fitted.
 TEST(Identify, NotesOfErrorsThatSigmaDoesNotTell) {
   const JointContact truth =
@@ -513,6 +552,13 @@ TEST(Identify, NotesOfErrorsThatSigmaDoesNotTell) {
   EXPECT_EQ(notes(1, 10).size(), 1U);
   ASSERT_EQ(notes(10, 0).size(), 1U);
   EXPECT_TRUE(notes(10, 0)[0].ends_with("sigma is too large"));
+  // At 1.65 chi2 is 49 of 18 degrees of freedom, which chance has once in
+  // 9000, and 14 of 5, once in 55; at 1.45 nobody asks.
+  const double scale = identify_friction(truth, data).scale;
+  EXPECT_EQ(notes(scale / 1.65, 0).size(), 1U);
+  EXPECT_TRUE(notes(scale / 1.45, 0).empty());
+  data.resize(7);
+  EXPECT_TRUE(notes(identify_friction(truth, data).scale / 1.65, 0).empty());
 }
 
 // A prediction at a measured state is the fit there.
@@ -548,6 +594,14 @@ TEST(Identify, BadInput) {
   EXPECT_EQ(message(joint, {.names = {"kn.csv, line 3"}}),
             "kn.csv, line 3: |M|/(rho R) = 207 must be 0 to 1, as no f0 gives "
             "more: are loads in N, moments in N m?");
+  // 10 % above it is an error of the measurement.
+  for (const double ratio : {1.09, 1.11}) {
+    data = good;
+    data[0].moment =
+        ratio * joint.geometry().radius() * data[0].reaction.norm();
+    EXPECT_EQ(message(joint).starts_with("measured moment 1: |M|/(rho R) = "),
+              ratio > 1.1);
+  }
   data = good;
   for (MeasuredMoment& datum : data) {
     datum.moment = -std::get<double>(datum.moment);

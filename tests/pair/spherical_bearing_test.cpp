@@ -69,13 +69,21 @@ TEST(SphericalBearing, NamesOfMakers) {
   for (const char* name :
        {"", "GE", "GE51ES", "GEG50ES", "GE50UK", "6205", "GE-50ES", "GE0ES",
         "GEH6FO", "GE50-UK", "GE50ES-C3", "GE50 C2", "GEH50UK"}) {
-    EXPECT_NE(error_message([&] { SphericalBearing{name}; }), "") << name;
+    EXPECT_NE(error_message([&] { SphericalBearing{name}; }), "(no error)")
+        << name;
   }
 }
 
 // Their balls and rings are those of the series of their bores (GE50ES, GE30ES,
 // GE50FO), their clearances are not.
 TEST(SphericalBearing, LinedOnesAreNamedWithTheirSize) {
+  for (const char* series :
+       {"C", "CJ", "TE", "TXE", "TXA", "TGR", "TXGR", "ET", "UK", "FW"}) {
+    EXPECT_TRUE(error_message([&] {
+                  SphericalBearing{"GE20"s + series};
+                }).ends_with("series "s + series + " is lined"))
+        << series;
+  }
   for (const auto& [name, size, series] :
        {std::tuple("GE 50 TXE-2LS", "66 mm and ring_width = 28", "TXE"),
         {"GE30UK", "40.7 mm and ring_width = 18", "UK"},
