@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "libcontact/base/magnitude.hpp"
-#include "libcontact/joint/taken_force.hpp"
+#include "libcontact/joint/slip/taken_force.hpp"
 
 namespace contact::detail {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "libcontact/base/magnitude.hpp"
-#include "libcontact/joint/taken_force.hpp"
+#include "libcontact/joint/slip/taken_force.hpp"
 
 namespace contact {
 

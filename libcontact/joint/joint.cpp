@@ -9,7 +9,7 @@
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/slip/slip_equation.hpp"
-#include "libcontact/joint/taken_force.hpp"
+#include "libcontact/joint/slip/taken_force.hpp"
 
 namespace contact {
 namespace {
