@@ -17,6 +17,9 @@ struct GoneOption {
 inline constexpr GoneOption gone_options[] = {
     {"hinge-joint", "--in-seat",
      "a joint with a [seat] is in it; --without-seat for the endless one"},
+    {"hinge-duty", "--in-seat",
+     "a joint with a [seat] is in it, and its rows are in --states FILE; "
+     "--without-seat for the endless one"},
 };
 
 /// "--in-seat is gone: ..."; "" of words that are none of them.

@@ -10,7 +10,6 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
-#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/worn_seat_file.hpp"
 #include "libcontact/quantities/seat.hpp"
@@ -48,30 +47,37 @@ JointBody body_of(const char* name, const std::string& text) {
 class Cycle {
  public:
   Cycle(const FileJoint& joint, DutyCycle cycle)
-      : spec_(joint.spec()), on_(std::move(cycle), joint.joint()) {}
+      : spec_(joint.spec()),
+        on_(std::move(cycle), in_seat(joint),
+            [](double /*share*/) { Rows::heed_signals(); }) {}
 
-  const contact::JointSpec& spec() const { return spec_; }
   const JointCycle& on() const { return on_; }
-  const contact::JointContact& contact() const { return on_.contact(); }
+  const contact::JointGeometry& geometry() const {
+    return on_.contact().geometry();
+  }
+  /// The contact that wears in.
+  /// @throws contact::Error if it reaches rims
+  contact::JointContact endless() const {
+    if (on_.joint().is_endless()) return on_.contact();
+    if (on_.is_at_rims()) {
+      throw contact::Error(contact::detail::needs(
+          "wear_in() of contacts at the rims of a [seat]",
+          "a joint without it"));
+    }
+    contact::JointSpec spec = spec_.without_seat();
+    spec.half_angle_law = spec_.half_angle_law_name();
+    return spec.contact();
+  }
 
  private:
+  static contact::Joint in_seat(const FileJoint& joint) {
+    const bool ends =
+        joint.spec().geometry.seat() && joint.joint().is_endless();
+    return ends ? contact::Joint(joint.spec()) : joint.joint();
+  }
+
   contact::JointSpec spec_;
   JointCycle on_;
-};
-
-/// The same with the contact confined to the joint's [seat].
-class SeatCycle {
- public:
-  SeatCycle(const Cycle& cycle, const std::optional<std::string>& table)
-      : on_(cycle.on().cycle(), cycle.spec(),
-            {.progress = [](double /*share*/) { Rows::heed_signals(); },
-             .table = table.value_or(""),
-             .keeps_contacts = true}) {}
-
-  const contact::SeatCycle& on() const { return on_; }
-
- private:
-  contact::SeatCycle on_;
 };
 
 // As a RuntimeWarning at the line that is `level` functions of Python above.
@@ -112,15 +118,17 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
-  for (const std::string& note :
-       cycle->on().cycle().notes(cycle->on().contact().geometry().kind() ==
-                                 contact::JointKind::pin)) {
+  for (const std::string& note : cycle->on().rim_notes()) {
+    warn_of(note, frames_of_maker);
+  }
+  for (const std::string& note : cycle->on().cycle().notes(
+           cycle->geometry().kind() == contact::JointKind::pin)) {
     warn_of(note, frames_of_maker);
   }
   return cycle;
 }
 
-template <class Row, class Cycle, class Function>
+template <class Row, class Function>
 Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   Answers<Row> all{{py::ssize_t(cycle.on().rows().size())}, {}};
   for (const auto& i : cycle.on().rows()) all.rows.push_back(row(i));
@@ -134,7 +142,7 @@ JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
   }
   if (const auto* q = find_quantity(contact::rating_quantities(), name)) {
     return [q, &cycle](const Instant& i) {
-      return number_of(*q, cycle.on().sliding(i).rating());
+      return number_of(*q, cycle.on().rating(i));
     };
   }
   throw contact::Error(contact::detail::must_be(
@@ -146,7 +154,9 @@ py::object largest(const Cycle& cycle, const std::string& name) {
   Instant instant;
   {
     const Unlocked unlocked;
-    instant = cycle.on().largest(of);
+    instant = name == "peak_pressure" ? cycle.on().largest_peak()
+              : name == "pv_max"      ? cycle.on().largest_pv()
+                                      : cycle.on().largest(of);
   }
   return py::make_tuple(of(instant), instant.time);
 }
@@ -160,7 +170,6 @@ py::array_t<double> array_of(const std::vector<Vector3d>& vectors) {
   return array;
 }
 
-template <class Cycle>
 py::dict wear(const Cycle& cycle, const std::string& body, int points) {
   if (points < 10) {
     throw contact::Error(contact::detail::must_be(
@@ -176,7 +185,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
     const Unlocked unlocked;
     const WearMap map(cycle.on(), of);
     grid = map.grid(points);
-    for (const Vector3d& point : grid) worn.push_back(map.at(point));
+    worn = map.at(grid);
     deepest = map.deepest(grid, worn);
     defect = map.volume_defect(worn);
     cell_area = map.cell_area(points);
@@ -223,11 +232,11 @@ Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
   contact::WearIn worn;
   {
     const Unlocked unlocked;
-    worn = contact::wear_in(cycle.on().cycle(), cycle.contact(),
+    worn = contact::wear_in(cycle.on().cycle(), cycle.endless(),
                             {coefficient, inner}, cycles,
                             seat ? &seat->seat() : nullptr);
   }
-  if (seat) *seat = {std::move(worn.worn), cycle.contact().geometry()};
+  if (seat) *seat = {std::move(worn.worn), cycle.geometry()};
   for (const std::string& note : worn.notes) warn(note, 2);
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
 }
@@ -268,9 +277,8 @@ The text of such a file, with all digits.)")
           "In which it went.");
 }
 
-template <class Cycle, class Quantities>
-void bind_sums(const Quantities& quantities, py::class_<Cycle>& type) {
-  type.attr("_quantities") = detail::quantities_of(quantities);
+void bind_sums(std::span<const contact::Quantity<JointCycle>> quantities,
+               py::class_<Cycle>& type) {
   for (const auto& q : quantities) {
     type.def_property_readonly(
         q.key.data(),
@@ -282,61 +290,6 @@ void bind_sums(const Quantities& quantities, py::class_<Cycle>& type) {
   }
 }
 
-std::unique_ptr<SeatCycle> confined(const Cycle& cycle,
-                                    const std::optional<std::string>& table) {
-  std::unique_ptr<SeatCycle> made;
-  {
-    const Unlocked unlocked;
-    made = std::make_unique<SeatCycle>(cycle, table);
-  }
-  for (const std::string& note : made->on().notes()) {
-    warn_of(note, frames_of_maker);
-  }
-  return made;
-}
-
-void bind_seat_cycle(py::module_& m) {
-  bind_answers(m, "SeatRating", contact::seat_pv_quantities(),
-               "What SeatCycle.rating and Seat.pv() return.");
-  py::class_<SeatCycle> type(m, "SeatCycle",
-                             "A joint in its [seat] on a duty cycle.");
-  type.def(py::init(&confined), py::arg("cycle"), py::arg("table"));
-  bind_sums(contact::seat_cycle_quantities(), type);
-  type.def_property_readonly(
-      "time",
-      [](const SeatCycle& c) {
-        std::vector<double> times;
-        for (const auto& row : c.on().rows()) times.push_back(row.time);
-        return py::array_t<double>(py::cast(times));
-      },
-      "Of the rows, s.");
-  type.def_property_readonly(
-      "solution",
-      [](const SeatCycle& c) {
-        return of_rows<contact::SeatJointSolution>(c, [](const auto& i) {
-          auto row = i.solution;
-          row.contact.solution = nullptr;
-          return row;
-        });
-      },
-      "Friction at the rows, in the axes of the body that has the seat: a "
-      "SeatSolution.");
-  type.def_property_readonly(
-      "rating",
-      [](const SeatCycle& c) {
-        return of_rows<contact::SeatPv>(c, [](const auto& i) { return i.pv; });
-      },
-      "p v at the rows: a SeatRating.");
-  type.def_property_readonly(
-      "table",
-      [](const SeatCycle& c) -> std::optional<py::bytes> {
-        if (c.on().table().empty()) return {};
-        return c.on().table();
-      },
-      "The table of contacts as bytes to keep; None if none was made.");
-  type.def("_wear", &wear<SeatCycle>, py::arg("body"), py::arg("points"));
-}
-
 }  // namespace
 
 void bind_duty(py::module_& m) {
@@ -344,7 +297,12 @@ void bind_duty(py::module_& m) {
   type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
            py::arg("force"), py::arg("motion"), py::arg("sequence"),
            py::arg("period"), py::arg("force_on"), py::arg("force_in"));
-  bind_sums(contact::cycle_quantities(), type);
+  const auto sums = contact::cycle_quantities();
+  const auto worst = contact::worst_quantities();
+  bind_sums(sums, type);
+  bind_sums(worst, type);
+  type.attr("_quantities") =
+      detail::quantities_of(sums) + detail::quantities_of(worst);
   type.def_property_readonly(
       "time",
       [](const Cycle& c) {
@@ -355,23 +313,34 @@ void bind_duty(py::module_& m) {
       "solution",
       [](const Cycle& c) {
         return of_rows<contact::JointSolution>(
-            c, [](const Instant& i) { return i.solution; });
+            c, [](const Instant& i) { return i.solution.without_grid(); });
       },
-      "Friction at the rows: a Solution.");
+      "Friction at the rows, axes of the carrier: a Solution.");
   type.def_property_readonly(
       "rating",
       [](const Cycle& c) {
         return of_rows<contact::SlidingContact::Rating>(
-            c, [&](const Instant& i) { return c.on().sliding(i).rating(); });
+            c, [&](const Instant& i) { return c.on().rating(i); });
       },
       "p v and heat at the rows: a Rating.");
+  type.def_property_readonly(
+      "table",
+      [](const Cycle& c) -> std::optional<py::bytes> {
+        const std::string table = c.on().joint().table();
+        if (table.empty()) return {};
+        return table;
+      },
+      "The table of contacts at rims as bytes to keep; None if there is none.");
   type.def("largest", &largest, py::arg("quantity"),
            R"(largest(self, quantity)
 --
 
-The largest value in the cycle and its time, s; to 1e-8.
+The largest value in the cycle and its time, s; to 1e-8. At rims it is that of
+the rows, and NaN where a row has none: half-angles and heat fluxes.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
+  bind_answers(m, "SeatRating", contact::seat_pv_quantities(),
+               "What Seat.pv() returns.");
   bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
@@ -395,8 +364,7 @@ inner: k of the ball or pin; counts for a pin without clearance or with
     interference only (docs/preload_wear.md).
 seat: a WornSeat, which is worn further: with it the depth is at points whatever
     the load does.)");
-  type.def("_wear", &wear<Cycle>, py::arg("body"), py::arg("points"));
-  bind_seat_cycle(m);
+  type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 
 }  // namespace contact_python

@@ -242,7 +242,7 @@ int main() {
       {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
                      laws("_Pressure", contact::detail::pressure_entries())},
       {"@Cycle@", numbers(contact::cycle_quantities())},
-      {"@SeatCycle@", numbers(contact::seat_cycle_quantities())},
+      {"@CycleWorst@", numbers(contact::worst_quantities())},
       {"@Fit@", fit()}};
   std::string line;
   bool has_line = static_cast<bool>(std::getline(std::cin, line));

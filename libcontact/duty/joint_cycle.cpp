@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <set>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -21,15 +23,95 @@ JointCycle::Instant checked(JointCycle::Instant instant) {
       "one for which the half-angle law and the pressure law have a value"));
 }
 
+// A contact at a rim has no half-angle, nor has one that left its seat.
+bool is_round(const JointSolution& s) { return !std::isnan(s.half_angle); }
+
 }  // namespace
 
-JointCycle::JointCycle(DutyCycle cycle, Joint joint)
+JointCycle::JointCycle(DutyCycle cycle, Joint joint,
+                       const std::function<void(double)>& progress)
     : cycle_(std::move(cycle)), joint_(std::move(joint)) {
   std::vector<DutyCycle::GaussPoint> rows;
   rows.reserve(cycle_.times().size());
   for (const double time : cycle_.times()) rows.push_back({time, 0});
+  auto between = cycle_.gauss_points(joint_.is_pin());
+  if (!joint_.is_endless()) {
+    const auto is_at_rim = [&](const DutyCycle::GaussPoint& point) {
+      return !is_round(at(point).solution);
+    };
+    at_rims_ = std::ranges::any_of(rows, is_at_rim) ||
+               std::ranges::any_of(between, is_at_rim);
+  }
+  if (at_rims_) {
+    tabulate(progress);
+    rows_ = rows_at_rims();
+    return;
+  }
   rows_ = series(std::move(rows));
-  gauss_points_ = series(cycle_.gauss_points(joint_.is_pin()));
+  gauss_points_ = series(std::move(between));
+}
+
+// A table of the loads that reach a rim, if there are many of them. Friction
+// makes the force on the seat a little larger or smaller than the reaction.
+void JointCycle::tabulate(const std::function<void(double)>& progress) {
+  if (!joint_.table().empty()) return;
+  const SeatZone& zone = *contact().geometry().seat();
+  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
+  double least = std::numeric_limits<double>::infinity(), most = 0;
+  int count = 0;
+  for (const double time : cycle_.times()) {
+    const Instant row{time, 0, cycle_.at(time), {}};
+    const double load = row.state.reaction.norm();
+    if (!(load > 0)) continue;
+    const Eigen::Vector3d force = to_seat(row) * (side() * row.state.reaction);
+    const double direction =
+        std::atan2(axis.cross(force).norm(), axis.dot(force));
+    const HalfAngleResult theta0 = contact().half_angle(load);
+    if (theta0.status == Status::ok &&
+        zone.margin(direction, theta0.half_angle) >= 0) {
+      continue;
+    }
+    ++count;
+    least = std::min(least, load);
+    most = std::max(most, load);
+  }
+  if (count < many) return;
+  joint_ = joint_.tabulated({.least_load = std::max(0.9 * least, 1e-2 * most),
+                             .most_load = 1.1 * most,
+                             .progress = progress});
+}
+
+JointCycle::Series JointCycle::rows_at_rims() {
+  const std::vector<double>& times = cycle_.times();
+  const std::size_t count = times.size();
+  std::size_t grids = 0;
+  Series made;
+  JointSolution last, near;
+  std::set<std::string> said;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double before =
+        i == 0 ? times[count - 1] - cycle_.period() : times[i - 1];
+    const double after =
+        i + 1 == count ? times[0] + cycle_.period() : times[i + 1];
+    const DutyCycle::GaussPoint point{times[i], (after - before) / 2};
+    Instant row = at(point, last);
+    last = row.solution;
+    if (!is_round(row.solution)) {
+      near = joint_.with_grid(row.solution, near);
+      row.at_rim = joint_.pv(near, row.state.angular_velocity);
+      row.solution = ++grids <= most_grids ? near : near.without_grid();
+    }
+    for (auto& note : joint_.notes(row.solution)) {
+      if (said.insert(note).second && said.size() <= 8) {
+        rim_notes_.push_back(
+            detail::message("from {:.4g} s on: {}", row.time, note));
+      }
+    }
+    add(row);
+    made.points.push_back(point);
+    made.kept.push_back(std::move(row));
+  }
+  return made;
 }
 
 JointCycle::Series JointCycle::series(
@@ -50,13 +132,20 @@ JointCycle::Series JointCycle::series(
 
 void JointCycle::add(const Instant& instant) {
   const double weight = instant.weight;
-  const SlidingContact slip = sliding(instant);
+  const JointSolution& s = instant.solution;
   const double speed =
       contact().geometry().radius() * instant.state.angular_velocity.norm();
-  sums_.energy += weight * -instant.solution.power;
+  sums_.energy += weight * -s.power;
   sums_.sliding_path += weight * speed;
+  sums_.moment += weight * s.friction_moment.norm();
+  if (!is_round(s)) {
+    sums_.effective_distance +=
+        weight * (instant.at_rim.total / s.normal_force);
+    sums_.pv += weight * instant.at_rim.total;
+    return;
+  }
+  const SlidingContact slip = sliding(instant);
   sums_.effective_distance += weight * (speed * slip.slip_coefficient());
-  sums_.moment += weight * instant.solution.friction_moment.norm();
   const double pv = weight * slip.pv_total();
   sums_.pv += pv;
   if (!(pv > 0)) return;
@@ -70,20 +159,46 @@ JointCycle::Instant JointCycle::instant(const Series& series,
   return series.kept.empty() ? at(series.points[i]) : series.kept[i];
 }
 
-JointCycle::Instant JointCycle::at(
-    const DutyCycle::GaussPoint& point) const noexcept {
-  Instant instant = at(point.time);
-  instant.weight = point.weight;
+JointCycle::Instant JointCycle::at(const DutyCycle::GaussPoint& point,
+                                   const JointSolution& last) const noexcept {
+  Instant instant{point.time, point.weight, cycle_.at(point.time), {}};
+  const DutyCycle::State& state = instant.state;
+  Placement seat;  // that turns with the body
+  const bool turns = !joint_.is_endless() && side() > 0;
+  if (turns) seat.from_seat = state.turn.toRotationMatrix();
+  instant.solution = joint_.solve({.reaction = state.reaction,
+                                   .angular_velocity = state.angular_velocity,
+                                   .axis = Eigen::Vector3d::UnitZ(),
+                                   .placement = turns ? &seat : nullptr},
+                                  last);
   return instant;
 }
 
 JointCycle::Instant JointCycle::at(double time) const noexcept {
-  Instant instant{time, 0, cycle_.at(time), {}};
-  const DutyCycle::State& state = instant.state;
-  instant.solution = joint_.solve({.reaction = state.reaction,
-                                   .angular_velocity = state.angular_velocity,
-                                   .axis = Eigen::Vector3d::UnitZ()});
-  return instant;
+  return at(DutyCycle::GaussPoint{time, 0});
+}
+
+ContactPv JointCycle::pv(const Instant& instant) const {
+  if (!is_round(instant.solution)) return instant.at_rim;
+  return joint_.pv(instant.solution, instant.state.angular_velocity);
+}
+
+SlidingContact::Rating JointCycle::rating(const Instant& instant) const {
+  SlidingContact::Rating rating = sliding(instant).rating();
+  const JointSolution& s = instant.solution;
+  if (is_round(s)) return rating;
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  const ContactPv& pv = instant.at_rim;
+  rating.pv = {pv.largest, nan, pv.place};
+  rating.heat_flux.value = rating.heat_flux.theta = nan;
+  rating.pv_total = pv.total;
+  rating.pv_mean = pv.total / s.contact_area;
+  rating.heat = -s.power;
+  rating.slip_coefficient =
+      pv.total / (s.normal_force * contact().geometry().radius() *
+                  instant.state.angular_velocity.norm());
+  rating.slides = pv.total > 0;
+  return rating;
 }
 
 double JointCycle::integral(const Quantity& quantity) const {
@@ -91,35 +206,106 @@ double JointCycle::integral(const Quantity& quantity) const {
 }
 
 JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {
-  return detail::largest_of(
-      rows(), cycle_.period(), [this](double time) { return at(time); },
-      quantity);
+  return largest(quantity, {});
+}
+
+// At rims the row with the largest value; one that has none, but a contact,
+// whose mean over it is larger, or is not asked for.
+JointCycle::Instant JointCycle::largest(const Quantity& quantity,
+                                        const Quantity& mean) const {
+  if (!at_rims_) {
+    return detail::largest_of(
+        rows(), cycle_.period(), [this](double time) { return at(time); },
+        quantity);
+  }
+  const Instant found = detail::largest_row(rows(), quantity);
+  for (const Instant& row : rows_.kept) {
+    if (row.solution.state == JointState::unloaded) continue;
+    if (!std::isnan(quantity(row))) continue;
+    if (!mean || !(mean(row) <= quantity(found))) return row;
+  }
+  return found;
+}
+
+JointCycle::Instant JointCycle::largest_peak() const {
+  return largest([](const Instant& i) { return i.solution.peak_pressure; },
+                 of_rims(&RimContact::mean_pressure));
+}
+
+JointCycle::Instant JointCycle::largest_pv() const {
+  return largest([this](const Instant& i) { return pv(i).largest; },
+                 [](const Instant& i) {
+                   return i.at_rim.total / i.solution.contact_area;
+                 });
+}
+
+// NaN without a seat that ends, and without load.
+JointCycle::Quantity JointCycle::of_rims(double (RimContact::*of)()
+                                             const) const {
+  return [this, of](const Instant& i) {
+    const auto rims = joint_.rims(i.solution);
+    return rims ? ((*rims).*of)() : std::numeric_limits<double>::quiet_NaN();
+  };
+}
+
+double JointCycle::rim_share() const {
+  if (!at_rims_) return 0;
+  const Quantity intensity = of_rims(&RimContact::intensity);
+  double all = 0, at_rim = 0;
+  for (const Instant& row : rows_.kept) {
+    all += row.weight;
+    if (intensity(row) > 0) at_rim += row.weight;
+  }
+  return at_rim / all;
+}
+
+JointCycle::Instant JointCycle::least_gap() const {
+  const Quantity gap = of_rims(&RimContact::gap);
+  return detail::largest_row(rows(), [&](const Instant& i) { return -gap(i); });
+}
+
+JointCycle::Instant JointCycle::largest_intensity() const {
+  return detail::largest_row(rows(), of_rims(&RimContact::intensity));
 }
 
 LargestContact JointCycle::largest_contact() const {
-  const auto largest_of = [this](double JointSolution::*of) {
-    return largest([of](const JointCycle::Instant& i) {
-             return i.solution.*of;
-           }).solution.*
-           of;
-  };
-  LargestContact all{largest_of(&JointSolution::half_angle),
-                     largest_of(&JointSolution::peak_pressure)};
+  LargestContact all;
+  if (!at_rims_) {
+    const auto largest_of = [this](double JointSolution::*of) {
+      return largest([of](const Instant& i) {
+               return i.solution.*of;
+             }).solution.*
+             of;
+    };
+    all = {largest_of(&JointSolution::half_angle),
+           largest_of(&JointSolution::peak_pressure)};
+  }
   for (const Instant& row : rows()) {
     JointSolution in_seat = row.solution;
     in_seat.normal = to_seat(row) * in_seat.normal;
-    all.add(0, 0, rim_overlap(contact(), in_seat));
+    all.add(in_seat.half_angle, in_seat.peak_pressure,
+            rim_overlap(contact(), in_seat));
   }
   return all;
 }
 
+std::vector<std::string> JointCycle::notes() const {
+  std::vector<std::string> all = contact().limits().notes(largest_contact());
+  all.insert(all.begin(), rim_notes_.begin(), rim_notes_.end());
+  return all;
+}
+
+double JointCycle::side() const {
+  return contact().geometry().inner_body() == JointBody::carrier ? 1 : -1;
+}
+
 Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {
-  return contact().geometry().inner_body() == JointBody::carrier
-             ? instant.state.turn.conjugate()
-             : Eigen::Quaterniond::Identity();
+  return side() > 0 ? instant.state.turn.conjugate()
+                    : Eigen::Quaterniond::Identity();
 }
 
 double JointCycle::contact_spread() const {
+  if (at_rims_) return std::numeric_limits<double>::quiet_NaN();
   if (!(sums_.pv > 0)) return 0;
   // A contact that goes round has no middle: any place serves.
   constexpr double rounding = 1e-12;

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <functional>
+#include <string>
 #include <vector>
 
 #include "libcontact/duty/duty_cycle.hpp"
@@ -14,10 +15,16 @@ namespace contact {
 
 /// A joint on its duty cycle: friction at the times of the cycle and at the
 /// Gauss points of its integrals. It has a cycle and a joint of its own; what
-/// sliding() gives refers to the latter.
+/// sliding() gives refers to the latter. Vectors are in carrier axes.
+///
+/// Where a contact reaches a rim of its seat nothing is smooth in time: the
+/// cycle is_at_rims(), its integrals are sums over the rows by the trapezoidal
+/// rule, and its largest values are those of the rows.
 ///
 /// Instants are large: those of short cycles are kept, those of long ones are
-/// solved again, to the same bits, whenever they are asked for.
+/// solved again, to the same bits, whenever they are asked for. Rows of cycles
+/// at rims are kept, the first most_grids with the grids of their contacts, of
+/// 20 to 100 kB each; Joint::with_grid() finds those of the others.
 class JointCycle {
   struct Series;
 
@@ -28,6 +35,8 @@ class JointCycle {
     double weight;  ///< in integrals over the period, s
     DutyCycle::State state;
     JointSolution solution;
+    /// p v of a contact at a rim, of a row; NaN of others, see pv().
+    ContactPv at_rim = {};
   };
 
   /// Instants one after the other; refers to the cycle.
@@ -68,19 +77,38 @@ class JointCycle {
     const Series* series_;
   };
 
-  /// @param joint  a pin turns about Z
-  /// @throws Error if the laws of the contact have no value at some time.
-  JointCycle(DutyCycle cycle, Joint joint);
+  /// Number of contacts at rims from which a table of them is made.
+  static constexpr int many = 60;
+  /// Largest number of grids that are kept.
+  static constexpr std::size_t most_grids = 300;
+
+  /// @param joint  a pin turns about Z; without a table it gets one where
+  ///               `many` rows or more reach a rim
+  /// @param progress  as of RimTableOptions
+  /// @throws Error if the laws of the contact have no value at some time, and
+  ///         as Joint::tabulated(). Rows that leave their seat have no numbers,
+  ///         nor have integrals over them, which notes() says.
+  JointCycle(DutyCycle cycle, Joint joint,
+             const std::function<void(double)>& progress = {});
 
   const DutyCycle& cycle() const { return cycle_; }
+  /// With the table that was made.
+  const Joint& joint() const { return joint_; }
   const JointContact& contact() const { return joint_.contact(); }
-  /// Instants at the times of the cycle; their weight is 0.
+  /// Whether an instant reaches a rim of its seat, or leaves the seat.
+  bool is_at_rims() const { return at_rims_; }
+  /// Instants at the times of the cycle; their weight is 0, at rims that of
+  /// sums over the rows.
   Instants rows() const& { return {this, &rows_}; }
-  Instants gauss_points() const& { return {this, &gauss_points_}; }
+  /// Instants of the integrals; at rims the rows.
+  Instants gauss_points() const& {
+    return {this, at_rims_ ? &rows_ : &gauss_points_};
+  }
   /// Would refer to a cycle that is gone.
   Instants rows() const&& = delete;
   Instants gauss_points() const&& = delete;
-  /// Its solution has the status out_of_range where the laws have no value.
+  /// Its solution has the status out_of_range where the laws have no value, and
+  /// out_of_seat where the ball leaves its seat.
   Instant at(double time) const noexcept;
   SlidingContact sliding(const Instant& instant) const& {
     return {contact(), instant.solution, instant.state.angular_velocity};
@@ -88,6 +116,11 @@ class JointCycle {
 
   /// Would refer to a joint that is gone.
   SlidingContact sliding(const Instant&) const&& = delete;
+  /// p v over the contact of an instant, of a rim too if it is a row.
+  ContactPv pv(const Instant& instant) const;
+  /// SlidingContact::rating(), of a row at a rim with p v of its contact; the
+  /// heat flux is not known there.
+  SlidingContact::Rating rating(const Instant& instant) const;
 
   /// Integrals over one period, made with the cycle; those by integral() are
   /// the same, to the last bit, and of a long cycle solve every instant again.
@@ -95,7 +128,7 @@ class JointCycle {
     double energy = 0;              ///< dissipated by friction, J
     double sliding_path = 0;        ///< integral of rho |Dw|, m
     double effective_distance = 0;  ///< integral of rho |Dw| L, m
-    double pv = 0;      ///< integral of SlidingContact::pv_total(), J
+    double pv = 0;      ///< integral of p v over contact and time, J
     double moment = 0;  ///< integral of |M_t|, N m s
   };
   const Sums& sums() const { return sums_; }
@@ -105,16 +138,34 @@ class JointCycle {
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// The largest value, to 1e-8: the largest of the rows, improved between its
-  /// neighbours.
+  /// neighbours, but for cycles at rims. Among these a row with a contact but
+  /// without the quantity counts as the largest, for it may be: NaN.
   Instant largest(const Quantity& quantity) const;
+  /// Peak pressure and p v: at rims the largest at report_distance or more from
+  /// them, and NaN where a row that has none has a larger mean.
+  Instant largest_peak() const;
+  Instant largest_pv() const;
+  /// Share of the time in which the contact is at a rim.
+  double rim_share() const;
+  /// The row whose contact is nearest to a rim, and that with the largest K; of
+  /// joints without a seat, and without load, one that has none.
+  Instant least_gap() const;
+  Instant largest_intensity() const;
   /// Largest half-angle and peak pressure of the cycle, for ContactLimits, each
-  /// found as by largest(), and overlap with rims, of the rows.
+  /// found as by largest(), and overlap with rims that were left out, of the
+  /// rows.
   LargestContact largest_contact() const;
+  /// A sentence for each reason to doubt rows at rims, and each limit that the
+  /// largest contact passes.
+  std::vector<std::string> notes() const;
+  /// The former alone.
+  const std::vector<std::string>& rim_notes() const { return rim_notes_; }
   /// Turn from carrier axes to those of the body that has the seat or hole.
   Eigen::Quaterniond to_seat(const Instant& instant) const;
   /// How far the contact wanders over the seat or hole in a cycle: root mean
   /// square of the angle between its centre and the middle of its places, in
-  /// the seat's axes and with the weight of p v, rad; 0 without p v.
+  /// the seat's axes and with the weight of p v, rad; 0 without p v, NaN at
+  /// rims.
   double contact_spread() const;
 
  private:
@@ -122,14 +173,22 @@ class JointCycle {
     std::vector<DutyCycle::GaussPoint> points;
     std::vector<Instant> kept;  // all of them, or none
   };
-  Instant at(const DutyCycle::GaussPoint& point) const noexcept;
+  Instant at(const DutyCycle::GaussPoint& point,
+             const JointSolution& last = {}) const noexcept;
   Instant instant(const Series& series, std::size_t i) const;
   Series series(std::vector<DutyCycle::GaussPoint> points);
+  Series rows_at_rims();
+  void tabulate(const std::function<void(double)>& progress);
+  Instant largest(const Quantity& quantity, const Quantity& mean) const;
+  double side() const;  // of the force on the seat: 1 along the reaction
+  Quantity of_rims(double (RimContact::*of)() const) const;
 
   void add(const Instant& instant);
 
   DutyCycle cycle_;
   Joint joint_;
+  bool at_rims_ = false;
+  std::vector<std::string> rim_notes_;
   Sums sums_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  // centres by p v, summed
   Eigen::Vector3d first_ = Eigen::Vector3d::Zero();   // the first of them

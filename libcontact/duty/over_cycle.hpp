@@ -2,6 +2,7 @@
 
 #include <boost/math/tools/minima.hpp>
 #include <cstddef>
+#include <limits>
 
 namespace contact::detail {
 
@@ -12,6 +13,20 @@ double integral_of(const Points& points, const Quantity& quantity) {
   double sum = 0;
   for (const auto& point : points) sum += point.weight * quantity(point);
   return sum;
+}
+
+/// The row where a quantity is largest; the first if it is NaN of all.
+template <class Rows, class Quantity>
+auto largest_row(const Rows& rows, const Quantity& quantity) {
+  std::size_t best = 0;
+  double most = -std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double value = quantity(rows[i]);
+    if (!(value > most)) continue;
+    best = i;
+    most = value;
+  }
+  return rows[best];
 }
 
 /// The row of a cycle where a quantity is largest, improved between its

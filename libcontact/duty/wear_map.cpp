@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <numbers>
 #include <utility>
@@ -41,11 +40,8 @@ struct WearMap::Instant {
   Vector3d slip;            // times a point: slip, m
   double pressure_unit;     // Pa
   double uniform_pressure;  // Pa, all round: of an interference
-  /// p at a place, Pa, of a contact at a rim, instead of all but the slip.
-  std::function<double(const Vector3d&)> confined = {};
 
   double pressure(const Vector3d& point) const {
-    if (confined) return confined(point);
     const double from_centre = (point - centre).norm();
     if (from_centre >= chord && uniform_pressure == 0) return 0;
     const double theta = 2 * std::asin(std::min(from_centre / 2, 1.0));
@@ -53,11 +49,18 @@ struct WearMap::Instant {
   }
 };
 
+struct WearMap::AtRim {
+  JointSolution solution;
+  Eigen::Quaterniond from_body;  // to the axes of the solution
+  Vector3d slip;                 // in those of the body
+};
+
 void detail::check_wear(const JointCycle& cycle) {
   const JointCycle::Instant widest = cycle.largest(
       [](const JointCycle::Instant& i) { return i.solution.half_angle; });
   const double half_angle = widest.solution.half_angle;
-  if (half_angle <= pi / 2) return;
+  // NaN at rims, which the contact does not leave.
+  if (!(half_angle > pi / 2)) return;
   throw Error(
       must_be(message("the half-angle of a joint that wears, {:.4g} deg at "
                       "{:.4g} s,",
@@ -65,78 +68,84 @@ void detail::check_wear(const JointCycle& cycle) {
               "at most 90 deg"));
 }
 
-// The instant of a contact about a centre that slides by `turn`, both in the
-// body's axes.
-WearMap::Instant WearMap::instant(const JointContact& contact,
-                                  const JointSolution& s,
-                                  const Vector3d& centre,
-                                  const Vector3d& turn) {
-  return {{contact.pressure_law(), s.half_angle},
-          centre,
-          2 * std::sin(s.half_angle / 2),
-          contact.geometry().radius() * turn,
-          contact.pressure_unit(s.normal_force),
-          contact.uniform_pressure(s.normal_force, s.half_angle)};
-}
-
 WearMap::WearMap(const JointCycle& cycle, JointBody body)
-    : geometry_(cycle.contact().geometry()), total_(cycle.sums().pv) {
+    : geometry_(cycle.contact().geometry()),
+      total_(cycle.sums().pv),
+      joint_(cycle.joint()) {
   if (geometry_.radial_clearance() > 0) detail::check_wear(cycle);
+  const JointContact& contact = cycle.contact();
   std::vector<Instant> instants;
+  std::vector<AtRim> at_rims;
   for (const JointCycle::Instant& point : cycle.gauss_points()) {
     const JointSolution& s = point.solution;
+    if (s.status != Status::ok) {
+      throw Error(detail::message("wear at {:.4g} s: {}", point.time,
+                                  joint_.notes(s).front()));
+    }
     if (s.state != JointState::sliding) continue;
     const Eigen::Quaterniond to_body = body == JointBody::body
                                            ? point.state.turn.conjugate()
                                            : Eigen::Quaterniond::Identity();
+    const Vector3d turn =
+        point.weight * (to_body * point.state.angular_velocity);
+    const Vector3d slip = geometry_.radius() * turn;
+    if (std::isnan(s.half_angle)) {
+      at_rims.push_back({s, to_body.conjugate(), slip});
+      continue;
+    }
     instants.push_back(
-        instant(cycle.contact(), s, to_body * cycle.sliding(point).centre(),
-                point.weight * (to_body * point.state.angular_velocity)));
+        {{contact.pressure_law(), s.half_angle},
+         to_body * cycle.sliding(point).centre(),
+         2 * std::sin(s.half_angle / 2),
+         slip,
+         contact.pressure_unit(s.normal_force),
+         contact.uniform_pressure(s.normal_force, s.half_angle)});
   }
   instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
+  at_rims_ = std::make_shared<const std::vector<AtRim>>(std::move(at_rims));
 }
 
-WearMap::WearMap(const SeatCycle& cycle, JointBody body)
-    : geometry_(cycle.joint()->unbounded().contact().geometry()),
-      total_(cycle.pv_integral()) {
-  const auto joint = cycle.joint();
-  const Joint& unbounded = joint->unbounded();
-  std::vector<Instant> instants;
-  for (const SeatCycle::Instant& row : cycle.rows()) {
-    const SeatJointSolution& s = row.solution;
-    if (s.contact.status != SeatStatus::ok) continue;
-    const Eigen::Quaterniond to_body = body == geometry_.inner_body()
-                                           ? row.to_ball
-                                           : Eigen::Quaterniond::Identity();
-    const JointSolution free = unbounded.solve(
-        {.reaction = s.reaction, .angular_velocity = row.angular_velocity});
-    const Vector3d centre =
-        SlidingContact(unbounded.contact(), free, row.angular_velocity)
-            .centre();
-    Instant& added = instants.emplace_back(
-        instant(unbounded.contact(), free, to_body * centre,
-                row.weight * (to_body * row.angular_velocity)));
-    if (s.contact.is_free) continue;
-    added.confined = [joint, s, to_body](const Vector3d& point) {
-      return joint->pressure_off_rims(s, to_body.conjugate() * point);
-    };
-  }
-  instants_ = std::make_shared<const std::vector<Instant>>(std::move(instants));
-}
+namespace {
 
-WearMap::Wear WearMap::at(const Vector3d& point) const {
+// Wear that is summed up over the time.
+struct Sum {
   double pv = 0;
   Matrix3d work = Matrix3d::Zero();
-  for (const Instant& i : *instants_) {
-    const double p = i.pressure(point);
-    if (p == 0) continue;
-    const Vector3d slip = i.slip.cross(point);
+
+  void add(double pressure, const Vector3d& slip) {
+    if (pressure == 0) return;
     const double length = slip.norm();
-    if (length == 0) continue;
-    pv += p * length;
-    work += p / length * slip * slip.transpose();
+    if (length == 0) return;
+    pv += pressure * length;
+    work += pressure / length * slip * slip.transpose();
   }
-  return {pv, cross_shear(work)};
+};
+
+}  // namespace
+
+std::vector<WearMap::Wear> WearMap::at(std::span<const Vector3d> points) const {
+  std::vector<Sum> sums(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    for (const Instant& i : *instants_) {
+      sums[k].add(i.pressure(points[k]), i.slip.cross(points[k]));
+    }
+  }
+  std::vector<Vector3d> places(points.size());
+  JointSolution whole;
+  for (const AtRim& i : *at_rims_) {
+    whole = joint_.with_grid(i.solution, whole);
+    std::ranges::transform(points, places.begin(), [&](const Vector3d& point) {
+      return i.from_body * point;
+    });
+    const std::vector<double> pressures =
+        joint_.pressures(whole, places, Joint::RimPressure::reported);
+    for (std::size_t k = 0; k < points.size(); ++k) {
+      sums[k].add(pressures[k], i.slip.cross(points[k]));
+    }
+  }
+  std::vector<Wear> all;
+  for (const Sum& sum : sums) all.push_back({sum.pv, cross_shear(sum.work)});
+  return all;
 }
 
 std::vector<Vector3d> WearMap::grid(int count) const {
@@ -169,6 +178,7 @@ WearMap::Deepest WearMap::deepest(const std::vector<Vector3d>& points,
                                   const std::vector<Wear>& wear) const {
   const auto best = std::ranges::max_element(wear, {}, &Wear::pv);
   Deepest found{points[static_cast<std::size_t>(best - wear.begin())], *best};
+  if (at_rims_->size() > JointCycle::most_grids) return found;
   const bool is_pin = geometry_.kind() == JointKind::pin;
   const double count = static_cast<double>(points.size());
   // Steps in four directions (of a pin two), halved where none leads up: the

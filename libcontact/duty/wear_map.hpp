@@ -2,11 +2,11 @@
 
 #include <Eigen/Core>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/duty/seat_cycle.hpp"
 
 namespace contact {
 
@@ -18,17 +18,12 @@ namespace contact {
 /// a pin normal to Z.
 class WearMap {
  public:
+  /// At rims (JointCycle::is_at_rims()) nearer to one than 0.02 radii the
+  /// pressure is that at this distance: what a rim wears beyond is not known.
   /// @throws Error if the half-angle of a joint with a clearance comes above 90
   ///         deg in the cycle: a ball that sinks into its worn seat leaves the
-  ///         seat's rim there.
+  ///         seat's rim there; and if a row leaves its seat.
   WearMap(const JointCycle& cycle, JointBody body);
-  /// The same of a ball in a seat that ends: contacts are confined, and of the
-  /// rows of the cycle, by the trapezoidal rule. Nearer to a rim than 0.02
-  /// radii the pressure is that at this distance: what a rim wears beyond is
-  /// not known.
-  /// @param cycle  whose contacts are kept; of others rims that are reached are
-  ///               left out as NaN
-  WearMap(const SeatCycle& cycle, JointBody body);
 
   struct Wear {
     double pv;  ///< integral of p |v| over one period, Pa m
@@ -38,7 +33,12 @@ class WearMap {
   };
   /// Wear at a point, within 1e-5 of the largest p v of a cycle of 100 times
   /// (duty/joint_cycle_test.cpp).
-  Wear at(const Eigen::Vector3d& point) const;
+  Wear at(const Eigen::Vector3d& point) const {
+    return at(std::span(&point, 1))[0];
+  }
+  /// Wear at points: of a long cycle at rims, whose contacts are solved again,
+  /// the way to have many.
+  std::vector<Wear> at(std::span<const Eigen::Vector3d> points) const;
 
   /// N points, each of the same area: Fibonacci's sphere, or a circle.
   std::vector<Eigen::Vector3d> grid(int count) const;
@@ -53,7 +53,8 @@ class WearMap {
     Wear wear;
   };
   /// The largest of a grid, improved between its neighbours; to 1e-5
-  /// (duty/joint_cycle_test.cpp).
+  /// (duty/joint_cycle_test.cpp). Of more rows at rims than
+  /// JointCycle::most_grids that of the grid alone.
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;
 
@@ -70,14 +71,14 @@ class WearMap {
 
  private:
   struct Instant;
-  static Instant instant(const JointContact& contact,
-                         const JointSolution& solution,
-                         const Eigen::Vector3d& centre,
-                         const Eigen::Vector3d& turn);
+  struct AtRim;
 
   JointGeometry geometry_;
   double total_;  // J
   std::shared_ptr<const std::vector<Instant>> instants_;
+  // Of rows at rims.
+  Joint joint_;
+  std::shared_ptr<const std::vector<AtRim>> at_rims_;
 };
 
 }  // namespace contact

@@ -1,3 +1,6 @@
+#include <cmath>
+#include <limits>
+
 #include "libcontact/quantities/tables.hpp"
 
 namespace contact {
@@ -50,6 +53,55 @@ constexpr Quantity<JointCycle> of_cycle[] = {
      [](const JointCycle& c) { return c.contact_spread(); }},
 };
 
+bool has_seat(const JointCycle& c) { return !c.joint().is_endless(); }
+
+// A quantity of the rims at some instant of a cycle; NaN without a contact.
+double rim_number(const JointCycle& cycle, const JointCycle::Instant& instant,
+                  double (RimContact::*of)() const) {
+  const auto rims = cycle.joint().rims(instant.solution);
+  return rims ? ((*rims).*of)() : std::numeric_limits<double>::quiet_NaN();
+}
+
+// It rises with K.
+double rim_pressure(const JointCycle& cycle) {
+  return rim_number(cycle, cycle.largest_intensity(),
+                    &RimContact::rim_pressure);
+}
+
+constexpr Quantity<JointCycle> of_worst[] = {
+    {"largest_peak_pressure", "largest_p_peak", Dimension::stress,
+     "peak pressure; at rims report_distance (0.02 radii) or more from them",
+     [](const JointCycle& c) {
+       return c.largest_peak().solution.peak_pressure;
+     }},
+    {"largest_pv", "largest_pv_max", Dimension::power_density,
+     "largest p v; at rims report_distance (0.02 radii) or more from them",
+     [](const JointCycle& c) { return c.pv(c.largest_pv()).largest; }},
+    {"rim_share", "", Dimension::number,
+     "share of the time in which the contact is at a rim of its seat",
+     [](const JointCycle& c) { return c.rim_share(); }, "", has_seat},
+    {"least_gap", "", Dimension::length,
+     "from the contact to the nearest rim along the seat",
+     [](const JointCycle& c) {
+       return rim_number(c, c.least_gap(), &RimContact::gap);
+     },
+     "", has_seat},
+    {"largest_intensity", "largest_K", Dimension::number,
+     "largest p sqrt(2 pi s) at a rim, s from it, Pa m^0.5",
+     [](const JointCycle& c) {
+       return rim_number(c, c.largest_intensity(), &RimContact::intensity);
+     },
+     "", has_seat},
+    {"largest_rim_pressure", "largest_p_rim", Dimension::stress,
+     "largest pressure on a rim, rounded by edge_radius",
+     [](const JointCycle& c) { return rim_pressure(c); }, "",
+     [](const JointCycle& c) { return !std::isnan(rim_pressure(c)); }},
+    {"table_error", "", Dimension::number,
+     "of the table of contacts, over the load: the largest of 100 states",
+     [](const JointCycle& c) { return c.joint().table_check()->error(); }, "",
+     [](const JointCycle& c) { return c.joint().table_check().has_value(); }},
+};
+
 using Worn = WearIn::State;
 constexpr Quantity<Worn> of_worn[] = {
     {"cycles", "", Dimension::number, "after them",
@@ -89,6 +141,8 @@ std::span<const Quantity<JointCycle::Instant>> instant_quantities() {
 }
 
 std::span<const Quantity<JointCycle>> cycle_quantities() { return of_cycle; }
+
+std::span<const Quantity<JointCycle>> worst_quantities() { return of_worst; }
 
 std::span<const Quantity<WearIn::State>> worn_quantities() { return of_worn; }
 

@@ -41,6 +41,8 @@ std::span<const Quantity<FrictionIntegrals>> integral_quantities();
 std::span<const Quantity<JointCycle::Instant>> instant_quantities();
 /// Integrals and means of a cycle; each is computed when it is asked for.
 std::span<const Quantity<JointCycle>> cycle_quantities();
+/// The largest values of a cycle, and those at the rims of a seat.
+std::span<const Quantity<JointCycle>> worst_quantities();
 std::span<const Quantity<WearIn::State>> worn_quantities();
 
 }  // namespace contact

@@ -1,5 +1,4 @@
-#include "libcontact/duty/seat_cycle.hpp"
-
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +8,8 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
+#include "libcontact/quantities/tables.hpp"
+#include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
 // Balls in seats that end on a cycle: a load that swings in a cup towards its
@@ -42,85 +43,115 @@ DutyCycle cycle(double side, double swing = 20 * degree) {
   return {rows, {}, DutyCycle::TurnSequence("xyz")};
 }
 
+double number(const JointCycle& cycle, std::string_view key) {
+  return value_of(*find_quantity(worst_quantities(), key), cycle);
+}
+
 TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
   for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
     const double side = inner == JointBody::carrier ? 1 : -1;
     const JointSpec spec = bearing(inner);
     const DutyCycle swing = cycle(side);
-    const SeatCycle in_seat(swing, spec);
-    const SeatJoint joint(spec);
+    const Joint joint(spec);
+    const JointCycle in_seat(swing, joint);
+    ASSERT_TRUE(in_seat.is_at_rims());
     ASSERT_EQ(in_seat.rows().size(), 24u);
-    EXPECT_EQ(in_seat.check().states, 0);  // too few for a table
-    double at_rim = 0;
+    EXPECT_EQ(in_seat.joint().table(), "");  // too few for one
+    EXPECT_TRUE(std::isnan(number(in_seat, "table_error")));
     for (std::size_t i : {0u, 6u, 13u}) {
-      const auto& row = in_seat.rows()[i];
+      const auto row = in_seat.rows()[i];
       const DutyCycle::State state = swing.at(row.time);
       // The seat is the body's if the carrier has the ball.
       const Eigen::Matrix3d to_seat =
           side > 0 ? state.turn.conjugate().toRotationMatrix()
                    : Eigen::Matrix3d::Identity().eval();
-      const SeatJointSolution s =
+      const JointSolution s =
           joint.solve({.reaction = to_seat * state.reaction,
                        .angular_velocity = to_seat * state.angular_velocity});
-      EXPECT_EQ(s.contact.is_free, row.solution.contact.is_free);
-      EXPECT_LT((s.friction_moment - row.solution.friction_moment).norm(),
-                1e-5 * s.friction_moment.norm());
+      EXPECT_EQ(std::isnan(s.half_angle), std::isnan(row.solution.half_angle));
+      EXPECT_LT(
+          (s.friction_moment - to_seat * row.solution.friction_moment).norm(),
+          1e-5 * s.friction_moment.norm());
     }
-    for (const auto& row : in_seat.rows()) {
+    double at_rim = 0, heat = 0, distance = 0, largest = 0;
+    for (const JointCycle::Instant& row : in_seat.rows()) {
       EXPECT_NEAR(row.weight, 1 / 24.0, 1e-15);
-      const bool is_at_rim = row.solution.contact.rims[1].intensity > 0;
-      at_rim += is_at_rim ? row.weight : 0;
+      const RimContact rims = *joint.rims(row.solution);
+      at_rim += rims.rims[1].intensity > 0 ? row.weight : 0;
+      heat -= row.weight * row.solution.power;
+      // The heat of dry friction is f0 times p v, free or at the rim.
+      const ContactPv pv = in_seat.pv(row);
+      largest = std::max(largest, pv.largest);
+      distance += row.weight * pv.total / row.solution.normal_force;
+      EXPECT_NEAR(-0.05 * pv.total, row.solution.power,
+                  (rims.is_free ? 1e-9 : 1e-3) * std::abs(row.solution.power));
+      const SlidingContact::Rating rating = in_seat.rating(row);
+      EXPECT_EQ(rating.pv_total, pv.total);
+      EXPECT_EQ(rating.pv.value, pv.largest);
+      EXPECT_EQ(std::isnan(rating.heat_flux.value), !rims.is_free);
+      EXPECT_NEAR(rating.heat, -row.solution.power,
+                  1e-12 * std::abs(row.solution.power));
     }
     EXPECT_NEAR(in_seat.rim_share(), at_rim, 1e-12);
     EXPECT_GT(at_rim, 0.1);
     EXPECT_LT(at_rim, 0.9);
-    ASSERT_NE(in_seat.least_gap(), nullptr);
-    EXPECT_EQ(in_seat.least_gap()->solution.contact.rims[1].gap, 0);
+    EXPECT_EQ(number(in_seat, "least_gap"), 0);
+    EXPECT_GT(number(in_seat, "largest_intensity"), 0);
     // The load is nearest to the rim at a quarter and at three.
-    ASSERT_NE(in_seat.largest_peak(), nullptr);
-    EXPECT_NEAR(std::abs(in_seat.largest_peak()->time - 0.5), 0.25, 0.1);
-    // The heat of dry friction is f0 times p v, free or at the rim.
-    double heat = 0, largest = 0;
-    for (const auto& row : in_seat.rows()) {
-      heat -= row.weight * row.solution.power;
-      largest = std::max(largest, row.pv.largest);
-      EXPECT_NEAR(-0.05 * row.pv.total, row.solution.power,
-                  (row.solution.contact.is_free ? 1e-9 : 1e-3) *
-                      std::abs(row.solution.power));
-    }
-    EXPECT_NEAR(0.05 * in_seat.pv_integral() / heat, 1, 1e-3);
-    ASSERT_NE(in_seat.largest_pv(), nullptr);
-    EXPECT_EQ(in_seat.largest_pv()->pv.largest, largest);
+    EXPECT_NEAR(std::abs(in_seat.largest_peak().time - 0.5), 0.25, 0.1);
+    EXPECT_NEAR(in_seat.sums().energy, heat, 1e-12 * heat);
+    EXPECT_NEAR(0.05 * in_seat.sums().pv / heat, 1, 1e-3);
+    EXPECT_NEAR(in_seat.sums().effective_distance / distance, 1, 1e-12);
+    EXPECT_EQ(number(in_seat, "largest_pv"), largest);
+    EXPECT_NEAR(
+        in_seat.integral([&](const auto& i) { return in_seat.pv(i).total; }),
+        in_seat.sums().pv, 1e-12 * in_seat.sums().pv);
+    // There is no half-angle at a rim, and no middle of the contact.
+    EXPECT_TRUE(std::isnan(in_seat.contact_spread()));
+    EXPECT_TRUE(std::isnan(
+        in_seat.largest([](const auto& i) { return i.solution.half_angle; })
+            .solution.half_angle));
+    ASSERT_FALSE(in_seat.notes().empty());
+    EXPECT_THAT(in_seat.notes().front(), testing::StartsWith("from "));
   }
 }
 
-std::vector<WearMap::Wear> worn(const WearMap& map,
-                                const std::vector<Vector3d>& points) {
-  std::vector<WearMap::Wear> all;
-  for (const Vector3d& point : points) all.push_back(map.at(point));
+std::vector<Vector3d> arc() {
+  std::vector<Vector3d> all;
+  for (const double v : {0.1, 0.5, 0.9}) {
+    all.emplace_back(0, std::sin(v), std::cos(v));
+  }
   return all;
 }
 
-// The seat wears by what SeatJoint::pressures() says at each time.
+// The seat wears by what Joint::pressures() says at each time.
 TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
   const JointSpec spec = bearing(JointBody::body);
-  const SeatCycle in_seat(cycle(-1), spec, {.keeps_contacts = true});
-  const SeatJoint& joint = *in_seat.joint();
+  const Joint joint(spec);
+  const JointCycle in_seat(cycle(-1), joint);
   const WearMap seat(in_seat, JointBody::carrier);
   const double radius = spec.geometry.radius();
-  for (const double v : {0.1, 0.5, 0.9}) {
-    const Vector3d place(0, std::sin(v), std::cos(v));
+  for (const Vector3d& place : arc()) {
     double pv = 0;
-    for (const auto& row : in_seat.rows()) {
-      pv += row.weight * joint.pressures(row.solution, {&place, 1})[0] *
-            radius * row.angular_velocity.cross(place).norm();
+    for (const JointCycle::Instant& row : in_seat.rows()) {
+      // Grids that are found again are the kept ones.
+      pv += row.weight *
+            joint.pressures(row.solution.without_grid(), {&place, 1})[0] *
+            radius * row.state.angular_velocity.cross(place).norm();
     }
-    EXPECT_NEAR(seat.at(place).pv / pv, 1, 1e-9) << v;
+    // As near as contacts from other starts are.
+    EXPECT_NEAR(seat.at(place).pv / pv, 1, 1e-5) << place.transpose();
     EXPECT_GT(pv, 0);
+  }
+  const auto together = seat.at(arc());
+  for (std::size_t i = 0; i < together.size(); ++i) {
+    const WearMap::Wear one = seat.at(arc()[i]);
+    EXPECT_EQ(together[i].pv, one.pv);
+    EXPECT_EQ(together[i].cross_shear, one.cross_shear);
   }
   // Beside the rim it stays what it is 0.02 radii off, and beyond it is 0.
   const auto at = [&](double v) {
-    return seat.at({0, std::sin(v), std::cos(v)}).pv;
+    return seat.at(Vector3d(0, std::sin(v), std::cos(v))).pv;
   };
   const double rim = 60 * degree;
   EXPECT_NEAR(at(rim - 1e-9) / at(rim - 0.01), 1, 0.05);  // the free
@@ -131,8 +162,7 @@ TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
   const Vector3d middle(0, std::sin(0.3), std::cos(0.3));
   EXPECT_NEAR(ball.at(middle).pv / seat.at(middle).pv, 1, 0.02);
   // p within 0.02 radii of the rim is cut: a little of the volume is missing.
-  const auto points = seat.grid(4000);
-  const auto wear = worn(seat, points);
+  const auto wear = seat.at(seat.grid(4000));
   for (const WearMap::Wear& one : wear) EXPECT_GE(one.pv, 0);
   const double defect = seat.volume_defect(wear);
   EXPECT_LT(defect, 0.002);
@@ -147,46 +177,78 @@ TEST(SeatCycle, HasNoPeakThatMayBeExceeded) {
     spec.geometry = spec.geometry.with_seat(
         SeatZone::cup(60 * degree)
             .with_edge({.report_distance = report_distance}));
-    const SeatCycle in_seat(cycle(-1, 55 * degree), spec);
+    const JointCycle in_seat(cycle(-1, 55 * degree), Joint(spec));
     int hidden = 0;
     double mean = 0, largest = 0;
-    for (const auto& row : in_seat.rows()) {
-      const SeatState& s = row.solution.contact;
-      ASSERT_EQ(s.status, SeatStatus::ok);
-      if (std::isnan(s.peak_pressure)) {
+    for (const JointCycle::Instant& row : in_seat.rows()) {
+      ASSERT_EQ(row.solution.status, Status::ok);
+      const double peak = row.solution.peak_pressure;
+      if (std::isnan(peak)) {
         ++hidden;
-        mean = std::max(mean, s.mean_pressure());
+        mean =
+            std::max(mean, in_seat.joint().rims(row.solution)->mean_pressure());
       } else {
-        largest = std::max(largest, s.peak_pressure);
+        largest = std::max(largest, peak);
       }
     }
     EXPECT_EQ(hidden > 0, report_distance > 0.1);
-    const auto* found = in_seat.largest_peak();
-    ASSERT_EQ(found != nullptr, largest >= mean) << largest << " " << mean;
-    if (found) {
-      EXPECT_EQ(found->solution.contact.peak_pressure, largest);
+    const double found = number(in_seat, "largest_peak_pressure");
+    EXPECT_EQ(std::isnan(found), largest < mean) << largest << " " << mean;
+    if (largest >= mean) {
+      EXPECT_EQ(found, largest);
     }
   }
 }
 
-// A cycle whose contacts reach no rim: the map of the seat without end, whose
-// times are Gauss points: the trapezoidal rule of 24 even times is off by (2 pi
-// /24)^2/12 where |cos| turns at 0.
-TEST(SeatCycle, WearMapOfFreeContactsIsThatWithoutRims) {
-  JointSpec spec = bearing(JointBody::carrier);
-  spec.geometry = spec.geometry.with_seat(SeatZone::cup(120 * degree));
-  const SeatCycle in_seat(cycle(1), spec);
-  EXPECT_EQ(in_seat.rim_share(), 0);
-  const JointCycle free(cycle(1), Joint(spec.without_seat()));
-  for (const JointBody body : {JointBody::body, JointBody::carrier}) {
-    const WearMap confined(in_seat, body), endless(free, body);
-    for (const double v : {0.0, 0.2, 0.4}) {
-      const Vector3d place(0, std::sin(v), std::cos(v));
-      const WearMap::Wear a = confined.at(place), b = endless.at(place);
-      EXPECT_NEAR(a.pv / b.pv, 1, 8e-3) << v;
-      EXPECT_NEAR(a.cross_shear, b.cross_shear, 2e-3) << v;
+// A cycle whose contacts reach no rim is that of the seat without end under the
+// laws exact, Gauss points and maxima between the rows too.
+TEST(SeatCycle, FreeContactsAreThoseWithoutRims) {
+  for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
+    JointSpec spec = bearing(inner);
+    spec.geometry = spec.geometry.with_seat(SeatZone::cup(120 * degree));
+    const double side = inner == JointBody::carrier ? 1 : -1;
+    const JointCycle in_seat(cycle(side), Joint(spec));
+    EXPECT_FALSE(in_seat.is_at_rims());
+    EXPECT_EQ(in_seat.rim_share(), 0);
+    EXPECT_GT(number(in_seat, "least_gap"), 0);
+    EXPECT_EQ(number(in_seat, "largest_intensity"), 0);
+    spec = spec.without_seat();
+    spec.half_angle_law = "exact";
+    const JointCycle free(cycle(side), Joint(spec));
+    EXPECT_TRUE(std::isnan(number(free, "least_gap")));
+    EXPECT_EQ(in_seat.sums().energy, free.sums().energy);
+    EXPECT_EQ(in_seat.sums().pv, free.sums().pv);
+    EXPECT_EQ(in_seat.contact_spread(), free.contact_spread());
+    for (const auto& quantity : worst_quantities().first(2)) {
+      EXPECT_EQ(number_of(quantity, in_seat), number_of(quantity, free));
+    }
+    for (const JointBody body : {JointBody::body, JointBody::carrier}) {
+      const WearMap confined(in_seat, body), endless(free, body);
+      for (const Vector3d& place : arc()) {
+        EXPECT_EQ(confined.at(place).pv, endless.at(place).pv);
+      }
     }
   }
+}
+
+// A ball that leaves its seat for a while: sums over that time are not known,
+// nor is the largest value of anything.
+TEST(SeatCycle, WithoutASeatThereAreNoNumbers) {
+  const JointCycle out(cycle(-1, 70 * degree), Joint(bearing(JointBody::body)));
+  const auto rows = out.rows();
+  EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) {
+    return row.solution.status == Status::out_of_seat;
+  }));
+  EXPECT_EQ(rows[0].solution.status, Status::ok);
+  EXPECT_TRUE(std::isnan(out.sums().energy));
+  EXPECT_TRUE(std::isnan(out.sums().pv));
+  for (const char* key : {"largest_peak_pressure", "largest_pv"}) {
+    EXPECT_TRUE(std::isnan(number(out, key))) << key;
+  }
+  EXPECT_THAT(out.notes(),
+              testing::Contains(testing::HasSubstr("the ball leaves it")));
+  EXPECT_THAT(error_message([&] { WearMap(out, JointBody::carrier); }),
+              testing::HasSubstr("the ball leaves it"));
 }
 
 }  // namespace

@@ -1,5 +1,7 @@
 #include "cli/joint/friction_options.hpp"
 
+#include <utility>
+
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 
@@ -80,6 +82,18 @@ contact::FrictionModel make_friction(
   if (!options.adhesion) return *of_joint;
   return dry_friction(options, of_joint, "--adhesion",
                       "--friction: the joint's friction is not dry");
+}
+
+contact::JointSpec asked_spec(const Joint& joint,
+                              contact::FrictionModel friction,
+                              const JointOptions& options) {
+  contact::JointSpec spec = joint.spec;
+  spec.friction = std::move(friction);
+  if (!options.laws.empty()) spec.half_angle_law = options.laws[0];
+  if (!options.pressures.empty()) spec.pressure_law = options.pressures[0];
+  spec.half_angle_law = spec.half_angle_law_name();
+  spec.pressure_law = spec.pressure_law_name();
+  return spec;
 }
 
 }  // namespace cli

@@ -25,6 +25,12 @@ contact::FrictionModel make_friction(
     const std::optional<contact::FrictionModel>& of_joint,
     const JointOptions& joint);
 
+/// The joint's spec with this friction and the first of the laws that were
+/// asked for, or its own: what a contact::Joint in its seat is made of.
+contact::JointSpec asked_spec(const Joint& joint,
+                              contact::FrictionModel friction,
+                              const JointOptions& options);
+
 /// The joint's dry friction, 0 if it has none, but for what the options say.
 /// @param needs  "X requires Y: ", the message where it is not dry
 contact::FrictionLaw dry_friction(

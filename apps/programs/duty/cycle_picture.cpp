@@ -20,10 +20,9 @@ std::string draw_cycle(const contact::JointCycle& cycle,
                              contact::rating_quantities(), "pv_max")),
                          {}});
   for (const contact::JointCycle::Instant& i : cycle.rows()) {
-    const contact::SlidingContact sliding = cycle.sliding(i);
-    const double values[] = {
-        i.solution.reaction.norm(), i.solution.friction_moment.norm(),
-        i.solution.peak_pressure, sliding.largest_pv().value};
+    const double values[] = {i.solution.reaction.norm(),
+                             i.solution.friction_moment.norm(),
+                             i.solution.peak_pressure, cycle.pv(i).largest};
     plot.values.push_back(i.time);
     for (std::size_t k = 0; k < plot.panels.size(); ++k) {
       plot.panels[k].y.push_back(values[k]);

@@ -1,12 +1,12 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <vector>
 
 #include "cli/joint/joint_options.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/pin_cycle.hpp"
-#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "programs/duty/body_wear.hpp"
 
@@ -19,7 +19,6 @@ struct JointDuty {
   std::vector<BodyWear> wear = {};                ///< both bodies', or none
   std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
   contact::WornSeat worn_seat = {};               ///< after them
-  std::optional<contact::SeatCycle> seat = {};    ///< with --in-seat
   std::optional<contact::PinCycle> pin = {};      ///< tilted, or loaded off
   /// k as given, mm^3/(N m).
   std::optional<double> wear_seat = {};
@@ -29,5 +28,12 @@ struct JointDuty {
     return body == joint.spec.geometry.inner_body() ? wear_inner : wear_seat;
   }
 };
+
+/// Whether any of the joints is in a seat that ends.
+inline bool have_seat(const std::vector<JointDuty>& duties) {
+  return std::ranges::any_of(duties, [](const JointDuty& duty) {
+    return !duty.cycle.joint().is_endless();
+  });
+}
 
 }  // namespace hinge_duty

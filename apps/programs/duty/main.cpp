@@ -84,14 +84,13 @@ int main(int argc, char** argv) {
       "Output",
       {{"--states", &options.states, "FILE",
         "CSV file of the states at the rows of the cycle"},
-       {"--in-seat", &options.in_seat, "FILE",
-        "CSV file of the states at the rows, the contact confined to the "
-        "[seat]"},
+       {"--without-seat", &options.without_seat, "",
+        "let the contact of a ball go on beyond the rims of its [seat]", "",
+        "--seat-table"},
        {"--seat-table", &options.seat_table, "FILE",
-        "table of contacts that --in-seat makes where many reach a rim: read "
-        "if it is there, else made and written",
-        "--in-seat"}});
-  add_tilt_options(program, options.tilt, "", "--in-seat");
+        "table of contacts that is made where many reach a rim: read if it is "
+        "there, else made and written"}});
+  add_tilt_options(program, options.tilt, "", "");
   program.add(
       "Tilt",
       {{"--pin-states", &options.pin_states, "FILE",

@@ -35,8 +35,9 @@ struct Options {
   std::string worn;      ///< to begin with
   std::string worn_out;  ///< after all cycles
   std::string states;
-  std::string in_seat;     ///< file of the contact that is confined to its seat
-  std::string seat_table;  ///< file of the kept table of its contacts
+  /// Whether the contacts of joints with a seat go on beyond its rims.
+  bool without_seat = false;
+  std::string seat_table;  ///< file of the kept table of contacts at rims
   cli::TiltOptions tilt;   ///< lie of a pin that ends, one value
   /// Files of it: its states, p v along it, its wear over length and angle.
   std::string pin_states;

@@ -17,6 +17,7 @@
 #include "cli/progress.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/duty/wear_map.hpp"
@@ -62,7 +63,6 @@ void check_files(const Options& options) {
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks},
                                      {"--worn-out", &options.worn_out},
-                                     {"--in-seat", &options.in_seat},
                                      {"--pin-states", &options.pin_states},
                                      {"--along", &options.along},
                                      {"--along-map", &options.along_map}}) {
@@ -93,17 +93,32 @@ void warn_of(const cli::Joint& joint, const std::string& note) {
   cli::warn("hinge-duty", said_of(joint, note));
 }
 
+contact::JointContact endless_contact(const Options& options,
+                                      const JointDuty& duty) {
+  const contact::JointContact& contact = duty.cycle.contact();
+  if (duty.cycle.joint().is_endless()) return contact;
+  return asked_spec(duty.joint, contact.friction(), options.joint)
+      .without_seat()
+      .contact();
+}
+
 // The joint in the course of --cycles; nothing without it.
 void wear_in(const Options& options, JointDuty& duty) {
   if (!options.cycles) return;
   const JointCycle& cycle = duty.cycle;
+  if (cycle.is_at_rims()) {
+    throw contact::Error(said_of(
+        duty.joint,
+        contact::detail::needs("--cycles with contacts at the rims of a [seat]",
+                               "--without-seat")));
+  }
   contact::WornSeat before;
   if (!options.worn.empty()) {
     before = contact::read_worn_seat(options.worn, cycle.contact().geometry());
   }
   const bool has_map = !options.worn.empty() || !options.worn_out.empty();
   contact::WearIn worn = made_of(duty.joint, [&] {
-    return contact::wear_in(cycle.cycle(), cycle.contact(),
+    return contact::wear_in(cycle.cycle(), endless_contact(options, duty),
                             {options.wear_seat.value_or(0) * si_coefficient,
                              options.wear_inner.value_or(0) * si_coefficient},
                             *options.cycles, has_map ? &before : nullptr);
@@ -155,12 +170,10 @@ void warn_of_walls(const JointDuty& duty) {
 BodyWear wear_of(const JointDuty& duty, JointBody body,
                  const Options& options) {
   const JointCycle& cycle = duty.cycle;
-  const WearMap map =
-      duty.seat ? WearMap(*duty.seat, body) : WearMap(cycle, body);
+  const WearMap map(cycle, body);
   const bool inner = body == cycle.contact().geometry().inner_body();
   const auto points = map.grid(options.grid);
-  std::vector<WearMap::Wear> worn;
-  for (const auto& point : points) worn.push_back(map.at(point));
+  const std::vector<WearMap::Wear> worn = map.at(points);
   return {.body = body == JointBody::carrier ? "carrier" : "body",
           .surface = inner ? "inner" : "seat",
           .k = duty.wear_coefficient(body),
@@ -192,12 +205,12 @@ void warn_of_cycle(const JointCycle& cycle) {
 
 void warn_of_contact(const JointDuty& duty) {
   const contact::JointContact& contact = duty.cycle.contact();
-  const contact::ContactLimits limits = contact.limits();
-  for (const std::string& note : limits.notes(duty.cycle.largest_contact())) {
+  for (const std::string& note : duty.cycle.notes()) {
     warn_of(duty.joint, note);
   }
   if (duty.pin) {
-    for (const std::string& note : limits.notes(duty.pin->largest_contact())) {
+    for (const std::string& note :
+         contact.limits().notes(duty.pin->largest_contact())) {
       warn_of(duty.joint, "pin that ends: " + note);
     }
   }
@@ -223,78 +236,88 @@ void check_one_joint(const Options& options, std::size_t joints) {
   }
 }
 
+bool is_in_seat(const Options& options, const cli::Joint& joint) {
+  return !options.without_seat && joint.spec.geometry.seat();
+}
+
+void check_seats(const Options& options,
+                 const std::vector<cli::Joint>& joints) {
+  const bool any = std::ranges::any_of(joints, [](const cli::Joint& joint) {
+    return joint.spec.geometry.seat().has_value();
+  });
+  const bool has_table = !options.seat_table.empty();
+  if (!any && (options.without_seat || has_table)) {
+    cli::refuse_without(has_table ? "--seat-table" : "--without-seat",
+                        "a joint with a [seat]");
+  }
+  if (has_table && joints.size() != 1) {
+    cli::refuse_without("--seat-table", "one joint");
+  }
+}
+
+// In its seat, if it has one, with the laws exact; with a table that was kept.
+contact::Joint joint_of(const Options& options, cli::Joint& joint,
+                        contact::SharedLaws& laws) {
+  const contact::FrictionModel friction =
+      make_friction(options.friction, joint.spec.friction, options.joint);
+  if (!is_in_seat(options, joint)) {
+    return contact::Joint(joint.contact(friction));
+  }
+  const contact::JointSpec spec = asked_spec(joint, friction, options.joint);
+  const contact::Joint made(spec, laws);
+  joint.laws = {{spec.half_angle_law, laws.half_angle(spec)}};
+  const std::string& file = options.seat_table;
+  if (file.empty() || !std::filesystem::exists(file)) return made;
+  try {
+    return made.tabulated(contact::detail::file_text(file));
+  } catch (const contact::Error& error) {
+    throw contact::Error(
+        fmt::format("--seat-table {}: {}", file, error.what()));
+  }
+}
+
+JointCycle cycle_of(const contact::DutyCycle& cycle,
+                    const contact::Joint& joint) {
+  cli::Progress progress("percent of a table of contacts", 100);
+  std::size_t done = 0;
+  return {cycle, joint, [&](double share) {
+            const auto percent = static_cast<std::size_t>(100 * share);
+            if (percent > done) progress.add(percent - done);
+            done = std::max(done, percent);
+          }};
+}
+
+void keep_table(const Options& options, const contact::Joint& joint) {
+  const std::string& file = options.seat_table;
+  if (file.empty() || std::filesystem::exists(file)) return;
+  const std::string table = joint.table();
+  if (table.empty()) return;
+  cli::Output output(file);
+  output.write(table);
+  output.commit();
+}
+
 // All joints on the one cycle.
 std::vector<JointDuty> run_joints(const Options& options,
-                                  const std::vector<cli::Joint>& joints) {
-  std::vector<contact::Joint> friction;
-  for (const cli::Joint& joint : joints) {
-    friction.push_back(made_of(joint, [&] {
-      return contact::Joint(joint.contact(
-          make_friction(options.friction, joint.spec.friction, options.joint)));
-    }));
+                                  std::vector<cli::Joint>& joints) {
+  std::vector<contact::Joint> made;
+  contact::SharedLaws laws;
+  for (cli::Joint& joint : joints) {
+    made.push_back(
+        made_of(joint, [&] { return joint_of(options, joint, laws); }));
   }
   const CycleFile file = read_cycle(options, joints[0].is_pin());
   std::vector<JointDuty> duties;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     duties.push_back({joints[i], made_of(joints[i], [&] {
-                        return JointCycle(file.cycle, friction[i]);
+                        return cycle_of(file.cycle, made[i]);
                       })});
     duties.back().wear_seat = options.wear_seat;
     duties.back().wear_inner = options.wear_inner;
   }
+  keep_table(options, duties[0].cycle.joint());
   add_pins(options, file, duties);
   return duties;
-}
-
-contact::SeatCycle confined(const Options& options, const JointDuty& duty) {
-  const std::string& file = options.seat_table;
-  const bool is_kept = !file.empty() && std::filesystem::exists(file);
-  contact::JointSpec spec = duty.joint.spec;
-  spec.friction = duty.cycle.contact().friction();
-  cli::Progress progress("percent of a table of contacts", 100);
-  std::size_t done = 0;
-  const auto say = [&](double share) {
-    const auto percent = static_cast<std::size_t>(100 * share);
-    if (percent > done) progress.add(percent - done);
-    done = std::max(done, percent);
-  };
-  const contact::DutyCycle& cycle = duty.cycle.cycle();
-  contact::SeatCycle::Options asked{.progress = say,
-                                    .keeps_contacts = wants_wear(options)};
-  if (is_kept) {
-    try {
-      asked.table = contact::detail::file_text(file);
-      return {cycle, spec, asked};
-    } catch (const contact::Error& error) {
-      throw contact::Error(
-          fmt::format("--seat-table {}: {}", file, error.what()));
-    }
-  }
-  contact::SeatCycle made(cycle, spec, asked);
-  if (!file.empty() && !made.table().empty()) {
-    cli::Output output(file);
-    output.write(made.table());
-    output.commit();
-  }
-  return made;
-}
-
-// The contacts in seats that end.
-void confine(const Options& options, std::vector<JointDuty>& duties) {
-  if (options.in_seat.empty()) return;
-  if (!options.seat_table.empty() && duties.size() != 1) {
-    cli::refuse_without("--seat-table", "one joint");
-  }
-  for (JointDuty& duty : duties) {
-    if (!duty.joint.spec.geometry.seat()) {
-      cli::refuse_without("--in-seat", "a joint with a [seat]");
-    }
-    duty.seat.emplace(
-        made_of(duty.joint, [&] { return confined(options, duty); }));
-    for (const std::string& note : duty.seat->notes()) {
-      warn_of(duty.joint, "--in-seat: " + note);
-    }
-  }
 }
 
 // Warns of all that should be known before the numbers are used.
@@ -314,14 +337,14 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
                   const std::vector<JointDuty>& duties) {
   std::vector<cli::Report> reports;
   for (const JointDuty& duty : duties) {
-    reports.push_back(summary_of(duty, measured_wear(options)));
+    reports.push_back(
+        summary_of(duty, measured_wear(options), have_seat(duties)));
   }
   cli::Output output(options.output.output);
   write_reports(joints, reports, output, options.output);
   std::deque<cli::Output> beside;  // all whole before the first appears
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
-                                    {&options.in_seat, &write_in_seat},
                                     {&options.pin_states, &write_pin_states},
                                     {&options.along, &write_along},
                                     {&options.along_map, &write_along_map},
@@ -342,12 +365,12 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
 
 cli::ExitStatus run(const Options& options) {
   check_files(options);
-  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  std::vector<cli::Joint> joints = make_joints(options.joint);
   check_one_kind(joints);
+  check_seats(options, joints);
   check_one_joint(options, joints.size());
   std::vector<JointDuty> duties = run_joints(options, joints);
   for (JointDuty& duty : duties) wear_in(options, duty);
-  confine(options, duties);
   wear(options, duties);
   warn(options, joints, duties);
   write_tables(options, joints, duties);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -26,6 +27,11 @@ std::vector<cli::Cell> at_place(cli::Cell time, const Vector3d& place) {
   return {std::move(time), place.x(), place.y(), place.z()};
 }
 
+// The time of a value; NaN without a value.
+double time_of(double value, const Instant& at) {
+  return std::isnan(value) ? value : at.time;
+}
+
 void add_moments(const JointCycle& cycle, Report& to) {
   constexpr std::string_view axes[] = {"x", "y", "z"};
   for (int k = 0; k < 3; ++k) {
@@ -36,7 +42,7 @@ void add_moments(const JointCycle& cycle, Report& to) {
       to.add(
           fmt::format("{}_M_t_{}_N_m", sign < 0 ? "least" : "largest", axes[k]),
           most.solution.friction_moment[k], "friction moment on the body",
-          {most.time});
+          {time_of(most.solution.friction_moment[k], most)});
     }
   }
 }
@@ -46,19 +52,20 @@ void add_extreme(const JointCycle& cycle, std::string_view key, int sign,
                  Report& to) {
   const auto column = contact::columns_of(
       *find_quantity(contact::solution_quantities(), key))[0];
-  const Instant i = cycle.largest([&](const Instant& x) {
-    return sign * number_of(*column.quantity, x.solution);
-  });
-  to.add((sign < 0 ? "least_" : "largest_") + column.name, column(i.solution),
-         column.meaning, {i.time});
+  const Instant i =
+      key == "peak_pressure"
+          ? cycle.largest_peak()
+          : cycle.largest([&](const Instant& x) {
+              return sign * number_of(*column.quantity, x.solution);
+            });
+  const double value = column(i.solution);
+  to.add((sign < 0 ? "least_" : "largest_") + column.name, value,
+         column.meaning, {time_of(value, i)});
 }
 
 void add_peaks(const JointCycle& cycle, Report& to) {
-  const auto pv = [&](const Instant& i) {
-    return cycle.sliding(i).largest_pv().value;
-  };
   const auto heat = [&](const Instant& i) {
-    return cycle.sliding(i).largest_heat_flux().value;
+    return cycle.sliding(i).largest_heat_flux();
   };
   const auto nominal = [&](const Instant& i) {
     return cycle.sliding(i).pv_nominal();
@@ -67,27 +74,30 @@ void add_peaks(const JointCycle& cycle, Report& to) {
     return i.solution.friction_moment.norm();
   };
   Instant i = cycle.largest(moment);
-  to.add("largest_M_t_N_m", moment(i), "friction moment", {i.time});
+  to.add("largest_M_t_N_m", moment(i), "friction moment",
+         {time_of(moment(i), i)});
   add_moments(cycle, to);
   add_extreme(cycle, "peak_pressure", 1, to);
   add_extreme(cycle, "half_angle", 1, to);
   add_extreme(cycle, "half_angle", -1, to);
-  i = cycle.largest(pv);
-  to.add("largest_pv_max_W_per_m2", pv(i),
+  i = cycle.largest_pv();
+  const contact::ContactPv pv = cycle.pv(i);
+  to.add("largest_pv_max_W_per_m2", pv.largest,
          "largest p v; x, y, z from the joint's centre, carrier axes",
-         at_place(i.time, cycle.sliding(i).largest_pv().place));
-  i = cycle.largest(heat);
-  to.add("largest_q_max_W_per_m2", heat(i),
+         at_place(time_of(pv.largest, i), pv.place));
+  i = cycle.largest([&](const Instant& x) { return heat(x).value; });
+  const contact::SlidingContact::Peak q = heat(i);
+  to.add("largest_q_max_W_per_m2", q.value,
          "largest heat flux of friction, into both bodies",
-         at_place(i.time, cycle.sliding(i).largest_heat_flux().place));
+         at_place(time_of(q.value, i), q.place));
   i = cycle.largest(nominal);
   to.add("largest_pv_nominal_W_per_m2", nominal(i),
-         "p v with the next area; catalogues may have another", {i.time});
+         "p v with the next area; catalogues may have another",
+         {time_of(nominal(i), i)});
   to.add("nominal_area_m2", cycle.contact().geometry().nominal_area(),
          "projected: pi rho^2 or 2 rho L");
 }
 
-// @param pv_integral  that of the seat, where the contact is confined to it
 void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
   const std::string of = "_" + wear.body;
   const auto place = at_place({}, wear.deepest.point);
@@ -118,51 +128,42 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
          "standard error, of the measured volume alone");
 }
 
-void add_seat(const contact::SeatCycle& seat, Report& to) {
-  const std::pair<std::string_view, const contact::SeatCycle::Instant*> rows[] =
-      {{"least_gap", seat.least_gap()},
-       {"largest_peak_pressure", seat.largest_peak()},
-       {"largest_pv", seat.largest_pv()},
-       {"largest_intensity", seat.largest_intensity()},
-       {"largest_rim_pressure", seat.largest_intensity()}};
-  for (const auto& column : columns_of(contact::seat_cycle_quantities())) {
+// The worst at the rims, but for what is there of every contact.
+void add_rims(const JointCycle& cycle, Report& to) {
+  const Instant nearest = cycle.least_gap();
+  const Instant sharpest = cycle.largest_intensity();
+  const std::pair<std::string_view, const Instant*> rows[] = {
+      {"least_gap", &nearest},
+      {"largest_intensity", &sharpest},
+      {"largest_rim_pressure", &sharpest}};
+  for (const auto& column : columns_of(contact::worst_quantities())) {
+    if (std::ranges::find(to.lines(), column.name, &Report::Line::name) !=
+        to.lines().end()) {
+      continue;
+    }
     const auto* row = std::ranges::find(rows, column.quantity->key,
                                         [](const auto& r) { return r.first; });
-    const auto exists = column.quantity->exists;
-    if (exists && !exists(seat)) continue;
+    const double value = column(cycle);
     if (row == std::end(rows)) {
-      to.add(column.name, column(seat), column.meaning);
+      to.add(column.name, value, column.meaning);
     } else {
-      const auto* at = row->second;
-      if (row->first == "largest_pv") {
-        to.add(column.name, column(seat),
-               std::string(column.meaning) +
-                   "; x, y, z from the ball's centre, axes of the body with "
-                   "the seat",
-               at_place(at->time, at->pv.place));
-      } else {
-        to.add(column.name, column(seat), column.meaning, {at->time});
-      }
+      to.add(column.name, value, column.meaning,
+             {time_of(value, *row->second)});
     }
   }
-  const contact::SeatTable::Check& check = seat.check();
-  if (check.states == 0) return;
-  to.add("seat_table_error", check.error(),
-         "of the table of contacts, over the load: the largest of 100 states");
 }
 
 }  // namespace
 
 cli::Report summary_of(const JointDuty& duty,
-                       const std::optional<MeasuredWear>& measured) {
+                       const std::optional<MeasuredWear>& measured, bool rims) {
   Report report({"at_time_s", "x", "y", "z"});
   for (const auto& q : contact::cycle_quantities()) report.add(q, duty.cycle);
-  const double pv_integral =
-      duty.seat ? duty.seat->pv_integral() : report.number("pv_integral_J");
+  const double pv_integral = duty.cycle.sums().pv;
   add_peaks(duty.cycle, report);
   for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
   if (measured) add_measured(*measured, pv_integral, report);
-  if (duty.seat) add_seat(*duty.seat, report);
+  if (rims) add_rims(duty.cycle, report);
   if (duty.pin) add_pin(*duty.pin, report);
   if (!duty.worn.empty()) {
     for (const auto& column : worn_columns()) {

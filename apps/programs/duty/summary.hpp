@@ -16,7 +16,8 @@ struct MeasuredWear {
 
 /// A line for each quantity of the cycle.
 /// @param measured  for k, if there is one
+/// @param rims      whether quantities of rims are among them
 cli::Report summary_of(const JointDuty& duty,
-                       const std::optional<MeasuredWear>& measured);
+                       const std::optional<MeasuredWear>& measured, bool rims);
 
 }  // namespace hinge_duty

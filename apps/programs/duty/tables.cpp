@@ -26,6 +26,7 @@ using Eigen::Vector3d;
 struct State {
   const Instant& instant;
   const Rating& rating;
+  const contact::RimContact& rims;
 };
 const Instant& part(const State& s, const Column<Instant>& /*of*/) {
   return s.instant;
@@ -36,25 +37,30 @@ const JointSolution& part(const State& s, const Column<JointSolution>& /*of*/) {
 const Rating& part(const State& s, const Column<Rating>& /*of*/) {
   return s.rating;
 }
+const contact::RimContact& part(const State& s,
+                                const Column<contact::RimContact>& /*of*/) {
+  return s.rims;
+}
 
 struct StateColumn {
   std::string name;
   std::function<double(const State&)> of;
 };
 
-std::vector<StateColumn> state_columns() {
+// @param rims  whether those of seats that end are among them
+std::vector<StateColumn> state_columns(bool rims) {
   std::vector<StateColumn> all;
   // Vectors without their length.
-  const auto add = [&](auto table, std::initializer_list<const char*> keys) {
-    for (const char* key : keys) {
-      const auto& quantity = *find_quantity(table, key);
-      for (auto& column : columns_of(quantity)) {
-        if (quantity.is_vector() && column.part == contact::whole) continue;
-        all.push_back({column.name, [column](const State& s) {
-                         return column(part(s, column));
-                       }});
-      }
+  const auto add_one = [&](const auto& quantity) {
+    for (auto& column : columns_of(quantity)) {
+      if (quantity.is_vector() && column.part == contact::whole) continue;
+      all.push_back({column.name, [column](const State& s) {
+                       return column(part(s, column));
+                     }});
     }
+  };
+  const auto add = [&](auto table, std::initializer_list<const char*> keys) {
+    for (const char* key : keys) add_one(*find_quantity(table, key));
   };
   const auto solution = contact::solution_quantities();
   const auto rating = contact::rating_quantities();
@@ -65,6 +71,8 @@ std::vector<StateColumn> state_columns() {
   add(solution, {"peak_pressure"});
   add(rating,
       {"pv_max", "pv_max_theta", "heat_flux_max", "pv_total", "pv_nominal"});
+  if (!rims) return all;
+  for (const auto& quantity : contact::rim_quantities()) add_one(quantity);
   return all;
 }
 
@@ -107,39 +115,26 @@ void write_blocks(const std::vector<JointDuty>& duties, cli::Output& output,
 
 void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
                   const cli::TableStyle& style) {
-  const auto columns = state_columns();
-  write_rows(duties, names_of(columns), output, style,
-             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
-               for (const Instant& i : duty.cycle.rows()) {
-                 const Rating rating = duty.cycle.sliding(i).rating();
-                 begin();
-                 for (const StateColumn& column : columns) {
-                   to.number(column.of({i, rating}) + 0.0);  // no -0
-                 }
-                 to.end();
-               }
-             });
-}
-
-void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
-                   const cli::TableStyle& style) {
-  const auto columns = columns_of(contact::seat_joint_quantities());
-  std::vector<std::string> names = {"time_s", "status"};
-  for (const auto& column : columns) names.push_back(column.name);
-  const auto of_pv = columns_of(contact::seat_pv_quantities());
-  for (const auto& column : of_pv) names.push_back(column.name);
-  write_rows(duties, names, output, style,
-             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
-               for (const auto& row : duty.seat->rows()) {
-                 const contact::SeatJointSolution& s = row.solution;
-                 begin();
-                 to.number(row.time);
-                 to.text(to_string(s.contact.status));
-                 for (const auto& c : columns) to.number(c(s) + 0.0);
-                 for (const auto& c : of_pv) to.number(c(row.pv) + 0.0);
-                 to.end();
-               }
-             });
+  const bool rims = have_seat(duties);
+  const auto columns = state_columns(rims);
+  std::vector<std::string> names = names_of(columns);
+  if (rims) names.emplace_back("status");
+  write_rows(
+      duties, names, output, style,
+      [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+        const contact::JointCycle& cycle = duty.cycle;
+        for (const Instant& i : cycle.rows()) {
+          const Rating rating = cycle.rating(i);
+          const contact::RimContact at_rims =
+              cycle.joint().rims(i.solution).value_or(contact::RimContact());
+          begin();
+          for (const StateColumn& column : columns) {
+            to.number(column.of({i, rating, at_rims}) + 0.0);  // no -0
+          }
+          if (rims) to.text(to_string(i.solution.status));
+          to.end();
+        }
+      });
 }
 
 void write_map(const std::vector<JointDuty>& duties, cli::Output& output,

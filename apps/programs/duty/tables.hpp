@@ -38,9 +38,6 @@ void write_blocks(const std::vector<JointDuty>& duties, cli::Output& output,
 /// A row for each row of the cycle's file.
 void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
                   const cli::TableStyle& style);
-/// The same of the contact that is confined to its seat.
-void write_in_seat(const std::vector<JointDuty>& duties, cli::Output& output,
-                   const cli::TableStyle& style);
 /// A row for each point that wears.
 void write_map(const std::vector<JointDuty>& duties, cli::Output& output,
                const cli::TableStyle& style);

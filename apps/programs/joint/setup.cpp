@@ -54,13 +54,9 @@ std::string_view endless_question(const Options& o) {
 // The joint in its seat.
 NamedJoint in_seat(const Options& options, const cli::Joint& joint,
                    const NamedJoint& endless, contact::SharedLaws& laws) {
-  contact::JointSpec spec = joint.spec;
-  spec.friction = endless.joint.contact().friction();
-  const auto& law = options.joint.laws;
-  const auto& pressure = options.joint.pressures;
-  if (!law.empty()) spec.half_angle_law = law[0];
-  if (!pressure.empty()) spec.pressure_law = pressure[0];
-  NamedJoint confined{spec.half_angle_law_name(), spec.pressure_law_name(),
+  const contact::JointSpec spec =
+      asked_spec(joint, endless.joint.contact().friction(), options.joint);
+  NamedJoint confined{spec.half_angle_law,        spec.pressure_law,
                       contact::Joint(spec, laws), {},
                       joint.differences,          options.pv};
   confined.approach.emplace(laws.half_angle(spec), joint);

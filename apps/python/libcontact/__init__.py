@@ -51,7 +51,6 @@ from ._joint import (
     Cycle,
     Fit,
     Joint,
-    SeatCycle,
     Wear,
     identify,
 )
@@ -135,7 +134,6 @@ __all__ = [
     "RestSolution",
     "Run",
     "Seat",
-    "SeatCycle",
     "SeatRating",
     "SeatRestSolution",
     "SeatSolution",

@@ -191,6 +191,8 @@ class Joint(FileText, _core.Joint):
         period: s; of even times it may be left out.
 
         A last row that repeats the first is left out, with a RuntimeWarning.
+        The contact of a ball is in its [seat]: where it reaches a rim sums are
+        over the rows.
         """
         if (angles is None) == (rates is None):
             raise _core.Error("a cycle requires angles or rates")
@@ -290,32 +292,9 @@ class Cycle(_Made, _core.Cycle):
 
     @with_known_keywords
     def wear(self, body: str = "body", points: int = 2000) -> Wear:
-        """Wear map of one of the bodies.
-
-        body: "body" or "carrier".
-        points: how many, each of the same area.
-        """
-        return Wear(self._wear(body, points))
-
-    @with_known_keywords
-    def in_seat(self, table: bytes | None = None) -> "SeatCycle":
-        """The cycle with the contact of a ball confined to its [seat].
-
-        table: of another SeatCycle or Seat of the same joint; without it one is
-            made where 60 contacts or more reach a rim.
-        """
-        return SeatCycle(self, table)
-
-
-class SeatCycle(_Made, _core.SeatCycle):
-    """A joint in a seat that ends on a duty cycle, see Cycle.in_seat(). It may
-    be pickled."""
-
-    @with_known_keywords
-    def wear(self, body: str = "body", points: int = 2000) -> Wear:
-        """Wear map of one of the bodies, by the contacts of the rows. Nearer to
-        a rim than report_distance the pressure is that at it: what a rim
-        wears beyond is not known.
+        """Wear map of one of the bodies. Nearer to a rim of its [seat] than
+        report_distance the pressure is that at it: what a rim wears beyond is
+        not known.
 
         body: "body" or "carrier".
         points: how many, each of the same area.

@@ -232,9 +232,8 @@ def _attach() -> None:
         if isinstance(of, type) and hasattr(of, "_rows"):
             for name, function in manners.items():
                 setattr(of, name, function)
-    for cycle in _core.Cycle, _core.SeatCycle:
-        cycle.__repr__ = _cycle_repr  # type: ignore
-        cycle._repr_html_ = _cycle_html  # type: ignore
+    _core.Cycle.__repr__ = _cycle_repr  # type: ignore
+    _core.Cycle._repr_html_ = _cycle_html  # type: ignore
     _core.Fit.__repr__ = _fit_repr  # type: ignore
     _core.Fit._repr_html_ = _fit_html  # type: ignore
 
