@@ -168,7 +168,8 @@ struct Calculator::Prepared {
         spec(read(text, data)),
         file(alone(text, spec)),
         laws(std::move(known)),
-        // Curves of a hundred contacts at a rim would take seconds.
+        // Curves of a hundred contacts at a rim would take seconds: warnings
+        // say how far the contact goes beyond one.
         endless(spec.without_seat()),
         joint{endless.half_angle_law_name(),
               endless.pressure_law_name(),
@@ -196,15 +197,10 @@ struct Calculator::Prepared {
     add(contact.validity_notes(), all);
     add(spec.own_notes(), all);
     add(contact.limits().notes(
-            {s.half_angle, s.peak_pressure, rim_overlap(contact, s)}),
+            {s.half_angle, s.peak_pressure,
+             rim_overlap(contact, s, contact::LoadDirection::angle)}),
         all);
-    if (s.status == contact::Status::not_converged) {
-      all.push_back("the solution has not converged");
-    } else if (s.status != contact::Status::ok) {
-      all.push_back(
-          "the half-angle law or the pressure law has no value under this "
-          "load");
-    }
+    add(joint.joint.notes(s), all);
     return all;
   }
 

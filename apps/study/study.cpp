@@ -128,6 +128,12 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
     throw Error("the nominal run failed: " + nominal_.failure);
   }
   find_quantities();
+  constexpr std::uint64_t looked_at = 200;
+  std::vector<std::vector<double>> first;
+  for (std::uint64_t run = 1; run <= std::min(runs(), looked_at); ++run) {
+    first.push_back(design_->numbers(run));
+  }
+  model_->prepare(first, runs());
 }
 
 // Checks that the files allow all that the distributions allow.

@@ -61,6 +61,10 @@ class Study {
   /// @param notable  changes of each quantity that count: of those below them
   ///   the steps of the integrator may be the reason
   std::vector<std::string> idle_keys(const std::vector<double>& notable) const;
+  /// Before so many runs: how long they take, if that is long; else "".
+  std::string forecast(std::uint64_t runs, int jobs) const {
+    return model_->forecast(runs, jobs);
+  }
   /// Whatever its rows depend on.
   std::string identity() const;
 

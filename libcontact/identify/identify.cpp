@@ -306,7 +306,8 @@ class Identification {
       const JointSolution s =
           joint.solve({.reaction = datum.reaction,
                        .angular_velocity = datum.angular_velocity});
-      fit.largest_contact.add(s.half_angle, s.peak_pressure);
+      fit.largest_contact.add(s.half_angle, s.peak_pressure,
+                              rim_overlap(*fit.joint, s, options_.direction));
     }
     describe_trends(best, fit);
   }

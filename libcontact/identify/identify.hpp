@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "libcontact/joint/contact.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/pressure/validity.hpp"
 
 /// Friction parameters from measured moments (docs/identify.md).
@@ -57,6 +58,8 @@ struct IdentifyOptions {
   bool profile = false;
   /// Probability of the intervals, above 0 and below 1.
   double level = 0.95;
+  /// Direction of the reactions, for FrictionFit::largest_contact.
+  LoadDirection direction = LoadDirection::vector;
   /// What messages call the data, as "rig.csv, line 3"; empty: "measured moment
   /// 3".
   std::vector<std::string> names = {};

@@ -8,13 +8,20 @@
 
 namespace contact {
 
-double rim_overlap(const JointContact& contact, const JointSolution& solution) {
+double rim_overlap(const JointContact& contact, const JointSolution& solution,
+                   LoadDirection given) {
   const JointGeometry& geometry = contact.geometry();
+  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   if (geometry.seat() || !geometry.drawn_seat() ||
       !(solution.normal_force > 0)) {
-    return std::numeric_limits<double>::quiet_NaN();
+    return nan;
   }
   const SeatZone& zone = *geometry.drawn_seat();
+  const bool is_about_z = zone.axis()[0] == 0 && zone.axis()[1] == 0;
+  if (given == LoadDirection::none ||
+      (given == LoadDirection::angle && !is_about_z)) {
+    return nan;
+  }
   const double side = geometry.inner_body() == JointBody::carrier ? 1 : -1;
   const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
   const Eigen::Vector3d load = side * solution.normal;
@@ -22,9 +29,10 @@ double rim_overlap(const JointContact& contact, const JointSolution& solution) {
   return -zone.margin(direction, solution.half_angle);
 }
 
-void ContactNotes::add(const Joint& joint, const JointSolution& solution) {
+void ContactNotes::add(const Joint& joint, const JointSolution& solution,
+                       LoadDirection direction) {
   largest_.add(solution.half_angle, solution.peak_pressure,
-               rim_overlap(joint.contact(), solution));
+               rim_overlap(joint.contact(), solution, direction));
   if (const auto lie = joint.lie(solution)) {
     largest_.add(lie->largest_half_angle, lie->peak_pressure);
   }

@@ -9,11 +9,18 @@
 
 namespace contact {
 
+/// The direction of a load that was given to a joint without its seat.
+enum class LoadDirection {
+  vector,  ///< in the axes of the body with the seat
+  angle,   ///< from z: that of seats about z alone
+  none,    ///< not known
+};
+
 /// How far the contact of a solution goes beyond a rim of the seat that
 /// JointSpec::without_seat() has left out of its joint, rad; at or below 0 it
-/// stays inside, NaN without such a seat or without a half-angle. R and Dw of
-/// the solution were in the axes of the body with the seat.
-double rim_overlap(const JointContact& contact, const JointSolution& solution);
+/// stays inside, NaN without such a seat, a half-angle or a direction.
+double rim_overlap(const JointContact& contact, const JointSolution& solution,
+                   LoadDirection direction = LoadDirection::vector);
 
 /// Sentences to be said of many solutions of a joint, each once: limits
 /// that the largest contact has passed, and what the model of a seat that ends
@@ -22,7 +29,8 @@ class ContactNotes {
  public:
   /// Solutions without a number count for nothing but their Joint::notes() in a
   /// seat that ends.
-  void add(const Joint& joint, const JointSolution& solution);
+  void add(const Joint& joint, const JointSolution& solution,
+           LoadDirection direction = LoadDirection::vector);
   /// Notes of the same joint.
   void add(const ContactNotes& more);
 

@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <string>
+#include <tuple>
 
 #include "support/program.hpp"
 
@@ -69,6 +70,35 @@ TEST(HingeIdentify, ReadsWhatHingeJointPrints) {
                    "--data - --sigma-rel 0.01");
     EXPECT_NEAR(cell(result, "f0"), 0.2, 1e-8) << joint;
     EXPECT_NEAR(cell(result, "A_Pa"), 3e6, 0.1) << joint;
+  }
+}
+
+// Fits are of the joint without its seat: how far a load reaches beyond a rim
+// is said where its direction in the seat is known.
+TEST(HingeIdentify, SaysWhereALoadReachesARim) {
+  const ProgramFolder folder;
+  const std::string vectors =
+      "R_x_N,R_y_N,R_z_N,w_x_rad_per_s,w_y_rad_per_s,w_z_rad_per_s,torque_N_m";
+  const std::string angles = "R_N,b_deg,torque_N_m";
+  // In the middle of the cup, and square to the ring, it reaches none.
+  const std::tuple<std::string, std::string, std::string, bool> runs[] = {
+      {"hip_cup", vectors, "0,700,-700,0,1,1,0.8\\n0,0,-2000,0,1,1,1.2\\n",
+       true},
+      {"hip_cup", vectors, "0,700,-700,1,0,0,0.8\\n0,100,-100,1,0,0,0.12\\n",
+       false},
+      {"hip_cup", angles, "1000,90,0.8\\n2000,60,1.2\\n", false},
+      {"spherical_plain_bearing_ge50", angles, "1000,90,3\\n2000,60,6\\n",
+       true}};
+  for (const auto& [joint, columns, rows, says] : runs) {
+    const ProgramResult result =
+        folder.run("printf '" + columns + "\\n" + rows +
+                   "' | hinge-identify --joint data/joints/" + joint +
+                   ".toml --data - --sigma-rel 0.01 --fit f0");
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err.find("deg beyond a rim of its seat, where its load "
+                              "points") != result.err.npos,
+              says)
+        << joint << ' ' << rows << result.err;
   }
 }
 

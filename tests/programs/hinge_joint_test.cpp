@@ -757,6 +757,28 @@ TEST(HingeJoint, IsInItsSeatUnlessToldOtherwise) {
   EXPECT_EQ(std::ranges::count(pressed.names(), "K_high"), 0);
 }
 
+// Where a load points is not known of a normal force, and of an angle from the
+// angular velocity in seats about another axis.
+TEST(HingeJoint, SaysHowFarAContactGoesBeyondARimWhereItsLoadPoints) {
+  const ProgramFolder folder;
+  const std::string ring = "spherical_plain_bearing_ge50.toml ";
+  const std::string cup = "hip_cup.toml ";
+  const std::string xyz = "--reaction-xyz 0,2000,0 --rate-xyz 0,0,1 ";
+  const std::pair<std::string, bool> runs[] = {
+      {cup + xyz + "--without-seat", true},
+      {cup + "--reaction 2000 --beta 90 --without-seat", false},
+      {ring + "--reaction 2000 --beta 60 --without-seat", true},
+      {cup + "--normal-force 2000 --alpha 10", false},
+      {ring + "--normal-force 2000 --alpha 10", false}};
+  for (const auto& [run, says] : runs) {
+    const ProgramResult result =
+        folder.run("hinge-joint --joint data/joints/" + run);
+    EXPECT_EQ(result.status, 0) << result.err;
+    EXPECT_EQ(result.err.find("where its load points") != result.err.npos, says)
+        << run << result.err;
+  }
+}
+
 // Almost all of the contact lies nearer to the rim than pressures are told: of
 // 100 N the mean is 2.6 MPa, and a largest pressure below that is none.
 TEST(HingeJoint, SaysNoPressureBelowTheMeanOfARing) {

@@ -117,12 +117,16 @@ void add_names(const std::string& file, const cli::LineBlock& block,
 }  // namespace
 
 std::vector<MeasuredMoment> read_data(const Options& options, bool pin,
-                                      std::vector<std::string>& names) {
+                                      contact::IdentifyOptions& identify) {
   cli::LineReader reader(options.data);
   const cli::PointHeader header = cli::read_header(reader, options.output);
   const Columns columns(header, pin);
   check_options(options, header, columns);
   const cli::PointColumns point(header, columns.needed);
+  identify.direction = columns.form.has_vectors()
+                           ? contact::LoadDirection::vector
+                           : contact::LoadDirection::angle;
+  std::vector<std::string>& names = identify.names;
   std::vector<MeasuredMoment> data;
   cli::read_all_points(reader, point, [&](const cli::PointLines& block) {
     add_names(reader.name(), block.lines, names);

@@ -10,8 +10,8 @@ namespace hinge_identify {
 
 /// The measured moments of Options::data. Throws contact::Error if columns are
 /// missing, a line is bad, or no errors are given.
-/// @param names  out: "rig.csv, line 3" of each
-std::vector<contact::MeasuredMoment> read_data(const Options& options, bool pin,
-                                               std::vector<std::string>& names);
+/// @param identify  out: names, "rig.csv, line 3" of each, and direction
+std::vector<contact::MeasuredMoment> read_data(
+    const Options& options, bool pin, contact::IdentifyOptions& identify);
 
 }  // namespace hinge_identify

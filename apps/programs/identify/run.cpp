@@ -102,7 +102,7 @@ cli::ExitStatus run(const Options& options) {
       return joint.contact(given_friction(options, joint, identify.parameters));
     }));
   }
-  const auto data = read_data(options, joints[0].is_pin(), identify.names);
+  const auto data = read_data(options, joints[0].is_pin(), identify);
   std::vector<contact::FrictionFit> fits;
   for (std::size_t i = 0; i < joints.size(); ++i) {
     fits.push_back(made_of(joints[i], [&] {

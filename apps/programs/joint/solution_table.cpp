@@ -14,6 +14,12 @@ struct Block : cli::RowBlock {
   Problems problems;
 };
 
+contact::LoadDirection direction_of(const Answer& answer) {
+  using enum contact::LoadDirection;
+  if (answer.question == Question::contact) return none;
+  return answer.given ? angle : vector;
+}
+
 std::vector<AnswerColumn> columns_of(const Setup& setup, const Inputs& inputs) {
   return answer_columns(inputs.question() == Question::rest,
                         setup.has_approach(), setup.has_preload(),
@@ -30,7 +36,7 @@ void Problems::add(const Answer& answer, const NamedJoint& joint,
   if (s.status == contact::Status::not_converged) ++not_converged;
   if (s.status == contact::Status::out_of_seat) ++out_of_seat;
   notes.resize(std::max(notes.size(), number + 1));
-  notes[number].add(joint.joint, s);
+  notes[number].add(joint.joint, s, direction_of(answer));
 }
 
 void Problems::add(const Problems& more) {

@@ -181,6 +181,8 @@ std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
 cli::ExitStatus compute_missing(const Options& o, const Study& study,
                                 const Range& range, Journal& journal) {
   const auto missing = journal.missing(range.first, range.last);
+  const std::string forecast = study.forecast(missing.size(), o.output.jobs);
+  if (!forecast.empty()) cli::note(program, forecast);
   const cli::Interrupts interrupts;
   Pace pace(missing.size());
   compute(

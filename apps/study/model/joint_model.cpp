@@ -1,40 +1,33 @@
 #include "study/model/joint_model.hpp"
 
-#include <algorithm>
-#include <iterator>
-#include <numbers>
+#include <fmt/format.h>
 
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <iterator>
+#include <limits>
+#include <optional>
+
+#include "cli/progress.hpp"
+#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/toml_form.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
-#include "study/model/joint_ends.hpp"
+#include "libcontact/quantities/seat.hpp"
+#include "study/model/joint_load.hpp"
 
 namespace study {
 
-using contact::Interval;
 using contact::KeySettings;
 using contact::TomlTable;
 
 struct JointModel::Loaded {
   contact::JointSpec spec;
-  EndedLoad ended;
   contact::Joint joint;
-  Turning turning;
-};
-
-namespace {
-
-bool is_of_load(const std::string& key) { return key.starts_with("load."); }
-
-}  // namespace
-
-/// The nominal joint in its seat, whose matrices take up to a second: where
-/// only the load scatters it serves all runs.
-struct JointModel::Seat {
-  contact::JointSpec spec;
-  contact::SeatJoint joint{spec};
+  Load load;
 };
 
 /// The files with the drawn keys.
@@ -42,23 +35,88 @@ struct JointModel::Form {
   contact::TomlForm joint, study;
 };
 
+/// Contacts at the rims of a seat, as the first draws have them.
+struct JointModel::Rims {
+  double share = 0;           ///< of the runs that reach one
+  std::vector<double> draws;  ///< of one of them
+  double least_load = std::numeric_limits<double>::infinity();  ///< N
+  double most_load = 0;                                         ///< N
+  /// Whether they are read from a table.
+  bool are_tabulated = false;
+  std::once_flag once = {};
+  std::optional<contact::Joint> table = {};
+};
+
+namespace {
+
+bool is_of_load(const std::string& key) { return key.starts_with("load."); }
+
+/// As the joint without its seat has it.
+bool reaches_rim(const contact::Joint& endless, const Load& load) {
+  for (const double angle : {-load.swing, 0.0, load.swing}) {
+    const contact::JointSolution s =
+        endless.solve({load.swung(angle), load.angular_velocity()});
+    if (contact::rim_overlap(endless.contact(), s) > 0) return true;
+  }
+  return false;
+}
+
+/// Numbers of a contact in its seat, but for distances from rims that are not
+/// there.
+void add_rims(const contact::RimContact& rims, const contact::JointSolution& s,
+              Result& to) {
+  static const auto columns = columns_of(contact::rim_quantities());
+  for (const auto& column : columns) {
+    const double value = column(rims);
+    if (!std::isinf(value)) to.numbers.emplace(column.name, value);
+  }
+  to.numbers.emplace("p_nominal_Pa", s.reaction.norm() / rims.nominal_area);
+}
+
+/// The worst of a load that swings.
+void add_swing(const contact::JointSpec& joint, const Load& load,
+               contact::LargestContact& largest, const Effort& effort,
+               Result& to) {
+  const contact::SeatCycle cycle(swinging(load, joint.geometry), joint);
+  for (const auto& row : cycle.rows()) {
+    if (row.solution.contact.status == contact::SeatStatus::ok) continue;
+    to = {cycle.joint()->notes(row.solution).front(), {}};
+    return;
+  }
+  static const auto columns = columns_of(contact::seat_cycle_quantities());
+  for (const auto& column : columns) {
+    const double value = column(cycle);
+    if (!std::isinf(value)) to.numbers.emplace(column.name, value);
+  }
+  const auto* highest = cycle.largest_peak();
+  largest.peak_pressure = highest ? highest->solution.contact.peak_pressure
+                                  : std::numeric_limits<double>::quiet_NaN();
+  if (effort.remarks) to.warnings = cycle.notes();
+}
+
+}  // namespace
+
 JointModel::JointModel(const Plan& plan)
     : plan_(plan), columns_(columns_of(contact::solution_quantities())) {
   const contact::JointSpec nominal = contact::read_joint(plan.joint_file);
-  nominal.contact(laws_);
   if (nominal.geometry.radial_clearance() <= 0) {
     preload_columns_ = columns_of(contact::preload_quantities());
   }
-  const Loaded first = read(KeySettings{});
+  const TomlTable table = plan.file.table("load");
+  const Load load = read_load(table, nominal.geometry);
+  const contact::Joint joint = [&] {
+    try {
+      return contact::Joint(load.of(nominal), laws_);
+    } catch (const contact::Error& error) {
+      plan.file.fail("joint", error.what());
+    }
+  }();
   // One that scatters about a clearance of 0 may be unloaded in some runs.
-  if (first.turning.reaction == 0 &&
-      !first.joint.contact().has_interference()) {
-    plan.file.table("load").must_be(
-        "reaction",
-        "above 0, as a joint without interference has no friction "
-        "without load");
+  if (load.reaction.isZero(0) && !joint.contact().has_interference()) {
+    table.must_be("reaction",
+                  "above 0, as a joint without interference has no friction "
+                  "without load");
   }
-  if (first.ended.in_seat) seat_.reset(new Seat{first.spec});
 }
 
 JointModel::~JointModel() = default;
@@ -75,15 +133,8 @@ JointModel::Loaded JointModel::loaded(const TomlTable& joint,
                                       const TomlTable& study) const {
   contact::SharedLaws laws = laws_;
   const contact::JointSpec spec = contact::joint_of_file(joint);
-  const TomlTable load = study.table("load");
-  return {
-      spec,
-      read_ended_load(load, spec.geometry),
-      contact::Joint(spec.without_seat().contact(laws)),
-      {.reaction = load.number("reaction", Interval::non_negative()),
-       .beta = load.optional_number("beta", {0, std::numbers::pi})
-                   .value_or(std::numbers::pi / 2),
-       .rate = load.optional_number("rate", Interval::positive()).value_or(1)}};
+  const Load load = read_load(study.table("load"), spec.geometry);
+  return {spec, contact::Joint(load.of(spec), laws), load};
 }
 
 JointModel::Loaded JointModel::read(const KeySettings& settings) const {
@@ -138,53 +189,133 @@ Result JointModel::run(const KeySettings& settings, const Effort& effort,
 
 Result JointModel::run(const std::vector<double>& draws, const Effort& effort,
                        const std::function<std::string()>& /*stop*/) const {
-  return run(read(draws), effort);
+  Loaded loaded = read(draws);
+  if (rims_ && rims_->are_tabulated) loaded.joint = tabulated();
+  return run(loaded, effort);
 }
 
 Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
-  const Turning& turning = loaded.turning;
-  if (loaded.ended.in_seat) {
-    return seat_ && loaded.spec == seat_->spec
-               ? run_in_seat(loaded.spec, seat_->joint, loaded.ended, turning,
-                             effort)
-               : run_in_seat(loaded.spec, contact::SeatJoint(loaded.spec),
-                             loaded.ended, turning, effort);
-  }
-  if (loaded.ended.is_pin()) {
-    return run_pin_that_ends(loaded.spec, loaded.ended, turning, effort);
-  }
+  const auto& [spec, joint, load] = loaded;
+  if (load.is_of_pin()) return run_pin_that_ends(spec, load, effort);
   const contact::JointSolution s =
-      loaded.joint.solve({turning.force(), turning.angular_velocity()});
-  if (s.status != contact::Status::ok) return {failure_of(s.status), {}};
-  const contact::JointContact& contact = loaded.joint.contact();
-  const contact::ContactLimits limits = contact.limits();
-  std::vector<std::string> warnings;
-  if (effort.remarks) {
-    warnings = contact.validity_notes();
-    // beta counts from z.
-    const auto& seat = contact.geometry().drawn_seat();
-    const double overlap =
-        seat && is_about_z(*seat) ? contact::rim_overlap(contact, s) : 0;
-    std::ranges::move(limits.notes({s.half_angle, s.peak_pressure, overlap}),
-                      std::back_inserter(warnings));
-  }
-  Result result{{},
-                {{over_limit, s.peak_pressure / limits.peak_pressure()}},
-                {},
-                std::move(warnings)};
+      joint.solve({load.reaction, load.angular_velocity()});
+  if (s.status != contact::Status::ok) return {joint.notes(s).front(), {}};
+  Result result;
   for (const auto& column : columns_) {
     result.numbers.emplace(column.name, column(s));
   }
+  const contact::JointContact& contact = joint.contact();
   const contact::ContactPatch patch{contact, s.normal_force, s.half_angle};
   for (const auto& column : preload_columns_) {
     result.numbers.emplace(column.name, column(patch));
   }
+  if (const auto rims = joint.rims(s)) add_rims(*rims, s, result);
+  const contact::ContactLimits limits = contact.limits();
+  const double overlap = contact::rim_overlap(contact, s, load.direction);
+  contact::LargestContact largest{s.half_angle, s.peak_pressure, overlap};
+  if (effort.remarks) result.warnings = joint.notes(s);
+  if (load.swing > 0) add_swing(spec, load, largest, effort, result);
+  result.numbers.emplace(over_limit,
+                         largest.peak_pressure / limits.peak_pressure());
+  if (!effort.remarks) return result;
+  for (auto& notes : {contact.validity_notes(), limits.notes(largest)}) {
+    std::ranges::copy(notes, std::back_inserter(result.warnings));
+  }
   return result;
 }
 
+void JointModel::prepare(const std::vector<std::vector<double>>& first,
+                         std::uint64_t runs) {
+  const bool only_load = std::ranges::all_of(
+      plan_.dispersions, [](const Dispersion& d) { return is_of_load(d.key); });
+  // Laws of joints that differ may have to be made.
+  const std::size_t count =
+      std::min<std::size_t>(only_load ? first.size() : 20, first.size());
+  contact::SharedLaws laws = laws_;
+  auto rims = std::make_unique<Rims>();
+  for (std::size_t i = 0; i < count; ++i) {
+    try {
+      const Loaded loaded = read(first[i]);
+      if (!loaded.load.of(loaded.spec).geometry.seat()) return;
+      const contact::Joint endless(loaded.spec.without_seat(), laws);
+      if (!reaches_rim(endless, loaded.load)) continue;
+      const double load = loaded.load.reaction.norm();
+      rims->least_load = std::min(rims->least_load, load);
+      rims->most_load = std::max(rims->most_load, load);
+      rims->draws = first[i];
+      rims->share += 1 / static_cast<double>(count);
+    } catch (const contact::Error&) {
+      // A run that will fail.
+    }
+  }
+  if (rims->share == 0) return;
+  // So many take as long as the table.
+  constexpr double many = 500;
+  rims->are_tabulated =
+      only_load && rims->share * static_cast<double>(runs) >= many;
+  rims_ = std::move(rims);
+}
+
+// The joint whose load scatters, with a table; made when it is first needed.
+const contact::Joint& JointModel::tabulated() const {
+  std::call_once(rims_->once, [this] {
+    cli::Progress progress("percent of a table of contacts", 100);
+    std::size_t done = 0;
+    const auto say = [&](double share) {
+      const auto percent = static_cast<std::size_t>(100 * share);
+      if (percent > done) progress.add(percent - done);
+      done = std::max(done, percent);
+    };
+    const double most = rims_->most_load;
+    rims_->table =
+        read(rims_->draws)
+            .joint.tabulated(
+                {.least_load = std::max(0.9 * rims_->least_load, 0.01 * most),
+                 .most_load = 1.1 * most,
+                 .progress = say});
+  });
+  return *rims_->table;
+}
+
+std::string JointModel::forecast(std::uint64_t runs, int jobs) const {
+  if (!rims_) return {};
+  if (rims_->are_tabulated) {
+    const auto check = *tabulated().table_check();
+    return fmt::format(
+        "contacts at the rims of the seat are read from a table: loads are "
+        "right to {:.1g} %, peak pressures to {:.1g} %",
+        100 * check.error(), 100 * check.peak);
+  }
+  double each = 0;
+  double seconds = 0;
+  constexpr double long_time = 2;
+  // The first one makes what others share.
+  for (int i = 0; i < 2; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
+    run(read(rims_->draws), {});
+    const std::chrono::duration<double> time =
+        std::chrono::steady_clock::now() - begin;
+    each = time.count();
+    seconds = each * rims_->share * static_cast<double>(runs) / jobs;
+    if (seconds < long_time) return {};
+  }
+  return fmt::format(
+      "{:.0f} % of the runs reach a rim of the seat and take some {:.2g} s "
+      "each: {} runs take some {}",
+      100 * rims_->share, each, runs,
+      seconds < 120 ? fmt::format("{:.0f} s", seconds)
+                    : fmt::format("{:.0f} min", seconds / 60));
+}
+
 std::string JointModel::identity() const {
-  return contact::read_joint(plan_.joint_file).canonical_text() +
-         files_.open(plan_.path, study_keys).table("load").canonical_text();
+  std::string text =
+      contact::read_joint(plan_.joint_file).canonical_text() +
+      files_.open(plan_.path, study_keys).table("load").canonical_text();
+  if (rims_ && rims_->are_tabulated) {
+    text +=
+        fmt::format("table of {} to {} N", rims_->least_load, rims_->most_load);
+  }
+  return text;
 }
 
 }  // namespace study

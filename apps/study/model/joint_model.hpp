@@ -1,5 +1,8 @@
 #pragma once
 
+#include <memory>
+#include <mutex>
+
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "study/model/model.hpp"
@@ -7,11 +10,13 @@
 
 namespace study {
 
-/// A joint under a reaction at an angle to its angular velocity: [load] of the
-/// study file. Numbers are named as hinge-joint's columns, with those of
-/// interference where the nominal joint has no clearance; with the keys of
-/// EndedLoad as those of joints that end. Files are parsed and
-/// keys that are drawn looked up once.
+/// A joint under a Load: [load] of the study file. Numbers are named as
+/// hinge-joint's columns, with those of interference where the nominal joint
+/// has no clearance. Files are parsed and keys that are drawn looked up once.
+///
+/// Contacts at the rims of a seat take 20 to 60 ms. Where only the load
+/// scatters, and many of them are there, they are read from a table, but for
+/// the nominal one; where only friction does too they share their grids.
 class JointModel : public Model {
  public:
   /// @param plan  has to outlive this object
@@ -24,24 +29,28 @@ class JointModel : public Model {
              const std::function<std::string()>& stop) const override;
   Result run(const std::vector<double>& draws, const Effort& effort,
              const std::function<std::string()>& stop) const override;
+  void prepare(const std::vector<std::vector<double>>& first,
+               std::uint64_t runs) override;
+  std::string forecast(std::uint64_t runs, int jobs) const override;
   std::string identity() const override;
 
  private:
   struct Loaded;
-  struct Seat;
   struct Form;
+  struct Rims;
   Loaded loaded(const contact::TomlTable& joint,
                 const contact::TomlTable& study) const;
   Loaded read(const contact::KeySettings& settings) const;
   Loaded read(const std::vector<double>& draws) const;
   Result run(const Loaded& loaded, const Effort& effort) const;
+  const contact::Joint& tabulated() const;
 
   const Plan& plan_;
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
-  std::unique_ptr<const Seat> seat_;
+  std::unique_ptr<Rims> rims_;  ///< null where no contact is at a rim
   mutable Pool<Form> forms_;
 };
 

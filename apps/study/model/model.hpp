@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -71,6 +72,15 @@ class Model {
   /// @throws contact::Error if they make no case
   virtual Result run(const std::vector<double>& draws, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
+  /// Looks at the first draws before any of so many runs is made; what they
+  /// depend on belongs to the identity.
+  virtual void prepare(const std::vector<std::vector<double>>& /*first*/,
+                       std::uint64_t /*runs*/) {}
+  /// How so many runs are made, if that takes long: a sentence; else "".
+  /// @param jobs  threads
+  virtual std::string forecast(std::uint64_t /*runs*/, int /*jobs*/) const {
+    return {};
+  }
   /// Identity of everything that numbers depend on beside the settings.
   virtual std::string identity() const = 0;
 };

@@ -1,0 +1,161 @@
+#include "study/model/joint_load.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
+#include "libcontact/pressure/validity.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
+#include "libcontact/seat/contact.hpp"
+
+namespace study {
+namespace {
+
+using contact::Interval;
+using contact::TomlTable;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr const char* vector_key = "reaction_xyz";
+
+// The reaction and what it turns about.
+void read_reaction(const TomlTable& load, Load& to) {
+  to.rate = load.optional_number("rate", Interval::positive()).value_or(1);
+  if (load.has(vector_key)) {
+    for (const char* key : {"reaction", "beta"}) {
+      if (load.has(key)) {
+        load.must_be(key, "left out beside reaction_xyz, which says it");
+      }
+    }
+    to.direction = contact::LoadDirection::vector;
+    to.reaction =
+        Vector3d(load.numbers(vector_key, {3}, Interval::any()).data());
+    return;
+  }
+  to.direction = contact::LoadDirection::angle;
+  const double force = load.number("reaction", Interval::non_negative());
+  const double beta = load.optional_number("beta", {0, std::numbers::pi})
+                          .value_or(std::numbers::pi / 2);
+  to.reaction = force * Vector3d(std::sin(beta), 0, std::cos(beta));
+}
+
+// Refuses what the seat of the joint cannot be asked.
+void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
+               Load& to) {
+  if (load.has("in_seat")) {
+    load.must_be("in_seat",
+                 "left out: a joint with a [seat] is in it; without_seat = "
+                 "true takes the endless one");
+  }
+  const auto& seat = geometry.seat();
+  to.without_seat = load.flag("without_seat");
+  if (to.without_seat && !seat) {
+    load.needs("without_seat", "a joint with a [seat]");
+  }
+  if (seat && !to.without_seat && !is_about_z(*seat) &&
+      to.direction == contact::LoadDirection::angle) {
+    load.needs("reaction",
+               "a seat about z, which beta is counted from, or reaction_xyz or "
+               "without_seat");
+  }
+  if (load.has("swing") && (!seat || to.without_seat)) {
+    load.needs("swing", "a joint in a [seat]");
+  }
+  to.swing =
+      load.optional_number("swing", {0, std::numbers::pi / 2}).value_or(0);
+}
+
+void read_tilt(const TomlTable& load, const contact::JointGeometry& geometry,
+               Load& to) {
+  for (const char* key : {"tilt", "load_at"}) {
+    if (load.has(key) && geometry.kind() != contact::JointKind::pin) {
+      load.needs(key, "a pin");
+    }
+  }
+  if (load.has("tilt") && load.has("load_at")) {
+    load.must_be("tilt", "left out beside load_at, which finds it");
+  }
+  if (load.has("twist") && !load.has("tilt")) load.needs("twist", "tilt");
+  if (!load.has("tilt") && !load.has("load_at")) return;
+  for (const char* key : {"beta", vector_key}) {
+    if (!load.has(key)) continue;
+    load.must_be(key,
+                 "left out beside tilt and load_at: the reaction is across "
+                 "the axis");
+  }
+  // A pin that bends or jams is another joint long before.
+  const Interval slope{-10 * contact::degree, 10 * contact::degree};
+  to.is_tilted = load.has("tilt");
+  to.tilt = load.optional_number("tilt", slope).value_or(0);
+  to.twist = load.optional_number("twist", slope).value_or(0);
+  const double half = geometry.length() / 2;
+  to.load_at = load.optional_number("load_at", {-half, half});
+}
+
+}  // namespace
+
+Load read_load(const TomlTable& load, const contact::JointGeometry& geometry) {
+  Load all{};
+  read_reaction(load, all);
+  read_seat(load, geometry, all);
+  read_tilt(load, geometry, all);
+  return all;
+}
+
+Vector3d Load::swung(double angle) const {
+  const Vector3d across = Vector3d::UnitZ().cross(reaction);
+  const Vector3d axis =
+      across.isZero(0) ? Vector3d::UnitY() : Vector3d(across.normalized());
+  return Eigen::AngleAxisd(angle, axis) * reaction;
+}
+
+contact::DutyCycle swinging(const Load& load,
+                            const contact::JointGeometry& geometry) {
+  constexpr int count = 48;
+  contact::DutyCycle::Rows rows;
+  for (int i = 0; i < count; ++i) {
+    const double time = static_cast<double>(i) / count;
+    rows.times.push_back(time);
+    rows.forces.push_back(
+        load.swung(load.swing * std::sin(2 * std::numbers::pi * time)));
+    rows.motion.push_back(load.angular_velocity());
+  }
+  rows.period = 1;
+  const bool body_has_seat =
+      geometry.inner_body() == contact::JointBody::carrier;
+  return {rows,
+          {.axes = body_has_seat ? contact::JointBody::body
+                                 : contact::JointBody::carrier}};
+}
+
+Result run_pin_that_ends(const contact::JointSpec& joint, const Load& load,
+                         const Effort& effort) {
+  const contact::FinitePin pin(joint);
+  const Vector2d force(load.reaction.norm(), 0);
+  const contact::FinitePinSolution s =
+      load.load_at ? pin.solve_at(force, *load.load_at, load.rate)
+                   : pin.solve(force, {load.tilt, load.twist}, load.rate);
+  if (s.contact.status != contact::Status::ok) {
+    return {failure_of(s.contact.status), {}};
+  }
+  Result result;
+  static const auto columns = columns_of(contact::finite_pin_quantities());
+  for (const auto& column : columns) {
+    result.numbers.emplace(column.name, column(s));
+  }
+  const contact::JointContact contact = joint.without_relief().contact();
+  const contact::ContactLimits limits = contact.limits();
+  const contact::LargestContact largest = s.contact.largest();
+  result.numbers.emplace(over_limit,
+                         largest.peak_pressure / limits.peak_pressure());
+  if (!effort.remarks) return result;
+  result.warnings = contact.validity_notes();
+  for (std::string& note : limits.notes(largest)) {
+    result.warnings.push_back(std::move(note));
+  }
+  return result;
+}
+
+}  // namespace study
