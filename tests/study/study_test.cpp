@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -726,43 +727,45 @@ TEST_F(StudyFolder, LoadsOfJointsThatEndAreChecked) {
                       " }\nquantities = 'p_peak_Pa'\n[[dispersion]]\n"
                       "key = 'load.reaction_kN'\nkind = 'list'\n"
                       "values = [2]\n");
-    return error_message([&] { const Study study(name); }).substr(name.size());
+    const std::string text = error_message([&] { const Study study(name); });
+    return text.substr(std::min(text.size(), name.size()));
   };
   const std::string hip = "hip_cocr_uhmwpe";
   const std::string bush = "relieved_bush";
   const std::string ring = "spherical_plain_bearing_ge50";
   for (const std::string value : {"true", "false"}) {
     EXPECT_EQ(message(ring, "in_seat = " + value),
-              ": load.in_seat = " + value +
+              ":4: load.in_seat = " + value +
                   " must be left out: a joint with a [seat] is in it; "
                   "without_seat = true takes the endless one");
   }
   EXPECT_EQ(message(hip, "without_seat = true"),
-            ": load.without_seat = true requires a joint with a [seat]");
+            ":4: load.without_seat = true requires a joint with a [seat]");
   EXPECT_EQ(message("hip_cup", "beta_deg = 90"),
-            ": load.reaction_kN = 1 requires a seat about z, which beta is "
+            ":4: load.reaction_kN = 1 requires a seat about z, which beta is "
             "counted from, or reaction_xyz or without_seat");
-  EXPECT_EQ(message("hip_cup", "without_seat = true"), "(no error)");
+  EXPECT_EQ(message("hip_cup", "without_seat = true"), "");
   EXPECT_EQ(message(ring, "reaction_xyz_N = [1, 0, 0]"),
-            ": load.reaction_kN = 1 must be left out beside reaction_xyz, "
+            ":4: load.reaction_kN = 1 must be left out beside reaction_xyz, "
             "which says it");
   EXPECT_EQ(message(hip, "swing_deg = 1"),
-            ": load.swing_deg = 1 requires a joint in a [seat]");
+            ":4: load.swing_deg = 1 requires a joint in a [seat]");
   EXPECT_EQ(message(ring, "without_seat = true, swing_deg = 1"),
-            ": load.swing_deg = 1 requires a joint in a [seat]");
-  EXPECT_EQ(message(hip, "tilt_deg = 1"), ": load.tilt_deg = 1 requires a pin");
+            ":4: load.swing_deg = 1 requires a joint in a [seat]");
+  EXPECT_EQ(message(hip, "tilt_deg = 1"),
+            ":4: load.tilt_deg = 1 requires a pin");
   EXPECT_EQ(message(bush, "twist_deg = 1"),
-            ": load.twist_deg = 1 requires tilt");
+            ":4: load.twist_deg = 1 requires tilt");
   EXPECT_EQ(message(bush, "tilt_deg = 11"),
-            ": load.tilt_deg = 11 must be -10 to 10 deg");
+            ":4: load.tilt_deg = 11 must be -10 to 10 deg");
   EXPECT_EQ(message(bush, "load_at_mm = 26"),
-            ": load.load_at_mm = 26 must be -25 to 25 mm");
+            ":4: load.load_at_mm = 26 must be -25 to 25 mm");
   EXPECT_EQ(message(bush, "load_at_mm = 1, beta_deg = 80"),
-            ": load.beta_deg = 80 must be left out beside tilt and load_at: "
+            ":4: load.beta_deg = 80 must be left out beside tilt and load_at: "
             "the reaction is across the axis");
   EXPECT_EQ(
       message(bush, "load_at_mm = 1, tilt_deg = 0"),
-      ": load.tilt_deg = 0 must be left out beside load_at, which finds it");
+      ":4: load.tilt_deg = 0 must be left out beside load_at, which finds it");
 }
 
 TEST_F(StudyFolder, OneKeyUnderTwoNamesIsRefused) {
