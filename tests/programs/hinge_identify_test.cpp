@@ -84,7 +84,7 @@ TEST(HingeIdentify, SaysWhereALoadReachesARim) {
   const std::tuple<std::string, std::string, std::string, bool> runs[] = {
       {"hip_cup", vectors, "0,700,-700,0,1,1,0.8\\n0,0,-2000,0,1,1,1.2\\n",
        true},
-      {"hip_cup", vectors, "0,700,-700,1,0,0,0.8\\n0,100,-100,1,0,0,0.12\\n",
+      {"hip_cup", vectors, "0,-700,700,1,0,0,0.8\\n0,-70,70,1,0,0,0.08\\n",
        false},
       {"hip_cup", angles, "1000,90,0.8\\n2000,60,1.2\\n", false},
       {"spherical_plain_bearing_ge50", angles, "1000,90,3\\n2000,60,6\\n",
