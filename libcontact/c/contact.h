@@ -17,12 +17,12 @@
 #ifndef LIBCONTACT_C_CONTACT_H
 #define LIBCONTACT_C_CONTACT_H
 
+#include "libcontact/c/ends.h"
 #include "libcontact/c/finite_pin.h"
 #include "libcontact/c/joint.h"
 #include "libcontact/c/moments.h"
 #include "libcontact/c/play.h"
 #include "libcontact/c/quantity.h"
-#include "libcontact/c/seat.h"
 #include "libcontact/c/slip.h"
 #include "libcontact/c/status.h"
 #include "libcontact/c/step.h"

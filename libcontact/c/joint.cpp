@@ -123,7 +123,8 @@ contact_status contact_joint_get_size(const contact_joint* joint,
         g.radius(),
         g.radial_clearance(),
         g.length(),
-        contact.pair().effective_modulus()};
+        contact.pair().effective_modulus(),
+        !joint->joint.is_endless()};
     return CONTACT_OK;
   });
 }

@@ -66,6 +66,7 @@ typedef struct contact_joint_size {
   double radial_clearance;  /* m */
   double length;            /* contact length of a pin, m; NaN of a ball */
   double effective_modulus; /* E = 2 E* of the surfaces, Pa */
+  int has_seat;             /* the contact is confined to its [seat] */
 } contact_joint_size;
 contact_status contact_joint_get_size(const contact_joint* joint,
                                       contact_joint_size* size);

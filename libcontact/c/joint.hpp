@@ -12,12 +12,16 @@
 /// Joint that C holds.
 struct contact_joint  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
-  explicit contact_joint(contact::JointSpec of)
+  explicit contact_joint(const contact::JointSpec& of)
+      : contact_joint(of, contact::Joint(of)) {}
+  contact_joint(contact::JointSpec of, contact::Joint made)
       : spec(std::move(of)),
-        joint(spec.without_seat().contact()),
-        notes(joint.contact().validity_notes()) {}
+        joint(std::move(made)),
+        notes(joint.contact().validity_notes()),
+        table(joint.table()) {}
 
   const contact::JointSpec spec;
   const contact::Joint joint;
   const std::vector<std::string> notes;
+  const std::string table;
 };

@@ -33,8 +33,9 @@ contact_status with_set(const contact_joint* joint,
   if (ball.is_pin()) {
     throw Error(detail::must_be(function + ": joint", "a ball joint"));
   }
-  return use(ball.moment_set(
-      solution_of(given(solution, (function + ": solution").c_str()))));
+  const JointSolution solved =
+      whole(ball, given(solution, (function + ": solution").c_str()));
+  return use(ball.moment_set(solved));
 }
 
 // OK if there are results; else the argument must be otherwise.

@@ -1,15 +1,18 @@
 #include "libcontact/c/slip.hpp"
 
+#include <cmath>
 #include <cstdlib>
 #include <cstring>
 #include <string>
 #include <type_traits>
+#include <utility>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/numbers.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 
 namespace contact::c {
 namespace {
@@ -93,11 +96,6 @@ JointSolution start_of(const contact_solution* last) {
   return s;
 }
 
-Joint::Slip slip_of(const contact_slip& slip) {
-  return {vector(slip.reaction), vector(slip.angular_velocity),
-          vector(slip.axis)};
-}
-
 // Checks that all that solve_rows() reads and writes is there.
 void check(const contact_slips& slips, const contact_solution* solutions,
            std::ptrdiff_t stride) {
@@ -134,9 +132,10 @@ contact_status solve_rows(const Joint& joint, const contact_slips& slips,
         vector(slips.reaction, slips.reaction_stride, i),
         vector(slips.angular_velocity, slips.angular_velocity_stride, i)};
     if (slips.axis) slip.axis = vector(slips.axis, slips.axis_stride, i);
-    const JointSolution s = slips.warm ? joint.solve(slip, last, options)
-                                       : joint.solve(slip, options);
+    JointSolution s = slips.warm ? joint.solve(slip, last, options)
+                                 : joint.solve(slip, options);
     last.memory = s.memory;
+    last.work = std::move(s.work);
     auto* const to = reinterpret_cast<contact_solution*>(
         reinterpret_cast<char*>(solutions) +
         static_cast<std::ptrdiff_t>(i) * stride);
@@ -230,6 +229,33 @@ contact_status reported(contact_status status, std::string_view place) {
   return contact_report(status, said.c_str());
 }
 
+contact_status reported(const Joint& joint, const JointSolution& s,
+                        std::string_view place) {
+  if (s.status != Status::out_of_seat || !s.work) {
+    return reported(status_of(s.status), place);
+  }
+  const std::string why = message("{}: {}", place, joint.notes(s).front());
+  return contact_report(CONTACT_OUT_OF_SEAT, why.c_str());
+}
+
+Joint::Slip slip_of(const contact_slip& slip) {
+  return {vector(slip.reaction), vector(slip.angular_velocity),
+          vector(slip.axis)};
+}
+
+JointSolution whole(const Joint& joint, const contact_solution& solution) {
+  JointSolution s = solution_of(solution);
+  if (joint.is_endless() || s.status != Status::ok || s.normal_force == 0 ||
+      !std::isnan(s.half_angle)) {
+    return s;
+  }
+  s.work = joint
+               .solve_contact({.normal_force = s.normal_force * s.normal,
+                               .angular_velocity = Vector3d::Zero()})
+               .work;
+  return s;
+}
+
 JointSolution solution_of(const contact_solution& solution) {
   JointSolution s = start_of(&solution);
   s.status = cpp_status(solution.status);
@@ -274,9 +300,9 @@ contact_status contact_joint_solve(const contact_joint* joint,
       [=] {
         const Joint& j = given(joint, "contact_joint_solve: joint").joint;
         const Joint::Slip s = slip_of(given(slip, "contact_joint_solve: slip"));
-        put(given(solution, "contact_joint_solve: solution"),
-            j.solve(s, start_of(last)));
-        return reported(solution->status, "contact_joint_solve");
+        const contact::JointSolution found = j.solve(s, start_of(last));
+        put(given(solution, "contact_joint_solve: solution"), found);
+        return reported(j, found, "contact_joint_solve");
       },
       solution);
 }
@@ -290,11 +316,31 @@ contact_status contact_joint_solve_contact(const contact_joint* joint,
             given(joint, "contact_joint_solve_contact: joint").joint;
         const Joint::Slip s =
             slip_of(given(known, "contact_joint_solve_contact: known"));
-        put(given(solution, "contact_joint_solve_contact: solution"),
-            j.solve_contact({s.reaction, s.angular_velocity, s.axis}));
-        return reported(solution->status, "contact_joint_solve_contact");
+        const contact::JointSolution found =
+            j.solve_contact({s.reaction, s.angular_velocity, s.axis});
+        put(given(solution, "contact_joint_solve_contact: solution"), found);
+        return reported(j, found, "contact_joint_solve_contact");
       },
       solution);
+}
+
+contact_status contact_joint_solution_notes(const contact_joint* joint,
+                                            const contact_solution* solution,
+                                            char* text, std::size_t size) {
+  return contact::c::call([=] {
+    const Joint& j = given(joint, "contact_joint_solution_notes: joint").joint;
+    const auto& s = given(solution, "contact_joint_solution_notes: solution");
+    if (size > 0) given(text, "contact_joint_solution_notes: text");
+    std::vector<std::string> notes;
+    if (s.status == CONTACT_OK && s.normal_force > 0) {
+      const contact::JointSolution found = contact::c::whole(j, s);
+      contact::LargestContact beyond;
+      beyond.add(0, 0, contact::rim_overlap(j.contact(), found));
+      notes = j.contact().limits().notes(beyond);
+      for (auto& note : j.notes(found)) notes.push_back(std::move(note));
+    }
+    return contact::c::hand_over_notes(notes, text, size);
+  });
 }
 
 contact_status contact_joint_solve_rows(const contact_joint* joint,
@@ -322,9 +368,13 @@ contact_status contact_joint_at_rest(const contact_joint* joint,
         contact_rest& to = given(rest, "contact_joint_at_rest: rest");
         const Joint::Hold holds = {vector(h.reaction), vector(h.moment),
                                    vector(h.axis)};
-        put(to, last ? j.at_rest(holds, contact::c::rest_of(*last))
-                     : j.at_rest(holds));
-        return reported(to.status, "contact_joint_at_rest");
+        const RestSolution found =
+            last ? j.at_rest(holds, contact::c::rest_of(*last))
+                 : j.at_rest(holds);
+        put(to, found);
+        return found.status == contact::Status::out_of_seat
+                   ? reported(j, found.slip, "contact_joint_at_rest")
+                   : reported(to.status, "contact_joint_at_rest");
       },
       rest);
 }

@@ -73,6 +73,14 @@ contact_status contact_joint_solve_contact(const contact_joint* joint,
                                            const contact_slip* known,
                                            contact_solution* solution);
 
+/* Beside a rim of the seat what the model leaves out of a solution, up to 18 %,
+ * and of a joint without its seat how far its contact goes beyond a rim: one
+ * sentence per line, cut to `size` with its final 0. None of a solution that is
+ * not CONTACT_OK: the message of its call has said why. */
+contact_status contact_joint_solution_notes(const contact_joint* joint,
+                                            const contact_solution* solution,
+                                            char* text, size_t size);
+
 /* Many slips. A stride is the number of bytes from one row to the next; with 0
  * the first one is that of all rows. */
 typedef struct contact_slips {
