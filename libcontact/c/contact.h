@@ -18,7 +18,6 @@
 #define LIBCONTACT_C_CONTACT_H
 
 #include "libcontact/c/ends.h"
-#include "libcontact/c/finite_pin.h"
 #include "libcontact/c/joint.h"
 #include "libcontact/c/moments.h"
 #include "libcontact/c/play.h"

@@ -10,6 +10,7 @@
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/quantity.hpp"
 #include "libcontact/c/slip.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
@@ -52,14 +53,17 @@ Placement placement_of(const contact_placement& from) {
 struct Answer {
   JointSolution solution;
   std::optional<RimContact> rims = {};
+  std::optional<PinLie> lie = {};
 };
 
 // Calls use(quantity, what it is of, or null).
 template <class Use>
 auto with_row(std::string_view key, const Answer* of, const Use& use) {
-  const auto rims = rim_quantities();
-  if (const auto* q = find_quantity(rims, key)) {
+  if (const auto* q = find_quantity(rim_quantities(), key)) {
     return use(*q, of && of->rims ? &*of->rims : nullptr);
+  }
+  if (const auto* q = find_quantity(lie_quantities(), key)) {
+    return use(*q, of && of->lie ? &*of->lie : nullptr);
   }
   return use(row_of(solution_quantities(), key), of ? &of->solution : nullptr);
 }
@@ -87,6 +91,7 @@ Answer answer(const Joint& joint, const contact_slip& slip,
   }
   Answer found{joint.solve(at, last)};
   found.rims = joint.rims(found.solution);
+  found.lie = joint.lie(found.solution);
   return found;
 }
 
@@ -142,9 +147,11 @@ contact_status contact_joint_get(const contact_joint* joint,
 }
 
 const contact_quantity* contact_joint_quantity(std::size_t i) {
-  const std::size_t first = contact::solution_quantities().size();
-  return i < first ? contact_solution_quantity(i)
-                   : contact::c::row<contact::rim_quantities>(i - first);
+  if (const auto* q = contact_solution_quantity(i)) return q;
+  i -= contact::solution_quantities().size();
+  if (const auto* q = contact::c::row<contact::rim_quantities>(i)) return q;
+  return contact::c::row<contact::lie_quantities>(
+      i - contact::rim_quantities().size());
 }
 
 contact_status contact_joint_pressures(const contact_joint* joint,

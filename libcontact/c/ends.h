@@ -1,5 +1,5 @@
-/* Contacts that end, of balls in a [seat] (docs/seats.md), and any quantity of
- * any joint by its key. */
+/* Contacts that end, of balls in a [seat] (docs/seats.md) and pins of finite
+ * length (docs/finite_pin.md), and any quantity of any joint by its key. */
 #ifndef LIBCONTACT_C_ENDS_H
 #define LIBCONTACT_C_ENDS_H
 
@@ -35,7 +35,10 @@ void contact_memory_free(contact_memory* memory);
 /* Quantities of a slip by their keys: `count` of them, one behind the other,
  * three numbers of a vector. NaN where there is none, as at a rim of an angle
  * about the contact's axis.
- * placement: NULL: the axes of the seat are those of the vectors.
+ * placement: NULL: the axes of the seat are those of the vectors, and a pin is
+ *     level. Its vectors are those of the call; a pin that is tilted, loaded at
+ *     a place or slides along its axis requires slip.axis or a turn, dry
+ *     friction, clearance and a wall with an end.
  * memory: NULL, or where it begins from and what then has this solution: a
  *     contact at a rim takes a third to two thirds of the time (13 ms for 24 to
  *     39 ms) where R and Dw have changed by less than 1 %. Both agree within
@@ -48,7 +51,8 @@ contact_status contact_joint_get(const contact_joint* joint,
                                  const char* const* keys, size_t count,
                                  double* values);
 /* Quantity i of these: those of solutions (contact_solution_quantity()), then
- * of the rims of a seat; NULL behind the last one. */
+ * of the rims of a seat, then of how a pin lies that ends; NULL behind the last
+ * one. */
 const contact_quantity* contact_joint_quantity(size_t i);
 
 /* Pressures of a solution, Pa, at `count` places: unit vectors from the joint's

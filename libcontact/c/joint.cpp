@@ -124,7 +124,7 @@ contact_status contact_joint_get_size(const contact_joint* joint,
         g.radial_clearance(),
         g.length(),
         contact.pair().effective_modulus(),
-        !joint->joint.is_endless()};
+        contact.geometry().seat().has_value()};
     return CONTACT_OK;
   });
 }

@@ -231,11 +231,12 @@ contact_status reported(contact_status status, std::string_view place) {
 
 contact_status reported(const Joint& joint, const JointSolution& s,
                         std::string_view place) {
-  if (s.status != Status::out_of_seat || !s.work) {
+  // NaN in R or Dw leaves no work.
+  if (s.status == Status::ok || s.status == Status::not_converged || !s.work) {
     return reported(status_of(s.status), place);
   }
   const std::string why = message("{}: {}", place, joint.notes(s).front());
-  return contact_report(CONTACT_OUT_OF_SEAT, why.c_str());
+  return contact_report(status_of(s.status), why.c_str());
 }
 
 Joint::Slip slip_of(const contact_slip& slip) {
@@ -251,7 +252,8 @@ JointSolution whole(const Joint& joint, const contact_solution& solution) {
   }
   s.work = joint
                .solve_contact({.normal_force = s.normal_force * s.normal,
-                               .angular_velocity = Vector3d::Zero()})
+                               .angular_velocity = Vector3d::Zero(),
+                               .axis = s.friction_moment})
                .work;
   return s;
 }
@@ -335,7 +337,9 @@ contact_status contact_joint_solution_notes(const contact_joint* joint,
     if (s.status == CONTACT_OK && s.normal_force > 0) {
       const contact::JointSolution found = contact::c::whole(j, s);
       contact::LargestContact beyond;
-      beyond.add(0, 0, contact::rim_overlap(j.contact(), found));
+      const auto lie = j.lie(found);
+      beyond.add(lie ? lie->largest_half_angle : 0, 0,
+                 contact::rim_overlap(j.contact(), found));
       notes = j.contact().limits().notes(beyond);
       for (auto& note : j.notes(found)) notes.push_back(std::move(note));
     }

@@ -14,6 +14,7 @@
 #include "libcontact/c/step.h"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/step.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "libcontact/seat/contact.hpp"
@@ -32,11 +33,13 @@ using Eigen::Vector3d;
 const std::string cup = CONTACT_DATA_DIR "/joints/hip_cup.toml";
 const std::string ring =
     CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml";
+const std::string bush = CONTACT_DATA_DIR "/joints/relieved_bush.toml";
 constexpr contact_slip loaded = {{3e5, 0, 0}, {0.1, 0, 0.5}, {}};
 
 Joint::Slip cpp(const contact_slip& slip) {
   return {.reaction = Vector3d(slip.reaction),
-          .angular_velocity = Vector3d(slip.angular_velocity)};
+          .angular_velocity = Vector3d(slip.angular_velocity),
+          .axis = Vector3d(slip.axis)};
 }
 
 // One quantity of a slip.
@@ -86,6 +89,8 @@ void expect_all(const CJoint& c, const contact_slip& slip, const Joint& joint) {
   };
   compare(contact::solution_quantities(), &s);
   compare(contact::rim_quantities(), rims ? &*rims : nullptr);
+  const auto lie = joint.lie(s);
+  compare(contact::lie_quantities(), lie ? &*lie : nullptr);
   EXPECT_EQ(at, size);
 }
 
@@ -99,6 +104,8 @@ TEST(CEnds, AllQuantitiesAreThoseOfCpp) {
   const std::string open = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
   expect_all(c_joint(open), {{1e3, 0, 0}, {0.1, 0, 0.5}, {}},
              Joint(contact::read_joint(open)));
+  expect_all(c_joint(bush), {{1e4, 200, 0}, {0, 0, 1}, {0, 0, 1}},
+             Joint(contact::read_joint(bush)));
 }
 
 TEST(CEnds, HasThePressureOnARoundedRim) {
@@ -198,6 +205,49 @@ TEST(CEnds, PlacementTurnsTheSeat) {
   EXPECT_EQ(refused({}),
             "contact_joint_get: placement.size must be "
             "sizeof(contact_placement)");
+}
+
+// Those of FinitePin, whose z is the hole's axis.
+TEST(CEnds, PinsTiltAndSlide) {
+  const CJoint c = c_joint(bush);
+  const contact::FinitePin pin(contact::read_joint(bush));
+  const auto expect = [&](double rate, const contact_placement& placement,
+                          const contact::FinitePinSolution& wanted) {
+    const contact_slip slip = {{1e4, 200, 0}, {0, 0, rate}, {0, 0, 1}};
+    const auto is = [&](const char* key, double number, int part = 0) {
+      EXPECT_NEAR(got(c, slip, key, &placement)[part], number,
+                  1e-9 * std::abs(number))
+          << key;
+    };
+    is("peak_pressure", wanted.contact.peak_pressure);
+    is("high", wanted.contact.high);
+    is("friction_moment", wanted.moment.z(), 2);
+    is("friction_force", wanted.friction_force.y(), 1);
+    is("tilting_moment", wanted.contact.force_moment.x());
+    is("tilt", wanted.contact.tilt.x());
+    is("moment", wanted.moment.y(), 1);
+    is("axial_friction_force", wanted.axial_friction_force);
+  };
+  contact_placement placement = {};
+  placement.size = sizeof placement;
+  placement.tilt[0] = 2e-4;
+  placement.tilt[1] = 1e-4;
+  expect(1, placement, pin.solve({1e4, 200}, {2e-4, 1e-4}, 1));
+  placement.is_placed = 1;
+  placement.place = 1e-3;
+  placement.axial_velocity = 0.01;
+  expect(-2, placement, pin.solve_at({1e4, 200}, 1e-3, {-2, 0.01}));
+  // Of a joint without slices.
+  const CJoint ball = c_joint(cup);
+  const char* const key = "power";
+  double power = 0;
+  EXPECT_EQ(contact_joint_get(ball.get(), &loaded, &placement, nullptr, &key, 1,
+                              &power),
+            CONTACT_OUT_OF_RANGE);
+  EXPECT_TRUE(std::isnan(power));
+  EXPECT_NE(std::string(contact_last_message()).find("a pin of a JointSpec"),
+            std::string::npos)
+      << contact_last_message();
 }
 
 // The second of two solutions that are near begins from the first.
