@@ -49,7 +49,9 @@ std::vector<Variable> variables_of_joints() {
        "volume worn off over load and path"},
       {"stop_speed", Role::parameter, "rad/s",
        "model exchange: a ball that is slower has come to rest", 1e-7}};
-  add_vector(all, in, "reaction", "N", "R on the body");
+  add_vector(all, in, "reaction", "N",
+             "R on the body; with a seat, as all vectors, in the axes of the "
+             "body that has it");
   add_vector(all, in, "rate", "rad/s", "Dw of the body against the carrier");
   add_vector(all, in, "axis", "", "of a pin, unit vector; 0: that of Dw");
   add_vector(all, in, "free_rate", "rad/s",
@@ -67,7 +69,7 @@ std::vector<Variable> variables_of_joints() {
   const std::vector<Variable> numbers = {
       {"holds", out, "", "the joint rests", 0, true},
       {"utilisation", out, "", "of what the resting joint holds, up to 1"},
-      {"half_angle", out, "rad", "of the contact"},
+      {"half_angle", out, "rad", "of the contact; NaN where it ends, at a rim or by relief"},
       {"peak_pressure", out, "Pa", "of the contact"},
       {"heat", out, "W", "of friction"},
       {"wear_rate", out, "m3/s", "volume worn off in a second"}};
@@ -93,6 +95,7 @@ struct State {
   int released;       // let go at the last event, and not yet under way
   int has_started;    // co-simulation: the initialization is over
   double widest = NAN, most = NAN;  // half-angle and pressure so far
+  contact_solution at_rim;          // the last there, of notes; else all 0
 };
 
 class JointModel : public Model {
@@ -140,10 +143,20 @@ class JointModel : public Model {
          const char* note = contact_joint_note(joint_.get(), i); ++i) {
       (all += note) += '\n';
     }
-    return all + text_of([this](char* text, std::size_t size) {
-             return contact_joint_contact_notes(joint_.get(), state_.widest,
-                                                state_.most, text, size);
-           });
+    const auto add = [&all](const std::string& more) {
+      if (!all.empty() && all.back() != '\n' && !more.empty()) all += '\n';
+      all += more;
+    };
+    add(text_of([this](char* text, std::size_t size) {
+      return contact_joint_contact_notes(joint_.get(), state_.widest,
+                                         state_.most, text, size);
+    }));
+    const bool was_there = state_.at_rim.normal_force > 0;
+    const auto& solution = was_there ? state_.at_rim : state_.now.solution;
+    add(text_of([&](char* text, std::size_t size) {
+      return contact_joint_solution_notes(joint_.get(), &solution, text, size);
+    }));
+    return all;
   }
 
   bool accept() override {
@@ -257,6 +270,7 @@ class JointModel : public Model {
     values_[peak_pressure] = now.solution.peak_pressure;
     state_.widest = std::fmax(state_.widest, now.solution.half_angle);
     state_.most = std::fmax(state_.most, now.solution.peak_pressure);
+    if (std::isnan(now.solution.half_angle)) state_.at_rim = now.solution;
     values_[heat] = -dot(now.moment, now.angular_velocity);
     values_[wear] = wear_rate();
   }

@@ -10,6 +10,7 @@
 #include "libcontact/c/contact.h"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/toml_nodes.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "separation/c/run.h"
 
 namespace hinge_fmu {
@@ -76,12 +77,8 @@ class Packer {
 // Readers of joints and cases say what is wrong with a file. Notes are what an
 // FMU cannot say while it runs.
 void check_joint(const fs::path& file, Resources& all) {
-  const contact::JointSpec joint = contact::read_joint(file);
-  all.notes = joint.without_seat().contact().validity_notes();
-  if (joint.geometry.seat()) {
-    all.notes.emplace_back(
-        "the [seat] is left out: a contact is taken to go on beyond its rims");
-  }
+  const contact::Joint joint{contact::read_joint(file)};
+  all.notes = joint.contact().validity_notes();
 }
 void check_case(const fs::path& file, Resources& all) {
   contact_run* run = nullptr;
