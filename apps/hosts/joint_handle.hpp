@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
@@ -60,11 +61,25 @@ inline JointHandle read_joint(const std::string& file, const std::string& where,
   return joint;
 }
 
+/// Whether the contact is confined to a [seat], and which half has it: a joint
+/// is asked in the axes of that one.
+enum class Seat { none, on_body, on_carrier };
+inline Seat seat_of(const contact_joint* joint) {
+  contact_joint_size size;
+  must(contact_joint_get_size(joint, &size));
+  if (!size.has_seat) return Seat::none;
+  return size.body_has_inner ? Seat::on_carrier : Seat::on_body;
+}
+
 /// Whether there is a moment at all that the joint holds: none of viscous ones.
 inline bool can_rest(const contact_joint* joint) {
+  // Whatever its seat carries.
+  contact_joint* made = nullptr;
+  must(contact_joint_without_seat(joint, &made));
+  const JointHandle endless(made, contact_joint_free);
   const contact_hold hold = {{1e3, 0, 0}, {0, 0, 1e-3}, {0, 0, 1}};
   contact_rest rest;
-  must(contact_joint_at_rest(joint, &hold, nullptr, &rest));
+  must(contact_joint_at_rest(made, &hold, nullptr, &rest));
   return !std::isinf(rest.utilisation);
 }
 
@@ -79,5 +94,34 @@ inline JointHandle read_dry_joint(const std::string& file,
   }
   return joint;
 }
+
+/// Friction moments of a dry joint, each found from the one before.
+class FrictionMoment {
+ public:
+  explicit FrictionMoment(JointHandle joint)
+      : joint_(std::move(joint)), seat_(seat_of(joint_.get())) {
+    contact_memory* made = nullptr;
+    must(contact_memory_make(&made));
+    memory_.reset(made);
+  }
+  Seat seat() const { return seat_; }
+  /// @param from_seat  3 x 3 numbers, row by row: from the axes of the half
+  ///     that has the seat to those of the slip; null: they are the same
+  void find(const contact_slip& slip, const double* from_seat,
+            double* moment) const {
+    contact_placement placement{};
+    placement.size = sizeof placement;
+    if (from_seat) std::copy_n(from_seat, 9, placement.from_seat);
+    const char* const key = "friction_moment";
+    must(contact_joint_get(joint_.get(), &slip, &placement, memory_.get(), &key,
+                           1, moment));
+  }
+
+ private:
+  JointHandle joint_;
+  Seat seat_;
+  std::unique_ptr<contact_memory, void (*)(contact_memory*)> memory_{
+      nullptr, contact_memory_free};
+};
 
 }  // namespace contact_hosts

@@ -4,10 +4,13 @@
 #include <gtest/gtest.h>
 #include <dart/dynamics/PrismaticJoint.hpp>
 #include <dart/dynamics/Skeleton.hpp>
+#include <dart/dynamics/WeldJoint.hpp>
 #include <dart/simulation/World.hpp>
 
 #include <cmath>
 #include <string>
+
+#include "hosts/cup.hpp"
 
 namespace contact::test {
 namespace {
@@ -89,6 +92,47 @@ TEST(HostDart, PendulumRests) {
   }
   EXPECT_NEAR(last, 43.52, 0.05);
   EXPECT_LT(w.joint->getVelocities().norm(), 1e-9);
+}
+
+TEST(HostDart, SeatsTurnWithTheirBody) {
+  for (const bool on_parent : {false, true}) {
+    // A body that hangs from one that is welded to the world.
+    Pendulum w(100, {5, 5, 5}, {0, 0, -0.4}, 1e-4);
+    auto* const child = w.joint->getChildBodyNode();
+    auto* const weld =
+        w.skeleton->createJointAndBodyNodePair<::dart::dynamics::WeldJoint>()
+            .second;
+    Eigen::Isometry3d at = Eigen::Isometry3d::Identity();
+    at.linear() = attitude(on_parent, true);
+    weld->getParentJoint()->setTransformFromParentBodyNode(at);
+    child->moveTo(weld);
+    auto* const joint =
+        static_cast<::dart::dynamics::BallJoint*>(child->getParentJoint());
+    // The joint's own axes on the child are others.
+    Eigen::Isometry3d on_child = Eigen::Isometry3d::Identity();
+    on_child.linear() =
+        Eigen::AngleAxisd(0.4, Vector3d::UnitZ()).toRotationMatrix();
+    joint->setTransformFromChildBodyNode(on_child);
+    const Eigen::Matrix3d relative = at.linear().transpose() *
+                                     attitude(on_parent, false) *
+                                     on_child.linear();
+    joint->setPositions(
+        ::dart::dynamics::BallJoint::convertToPositions(relative));
+    joint->setVelocities(Vector3d(0.3, 0.1, 0.5));
+    const std::string file = cup(on_parent);
+    w.world->step();
+    HingeFriction friction;
+    friction.add(joint, file);
+    friction.update();
+    const Eigen::Matrix3d axes = child->getWorldTransform().linear();
+    const Vector3d reaction = axes * child->getBodyForce().tail<3>();
+    const Vector3d rate = axes * on_child.linear() * joint->getVelocities();
+    const double wanted =
+        moment_in(file, on_parent ? weld->getWorldTransform().linear() : axes,
+                  reaction, rate)
+            .norm();
+    EXPECT_NEAR(friction.limit(0) / wanted, 1, 1e-12);
+  }
 }
 
 TEST(HostDart, SaysWhatIsWrong) {

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "hosts/cup.hpp"
+
 namespace contact::test {
 namespace {
 
@@ -337,6 +339,52 @@ TEST(HostMujoco, HoldsALoop) {
   for (int i = 0; i < 6'000; ++i) friction.step(world.data);
   RecordProperty("turns", friction.turns());
   EXPECT_EQ(world.angles(), angles);
+}
+
+// MuJoCo's axes of a body in those of the world, as columns.
+Eigen::Matrix3d axes_of(const mjData* data, int body) {
+  return Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(
+      data->xmat + 9 * body);
+}
+
+TEST(HostMujoco, SeatsTurnWithTheirBody) {
+  for (const bool on_parent : {false, true}) {
+    const auto put = [](double* to, const Eigen::Matrix3d& axes) {
+      const Eigen::Quaterniond q(axes);
+      to[0] = q.w(), to[1] = q.x(), to[2] = q.y(), to[3] = q.z();
+    };
+    World world(
+        "<body><body><joint name='hip' type='ball'/><inertial mass='100' "
+        "pos='0 0 -.4' diaginertia='5 5 5'/></body></body>");
+    const Eigen::Matrix3d parent = attitude(on_parent, true);
+    const Eigen::Matrix3d body = attitude(on_parent, false);
+    put(world.model->body_quat + 4, parent);
+    put(world.data->qpos, parent.transpose() * body);
+    const Vector3d rate(0.3, 0.1, 0.5);
+    std::copy_n(rate.data(), 3, world.data->qvel);
+    const std::string file = cup(on_parent);
+    HingeFriction friction(world.model);
+    friction.add("hip", file);
+    mj_forward(world.model, world.data);
+    friction.note_reactions(world.data);
+    mju_zero(world.data->qfrc_passive, 3);
+    friction.add_torque(world.data);
+    const Vector3d wanted =
+        moment_in(file, on_parent ? parent : body,
+                  Vector3d(world.data->cfrc_int + 6 * 2 + 3), body * rate);
+    EXPECT_LT((body * Vector3d(world.data->qfrc_passive) - wanted).norm(),
+              1e-12 * wanted.norm());
+    mju_zero(world.data->qfrc_passive, 3);
+    // The rates at the end of a step are those that friction has found, in the
+    // axes of the cup.
+    friction.step(world.data);
+    const Vector3d found(friction.hinge(0).angular_velocity);
+    EXPECT_LT(((on_parent ? parent : body) * found -
+               body * Vector3d(world.data->qvel))
+                  .norm(),
+              1e-9);
+    EXPECT_GT((Vector3d(world.data->qvel) - rate).norm(), 1e-4);
+  }
 }
 
 TEST(HostMujoco, SaysWhatIsWrong) {

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <string>
 
+#include "hosts/cup.hpp"
+
 namespace contact::test {
 namespace {
 
@@ -112,6 +114,54 @@ TEST(HostOde, PendulumRests) {
   RecordProperty("rests_at_ms", static_cast<int>(1e3 * last));
   EXPECT_NEAR(last, 43.30, 0.05);
   EXPECT_LT(w.rate(), 1e-9);
+}
+
+Eigen::Matrix3d axes_of(dBodyID body) {
+  Eigen::Matrix<double, 3, 4, Eigen::RowMajor> rows;
+  std::copy_n(dBodyGetRotation(body), 12, rows.data());
+  return rows.leftCols<3>();
+}
+
+void turn(dBodyID body, const Eigen::Matrix3d& axes) {
+  const Eigen::Quaterniond q(axes);
+  const dQuaternion to = {q.w(), q.x(), q.y(), q.z()};
+  dBodySetQuaternion(body, to);
+}
+
+TEST(HostOde, SeatsTurnWithTheirBody) {
+  for (const bool on_parent : {false, true}) {
+    World w(100, {5, 5, 5}, 0, -0.4);
+    dBodyID parent = dBodyCreate(w.world);
+    dBodySetKinematic(parent);
+    turn(w.body, attitude(on_parent, false));
+    turn(parent, attitude(on_parent, true));
+    dBodySetAngularVel(w.body, 0.3, 0.1, 0.5);
+    dJointID ball = dJointCreateBall(w.world, nullptr);
+    dJointAttach(ball, w.body, parent);
+    dJointSetBallAnchor(ball, 0, 0, 0);
+    HingeFriction friction(w.world);
+    const std::string file = cup(on_parent);
+    friction.add(ball, file);
+    for (int i = 0; i < 2; ++i) {
+      friction.update(1e-4);
+      dWorldStep(w.world, 1e-4);
+    }
+    const Eigen::Vector3d reaction(dJointGetFeedback(ball)->f1);
+    const Eigen::Vector3d rate(dBodyGetAngularVel(w.body));
+    friction.update(1e-4);
+    const double wanted =
+        moment_in(file, axes_of(on_parent ? parent : w.body), reaction, rate)
+            .norm();
+    // A contact at the rim begins from the last one.
+    EXPECT_NEAR(friction.limit(0) / wanted, 1, 1e-5);
+    HingeFriction cold(w.world);
+    dJointFeedback* const feedback = dJointGetFeedback(ball);
+    const dJointFeedback last = *feedback;
+    cold.add(ball, file);
+    *dJointGetFeedback(ball) = last;
+    cold.update(1e-4);
+    EXPECT_NEAR(cold.limit(0) / wanted, 1, 1e-12);
+  }
 }
 
 TEST(HostOde, SaysWhatIsWrong) {

@@ -10,6 +10,8 @@
 #include <string>
 #include <vector>
 
+#include "hosts/cup.hpp"
+
 namespace contact::test {
 namespace {
 
@@ -367,6 +369,56 @@ TEST(HostSimbody, LaggedIsNearConverged) {
     EXPECT_EQ(w.friction.evaluations() == 0, fit == Fit::lagged);
   }
   EXPECT_NEAR(angle[0], angle[1], 1e-4);
+}
+
+TEST(HostSimbody, SeatsTurnWithTheirBody) {
+  const auto columns = [](const Rotation& r) {
+    Eigen::Matrix3d all;
+    for (int i = 0; i < 9; ++i) all(i / 3, i % 3) = r[i / 3][i % 3];
+    return all;
+  };
+  const auto rotation = [](const Eigen::Matrix3d& axes) {
+    const Eigen::Quaterniond q(axes);
+    return Rotation(Quaternion(q.w(), q.x(), q.y(), q.z()));
+  };
+  const auto vector = [](const Vec3& v) {
+    return Eigen::Vector3d(v[0], v[1], v[2]);
+  };
+  for (const bool on_parent : {false, true}) {
+    World w;
+    const std::string file = cup(on_parent);
+    const Body::Rigid body(MassProperties(100, Vec3(0, 0, -0.4),
+                                          UnitInertia(0.2, 0.2, 0.05) * 100.0));
+    MobilizedBody::Weld parent(w.matter.Ground(),
+                               Transform(rotation(attitude(on_parent, true))),
+                               body, Transform());
+    const MobilizedBody::Ball link(parent, body);
+    w.weigh(Vec3(0, 0, -9.81));
+    w.friction.add(link, file);
+    w.begin();
+    link.setQToFitRotation(w.state,
+                           rotation(attitude(on_parent, true).transpose() *
+                                    attitude(on_parent, false)));
+    link.setUToFitAngularVelocity(w.state, Vec3(0.3, 0.1, 0.5));
+    w.friction.settle(w.state);
+    w.system.realize(w.state, Stage::Acceleration);
+    // Of the reactions to which friction fits.
+    const Eigen::Vector3d rate = vector(link.getBodyAngularVelocity(w.state));
+    const Eigen::Matrix3d axes =
+        columns((on_parent ? MobilizedBody(parent) : MobilizedBody(link))
+                    .getBodyRotation(w.state));
+    const auto& solution = w.friction.hinge(0);
+    const Eigen::Vector3d reaction = axes * Eigen::Vector3d(solution.reaction);
+    const Eigen::Vector3d wanted = moment_in(file, axes, reaction, rate);
+    EXPECT_LT(
+        (axes * Eigen::Vector3d(solution.friction_moment) - wanted).norm(),
+        1e-12 * wanted.norm());
+    EXPECT_LT((vector(link.findMobilizerReactionOnBodyAtMInGround(w.state)[1]) -
+               reaction)
+                  .norm(),
+              1e-6 * reaction.norm());
+    EXPECT_NEAR(w.friction.power(w.state) / wanted.dot(rate), 1, 1e-7);
+  }
 }
 
 TEST(HostSimbody, SaysWhatIsWrong) {

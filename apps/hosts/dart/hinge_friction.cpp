@@ -13,11 +13,25 @@ void HingeFriction::add(Joint* joint, const std::string& file) {
     throw std::runtime_error(
         "HingeFriction::add: joint must be a ball or revolute joint");
   }
-  hinges_.push_back({joint,
-                     read_dry_joint(file, "HingeFriction::add",
-                                    is_ball ? CONTACT_BALL : CONTACT_PIN),
-                     {},
-                     0});
+  hinges_.push_back(
+      {joint,
+       FrictionMoment(read_dry_joint(file, "HingeFriction::add",
+                                     is_ball ? CONTACT_BALL : CONTACT_PIN)),
+       0});
+}
+
+// From the axes of the half that has the seat to those of the joint on the
+// child.
+Eigen::Matrix<double, 3, 3, Eigen::RowMajor> HingeFriction::from_seat(
+    const Hinge& h) {
+  const auto& child = *h.joint->getChildBodyNode();
+  Eigen::Matrix3d axes =
+      h.joint->getTransformFromChildBodyNode().linear().transpose();
+  if (h.contact.seat() != Seat::on_carrier) return axes;
+  axes *= child.getWorldTransform().linear().transpose();
+  const auto* const parent = h.joint->getParentBodyNode();
+  if (parent) axes *= parent->getWorldTransform().linear();
+  return axes;
 }
 
 // In the axes of the joint on the child.
@@ -38,8 +52,8 @@ void HingeFriction::update() {
       rate = h.joint->getVelocities();
     }
     Vector3d::Map(slip.angular_velocity) = rate;
-    must(contact_joint_solve(h.contact.get(), &slip, &h.solution, &h.solution));
-    const Vector3d moment(h.solution.friction_moment);
+    Vector3d moment;
+    h.contact.find(slip, from_seat(h).data(), moment.data());
     h.limit = moment.norm();
     if (!is_ball) {
       h.joint->setCoulombFriction(0, h.limit);

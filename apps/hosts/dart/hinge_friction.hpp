@@ -23,7 +23,9 @@ namespace contact_hosts::dart {
 /// three limits |M_t| where a step would stop it: at rest it holds up to
 /// sqrt(3) |M_t| between the axes. Reactions are those of the step before; in
 /// the first step there are none, and no friction. Hinges rest to rounding, not
-/// exactly. Viscous friction, which depends on |Dw|, is refused.
+/// exactly. Viscous friction, which depends on |Dw|, is refused. A [seat] has
+/// its axis in the axes of the BodyNode that has it; a load that leaves it ends
+/// update() with an exception.
 class HingeFriction {
  public:
   /// Friction of a joint file in a joint.
@@ -40,11 +42,11 @@ class HingeFriction {
  private:
   struct Hinge {
     ::dart::dynamics::Joint* joint;
-    JointHandle contact;
-    contact_solution solution;
+    FrictionMoment contact;
     double limit;
   };
   static void rub(Hinge& h, const Eigen::Vector3d& moment);
+  static Eigen::Matrix<double, 3, 3, Eigen::RowMajor> from_seat(const Hinge& h);
   std::vector<Hinge> hinges_;
 };
 

@@ -47,10 +47,11 @@ void HingeFriction::add(const std::string& joint, const std::string& file) {
     refuse("have friction of one file");
   }
   const bool is_ball = type == mjJNT_BALL;
+  JointHandle contact = read_joint(file, "joint \"" + joint + "\"",
+                                   is_ball ? CONTACT_BALL : CONTACT_PIN);
+  const bool on_carrier = seat_of(contact.get()) == Seat::on_carrier;
   hinges_.push_back({id, model_->jnt_bodyid[id], dof, is_ball ? 3 : 1,
-                     model_->jnt_qposadr[id],
-                     read_joint(file, "joint \"" + joint + "\"",
-                                is_ball ? CONTACT_BALL : CONTACT_PIN)});
+                     model_->jnt_qposadr[id], std::move(contact), on_carrier});
   for (int i = dof; i < dof + hinges_.back().size; ++i) {
     own_.push_back(i);
     other_.erase(std::find(other_.begin(), other_.end(), i));
@@ -65,17 +66,24 @@ void HingeFriction::note_reactions(mjData* data) {
   has_reactions_ = true;
 }
 
-// Balls in the axes of their body, hinges in those of the world.
+// Balls in the axes of their body, or of the one that has their seat; hinges in
+// those of the world.
 void HingeFriction::start(const mjData* data) {
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
-    const Hinge& h = hinges_[i];
+    Hinge& h = hinges_[i];
     contact_step_start& s = starts_[i];
     const Vector3d reaction = reaction_on(data, h.body);
     const double* const rate = data->qvel + h.dof;
     if (h.size == 3) {
       const Eigen::Map<const Rotation> axes(data->xmat + 9 * h.body);
-      Vector3d::Map(s.reaction) = axes.transpose() * reaction;
-      std::copy_n(rate, 3, s.angular_velocity);
+      if (h.on_carrier) {
+        h.turn = Eigen::Map<const Rotation>(data->xmat +
+                                            9 * model_->body_parentid[h.body])
+                     .transpose() *
+                 axes;
+      }
+      Vector3d::Map(s.reaction) = h.turn * (axes.transpose() * reaction);
+      Vector3d::Map(s.angular_velocity) = h.turn * Vector3d(rate);
     } else {
       const Vector3d axis(data->xaxis + 3 * h.joint);
       Vector3d::Map(s.reaction) = reaction;
@@ -90,7 +98,7 @@ void HingeFriction::guess(const VectorXd& rates) {
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const Hinge& h = hinges_[i];
     Vector3d::Map(steps_[i].angular_velocity) =
-        h.size == 3 ? Vector3d(rates.segment<3>(h.dof))
+        h.size == 3 ? Vector3d(h.turn * rates.segment<3>(h.dof))
                     : Vector3d(rates[h.dof] * Vector3d(starts_[i].axis));
   }
 }
@@ -154,20 +162,25 @@ VectorXd HingeFriction::free_rates(const mjData* data) const {
 // The moments of friction in place of those that there are; the change.
 double HingeFriction::solve(const VectorXd& free) {
   const VectorXd before = force_;
+  Eigen::MatrixXd weight = weight_;  // in the axes of the starts
   int at = 0;
   for (std::size_t i = 0; i < hinges_.size(); at += hinges_[i++].size) {
     contact_step_start& s = starts_[i];
-    Vector3d::Map(s.free) = hinges_[i].size == 3
-                                ? Vector3d(free.segment<3>(at))
-                                : Vector3d(free[at] * Vector3d(s.axis));
+    const Hinge& h = hinges_[i];
+    Vector3d::Map(s.free) = h.size == 3 ? Vector3d(h.turn * free.segment<3>(at))
+                                        : Vector3d(free[at] * Vector3d(s.axis));
+    if (!h.on_carrier) continue;
+    weight.middleRows<3>(at) = (h.turn * weight.middleRows<3>(at)).eval();
+    weight.middleCols<3>(at) =
+        (weight.middleCols<3>(at) * h.turn.transpose()).eval();
   }
   must(contact_joints_step(contacts_.data(), contacts_.size(), starts_.data(),
-                           weight_.data(), steps_.data(), &sweeps_));
+                           weight.data(), steps_.data(), &sweeps_));
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const Hinge& h = hinges_[i];
     const Vector3d moment(steps_[i].moment);
     if (h.size == 3) {
-      force_.segment<3>(h.dof) = moment;
+      force_.segment<3>(h.dof) = h.turn.transpose() * moment;
     } else {
       force_[h.dof] = moment.dot(Vector3d(starts_[i].axis));
     }
@@ -242,7 +255,7 @@ VectorXd HingeFriction::slide(std::size_t i) {
   contact_solution& s = steps_[i].solution;
   must(contact_joint_solve(h.contact.get(), &slip, &s, &s));
   const Vector3d moment(s.friction_moment);
-  if (h.size == 3) return moment;
+  if (h.size == 3) return h.turn.transpose() * moment;
   return VectorXd::Constant(1, moment.dot(Vector3d(slip.axis)));
 }
 

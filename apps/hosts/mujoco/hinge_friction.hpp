@@ -30,7 +30,9 @@ namespace contact_hosts::mujoco {
 /// limits and equalities are MuJoCo's soft constraints, solved in turn with
 /// friction until both fit to 1e-8 of the moments, in 50 turns at most
 /// (turns()). Their forces count in the reaction as far as
-/// mj_rnePostConstraint() has them: contacts, no equalities.
+/// mj_rnePostConstraint() has them: contacts, no equalities. A [seat] has its
+/// axis in the axes of the body that has it; a load
+/// that leaves it ends with an exception.
 class HingeFriction {
  public:
   /// @param model  stays while this is used
@@ -73,6 +75,8 @@ class HingeFriction {
     int size;   // 3 or 1 of them
     int angle;  // in qpos
     JointHandle contact;
+    bool on_carrier;  // the seat is on the parent
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // to its axes
     double damping = 0;  // given by add_damping()
   };
   void start(const mjData* data);

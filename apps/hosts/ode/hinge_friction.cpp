@@ -6,11 +6,21 @@ namespace contact_hosts::ode {
 namespace {
 
 using Eigen::Vector3d;
+using Rotation = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
 
 Vector3d rate_of(dBodyID body) {
   if (!body) return Vector3d::Zero();
   const dReal* const w = dBodyGetAngularVel(body);
   return {w[0], w[1], w[2]};
+}
+
+// From the axes of a body to those of the world.
+Rotation axes_of(dBodyID body) {
+  Rotation axes = Rotation::Identity();
+  for (int i = 0; body && i < 9; ++i) {
+    axes(i / 3, i % 3) = dBodyGetRotation(body)[i / 3 * 4 + i % 3];
+  }
+  return axes;
 }
 
 // Inertia about any axis is at most this.
@@ -42,8 +52,8 @@ void HingeFriction::add(dJointID joint, const std::string& file) {
         "HingeFriction::add: joint must be a ball or hinge");
   }
   const bool is_ball = type == dJointTypeBall;
-  JointHandle contact = read_dry_joint(file, "HingeFriction::add",
-                                       is_ball ? CONTACT_BALL : CONTACT_PIN);
+  FrictionMoment contact(read_dry_joint(file, "HingeFriction::add",
+                                        is_ball ? CONTACT_BALL : CONTACT_PIN));
   feedback_.push_back(std::make_unique<dJointFeedback>());
   dJointSetFeedback(joint, feedback_.back().get());
   dJointID motor = nullptr;
@@ -53,7 +63,7 @@ void HingeFriction::add(dJointID joint, const std::string& file) {
     dJointSetAMotorMode(motor, dAMotorUser);
   }
   hinges_.push_back(
-      {joint, motor, std::move(contact), feedback_.back().get(), {}, 0});
+      {joint, motor, std::move(contact), feedback_.back().get(), 0});
 }
 
 void HingeFriction::update(double step) {
@@ -70,8 +80,10 @@ void HingeFriction::update(double step) {
     }
     if (rate.isZero(0)) rate = Vector3d::UnitX();
     Vector3d::Map(slip.angular_velocity) = rate;
-    must(contact_joint_solve(h.contact.get(), &slip, &h.solution, &h.solution));
-    const Vector3d moment(h.solution.friction_moment);
+    const bool on_carrier = h.contact.seat() == Seat::on_carrier;
+    Vector3d moment;
+    h.contact.find(slip, axes_of(dJointGetBody(h.joint, on_carrier)).data(),
+                   moment.data());
     h.limit = moment.norm();
     if (h.motor) {
       const bool stops =

@@ -26,14 +26,22 @@ struct Hinge {
   bool is_ball;
   JointHandle joint;
   bool can_rest;
+  Seat seat;
   Vec3 way{0};  // in which it slides, or would: unit, axes of the parent
   Vec3 reaction{0};
   Vec3 moment{0};
   bool slides = false;
-  contact_slip slip{};
+  Rotation from_seat{};  // at the slip
+  contact_slip slip{};   // this and the next in the axes of the seat
   contact_solution solution{};
   contact_rest rest{};
 
+  // From the axes of the half that has the seat, to Ground.
+  Rotation axes_of_seat(const State& s) const {
+    if (seat == Seat::none) return {};
+    return (seat == Seat::on_body ? body : body.getParentMobilizedBody())
+        .getBodyRotation(s);
+  }
   Rotation axes(const State& s) const {
     return body.getParentMobilizedBody().getBodyRotation(s) *
            body.getInboardFrame(s).R();
@@ -155,15 +163,17 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
     SimTK::Vector held;
     system_.getMatterSubsystem().findMotionForces(state, held);
     const Vec3 moment = -h.moment_of(state, held);
+    const Rotation turn = h.axes_of_seat(state);
     contact_hold hold{};
-    put(hold.reaction, h.body.findMobilizerReactionOnBodyAtMInGround(state)[1]);
-    put(hold.moment, moment);
+    put(hold.reaction,
+        ~turn * h.body.findMobilizerReactionOnBodyAtMInGround(state)[1]);
+    put(hold.moment, ~turn * moment);
     if (!moment.isFinite()) {
       throw std::runtime_error(
           "resting hinges of a loop must be no more than its freedoms: give "
           "friction to fewer of them");
     }
-    put(hold.axis, h.axis(state));
+    put(hold.axis, ~turn * h.axis(state));
     must(contact_joint_at_rest(h.joint.get(), &hold, &h.rest, &h.rest));
     return h.rest.utilisation - 1 - (h.is_ball ? 1e-8 : 1e-10);
   }
@@ -221,8 +231,9 @@ bool HingeFriction::Friction::aim(const State& state) const {
         (h.is_ball ? rate.norm() : dot(rate, h.direction(state))) < least) {
       rate = least * h.direction(state);
     }
-    put(h.slip.angular_velocity, rate);
-    put(h.slip.axis, h.axis(state));
+    h.from_seat = h.axes_of_seat(state);
+    put(h.slip.angular_velocity, ~h.from_seat * rate);
+    put(h.slip.axis, ~h.from_seat * h.axis(state));
   }
   return any;
 }
@@ -231,9 +242,9 @@ bool HingeFriction::Friction::aim(const State& state) const {
 void HingeFriction::Friction::slide() const {
   for (Hinge& h : hinges) {
     if (!h.slides) continue;
-    put(h.slip.reaction, h.reaction);
+    put(h.slip.reaction, ~h.from_seat * h.reaction);
     must(contact_joint_solve(h.joint.get(), &h.slip, &h.solution, &h.solution));
-    h.moment = vec(h.solution.friction_moment);
+    h.moment = h.from_seat * vec(h.solution.friction_moment);
   }
 }
 
@@ -344,7 +355,7 @@ void HingeFriction::Friction::stop(State& state) const {
 }
 
 void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
-  const Vec3 direction = vec(h.rest.direction);
+  const Vec3 direction = h.axes_of_seat(state) * vec(h.rest.direction);
   h.go_along(state, direction);
   const SimTK::Vector u =
       h.rates(state, h.is_ball ? 2 * options_.stop_speed * direction : Vec3(0));
@@ -438,7 +449,8 @@ void HingeFriction::add(const MobilizedBody& body, const std::string& file) {
   JointHandle joint = read_joint(file, "HingeFriction::add",
                                  is_ball ? CONTACT_BALL : CONTACT_PIN);
   const bool rests = can_rest(joint.get());
-  friction_->hinges.push_back({body, is_ball, std::move(joint), rests});
+  const Seat seat = seat_of(joint.get());
+  friction_->hinges.push_back({body, is_ball, std::move(joint), rests, seat});
   const std::size_t i = friction_->hinges.size() - 1;
   if (!rests) return;
   for (const bool is_stop : {true, false}) {

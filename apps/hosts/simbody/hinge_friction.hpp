@@ -42,7 +42,8 @@ struct Options {
 /// to rest, whose time events find, is locked: its rate is exactly 0, its
 /// angles do not change by a bit, until the moment that it holds passes the
 /// limit (contact_joint_at_rest()) by 1e-10, of balls 1e-8, which events find
-/// too. Reactions are those of Simbody.
+/// too. Reactions are those of Simbody. A [seat] has its axis in the axes of
+/// the body that has it; a load that leaves it ends with an exception.
 ///
 /// Where it ends: one State at a time; mobilizers are locked and unlocked, so
 /// locks of others on them are lost; in a
@@ -67,7 +68,8 @@ class HingeFriction {
   void settle(SimTK::State& state) const;
 
   /// Last solution of the i-th hinge added, while it slides: of reactions that
-  /// were wrong by less than a hundred times what moments are now.
+  /// were wrong by less than a hundred times what moments are now. In Ground,
+  /// with a [seat] in the axes of the body that has it.
   const contact_solution& hinge(int i) const;
   /// Accelerations that friction asked for.
   long evaluations() const;
