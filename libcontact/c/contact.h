@@ -1,6 +1,7 @@
 /* Hinge friction from C: joints under a reaction.
  *
- * SI units and radians. Vectors are in any frame, the same for all of a call.
+ * SI units and radians. Vectors are in any frame, the same for all of a call; of
+ * a joint with a [seat] in the axes of the body that has it.
  * Names and formulas are those of the C++ library (NOTATION.md, docs/joint.md);
  * numbers are those of it to the last bit, and so is their accuracy.
  *

@@ -111,6 +111,45 @@ TEST_P(Versions, SayWhereTheyLeaveTheModel) {
       << notes[1];
 }
 
+// A head at the rim of its cup: the state has no grid of it, and repeats it to
+// the last bit.
+TEST_P(Versions, AreInTheirSeat) {
+  const auto fmu =
+      fmu_of(CONTACT_SOURCE_DIR "/data/joints/hip_cup.toml", GetParam());
+  const FmuInstance it(*fmu);
+  it.enter();
+  it.start();
+  it.set("rate", Vector3d(1, 0, 0));
+  it.set("reaction", Vector3d(0, 1000, 3000));
+  // As of hinge-joint --reaction-xyz.
+  EXPECT_NEAR(it.get("peak_pressure"), 30542236.4, 0.05);
+  EXPECT_TRUE(std::isnan(it.get("half_angle")));
+  const Vector3d moment = it.vector("moment");
+  void* state = nullptr;
+  ASSERT_EQ(it.call("GetFMUstate", &state), 0);
+  it.set("reaction", Vector3d(0, 1010, 3000));
+  const Vector3d next = it.vector("moment");
+  EXPECT_NE(next, moment);
+  ASSERT_EQ(it.call("SetFMUstate", state), 0);
+  EXPECT_EQ(it.vector("moment"), moment);
+  it.set("reaction", Vector3d(0, 1010, 3000));
+  EXPECT_EQ(it.vector("moment"), next);
+  it.call("FreeFMUstate", &state);
+  it.set("reaction", Vector3d(0, 2000, 0));
+  EXPECT_EQ(it.step(0, 1), 2);
+  EXPECT_NE(last_message().find("the load points 135 deg from the seat's axis"),
+            std::string::npos)
+      << last_message();
+  it.set("reaction", Vector3d(0, 1000, 3000));
+  messages().clear();
+  EXPECT_EQ(it.call("Terminate"), 0);
+  bool is_said = false;
+  for (const std::string& note : messages()) {
+    is_said = is_said || note.find("the contact is at its upper rim") == 0;
+  }
+  EXPECT_TRUE(is_said);
+}
+
 // All outputs of steps and of friction alone are those of C.
 TEST_P(Versions, AnswerAsC) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());

@@ -204,14 +204,18 @@ TEST_F(EveryJoint, CasesTakeIt) {
 
 // An FMU has no place to say so later.
 TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
-  const std::pair<const char*, const char*> left_out[] = {
-      {"ball_stud", "the [seat] is left out: a contact is taken to go on"},
-      {"relieved_bush", "the relief of the ends is left out"}};
-  for (const auto& [joint, said] : left_out) {
-    const ProgramResult made =
-        folder_.run(std::string("hinge-fmu data/joints/") + joint + ".toml");
+  const std::pair<const char*, bool> left_out[] = {
+      {"hinge-fmu data/joints/ball_stud.toml", false},
+      {"hinge-fmu data/joints/relieved_bush.toml", false},
+      {"sed 's/^coefficient.*/viscous_constant = 1e6/' "
+       "data/joints/relieved_bush.toml >viscous.toml && hinge-fmu viscous.toml",
+       true}};
+  for (const auto& [command, is_said] : left_out) {
+    const ProgramResult made = folder_.run(command);
     EXPECT_EQ(made.status, 0) << made.err;
-    EXPECT_TRUE(has_text(made.err, said)) << made.err;
+    EXPECT_EQ(has_text(made.err, "the relief of the ends is left out"), is_said)
+        << made.err;
+    EXPECT_FALSE(has_text(made.err, "[seat] is left out")) << made.err;
   }
 }
 
