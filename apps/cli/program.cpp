@@ -86,18 +86,25 @@ std::string stranger_message(const CLI::App& app, const std::string& program) {
                      program);
 }
 
-// ": did you mean "--joint FILE"?" where a joint's file stands alone.
-std::string lone_joint(const CLI::App& app, int argc, char** argv) {
-  const CLI::Option* joint = app.get_option_no_throw("--joint");
-  if (joint == nullptr || joint->count() > 0) return {};
+// The words of the command line from the last one, as CLI11 parses them, with
+// --joint before a joint's file that is no option's value.
+std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
+  const bool has_joint = app.get_option_no_throw("--joint") != nullptr;
+  std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
-    const std::string_view word = argv[i];
+    const std::string word = argv[i];
+    const CLI::Option* before =
+        i > 1 ? app.get_option_no_throw(argv[i - 1]) : nullptr;
     const bool is_value =
-        i > 1 && std::string_view(argv[i - 1]).starts_with("--");
-    if (is_value || !word.ends_with(".toml")) continue;
-    return fmt::format(": did you mean \"--joint {}\"?", word);
+        before != nullptr && before->get_items_expected_max() > 0;
+    if (has_joint && !is_value && !word.starts_with("-") &&
+        word.ends_with(".toml")) {
+      words.emplace_back("--joint");
+    }
+    words.push_back(word);
   }
-  return {};
+  std::ranges::reverse(words);
+  return words;
 }
 
 // An empty text, as scripts pass it for a variable that is not set, must not
@@ -296,7 +303,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     note_reading();
     refuse_control_characters(argc, argv);
     try {
-      app_->parse(argc, argv);
+      app_->parse(words_of(*app_, argc, argv));
     } catch (const CLI::Success& request) {  // --help, --version
       return say_requested(*app_, request);
     }
@@ -318,8 +325,7 @@ int Program::run(int argc, char** argv, std::string_view help,
   } catch (const CLI::ExtrasError&) {  // its text has them backwards
     complain(name(), stranger_message(*app_, name()));
   } catch (const CLI::ParseError& error) {
-    complain(name(), fmt::format("{}{} (see {} --help)", error.what(),
-                                 lone_joint(*app_, argc, argv), name()));
+    complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
   } catch (const std::exception& error) {
     complain(name(), error.what());
   }

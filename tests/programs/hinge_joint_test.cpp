@@ -166,6 +166,35 @@ TEST(HingeJoint, WaysToGiveAStateAgree) {
 }
 
 // Rows are found by what was swept: it comes back to the last digit.
+// A joint's file without a flag before it; one that is an option's value is
+// not a joint.
+TEST(HingeJoint, TakesTheFileOfAJointAlone) {
+  const std::string file = "data/joints/hip_cocr_uhmwpe.toml ";
+  const std::string pair = "--pair data/materials/steel_bronze.toml";
+  const ProgramFolder folder;
+  const auto printed = [&](const std::string& command) {
+    return folder.run_well(command).out;
+  };
+  for (const std::string program : {"hinge-joint ", "hinge-pressure "}) {
+    const std::string load = program == "hinge-joint "
+                                 ? "--reaction 1kN --beta 60 "
+                                 : "--load 1kN --points 3 ";
+    const std::string expected = printed(program + "--joint " + file + load);
+    EXPECT_NE(expected, "");
+    EXPECT_EQ(printed(program + file + load), expected);
+    EXPECT_EQ(printed(program + load + file), expected);
+  }
+  EXPECT_EQ(printed("hinge-joint " + file + "data/joints/pin_joint.toml " +
+                    "--reaction 1kN --beta 90"),
+            printed("hinge-joint --joint " + file +
+                    "--joint data/joints/pin_joint.toml --reaction 1kN "
+                    "--beta 90"));
+  const std::string sizes =
+      " --radius 10mm --clearance 10um --reaction 1kN "
+      "--beta 90 --law tanh";
+  EXPECT_NE(printed("hinge-joint --joint ball --f0 0.1 " + pair + sizes), "");
+}
+
 TEST(HingeJoint, SweptInputsComeBackAsGiven) {
   const ProgramFolder folder;
   const auto check = [&](const std::string& force, const std::string& forces,

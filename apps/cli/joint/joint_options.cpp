@@ -308,10 +308,12 @@ void add_joint_options(Program& program, JointOptions& o) {
   program.add(
       "Joint",
       {pressure ? Option{"--joint", one, "KIND|FILE",
-                         "ball (default) or a ball joint's file"}
+                         "ball (default) or a ball joint's file;\n"
+                         "before a .toml the flag may be left out"}
                 : Option{"--joint", &o.joints, "KIND|FILE",
-                         "ball, pin, or a joint file; files more than once", "",
-                         "", true},
+                         "ball, pin, or a joint file; files more than once;\n"
+                         "before a .toml the flag may be left out",
+                         "", "", true},
        {"--loading", &o.loading, "NAME",
         "force on the ball or pin: centre (default) or back:PSI"}});
   if (!pressure) {
