@@ -136,37 +136,41 @@ TEST_F(HingeDuty, LieOfAPinInColumns) {
             value(out(run + "data/duty/pin_cycle.csv --tilt 0.03"), largest));
 }
 
-// The rows in the seat are summed up.
+// A ball with a seat is in it: the summary is that of the rows.
 TEST_F(HingeDuty, InSeat) {
   const std::string run =
       "hinge-duty --joint data/joints/hip_cup.toml --cycle "
-      "data/duty/hip_cycle.csv --euler zxy --in-seat seat.csv";
-  const std::string text = out(run);
-  const CsvTable rows(folder_.read("seat.csv"));
+      "data/duty/hip_cycle.csv --euler zxy ";
+  const std::string text = out(run + "--states states.csv");
+  const CsvTable rows(folder_.read("states.csv"));
   ASSERT_EQ(rows.size(), 100u);
-  double at_rim = 0;
+  double at_rim = 0, pv = 0;
   for (const double k : rows["K_high"]) at_rim += k > 0 ? 0.01 : 0;
-  EXPECT_EQ(value(text, "seat_largest_p_peak_Pa"),
+  for (const double watts : rows["pv_total_W"]) pv += 0.01 * watts;
+  EXPECT_EQ(value(text, "largest_p_peak_Pa"),
             *std::ranges::max_element(rows["p_peak_Pa"]));
-  EXPECT_NEAR(value(text, "seat_rim_share"), at_rim, 1e-9);
-  EXPECT_EQ(value(text, "seat_least_gap_m"), 0);
+  EXPECT_EQ(value(text, "largest_pv_max_W_per_m2"),
+            *std::ranges::max_element(rows["pv_max_W_per_m2"]));
+  EXPECT_NEAR(value(text, "rim_share"), at_rim, 1e-9);
+  EXPECT_NEAR(value(text, "pv_integral_J") / pv, 1, 1e-12);
+  EXPECT_EQ(value(text, "least_gap_m"), 0);
+  EXPECT_TRUE(std::isnan(value(text, "largest_theta0_deg")));
+  EXPECT_TRUE(std::isnan(value(text, "contact_spread_deg")));
   // Confined, the same load presses harder; the work is nearly the same.
-  EXPECT_GT(value(text, "seat_largest_pv_W_per_m2"),
-            value(text, "largest_pv_max_W_per_m2"));
-  EXPECT_NEAR(value(text, "seat_pv_integral_J") / value(text, "pv_integral_J"),
-              1, 0.03);
+  const std::string endless = out(run + "--without-seat");
+  EXPECT_GT(value(text, "largest_pv_max_W_per_m2"),
+            value(endless, "largest_pv_max_W_per_m2"));
+  for (const char* sum : {"energy_J", "pv_integral_J", "mean_M_t_N_m"}) {
+    EXPECT_NEAR(value(text, sum) / value(endless, sum), 1, 0.03) << sum;
+    EXPECT_NE(value(text, sum), value(endless, sum)) << sum;
+  }
+  EXPECT_FALSE(has_text(endless, "rim_share"));
   const ProgramResult other =
-      folder_.run(run + " --seat-table data/joints/hip_cup.toml");
+      folder_.run(run + "--seat-table data/joints/hip_cup.toml");
   EXPECT_EQ(other.status, 2);
-  EXPECT_NE(other.err.find("--seat-table data/joints/hip_cup.toml: not a table "
-                           "of a seat"),
-            std::string::npos)
-      << other.err;
-  const ProgramResult none = folder_.run(hip + "--in-seat seat.csv");
-  EXPECT_EQ(none.status, 2);
-  EXPECT_NE(none.err.find("--in-seat requires a joint with a [seat]"),
-            std::string::npos)
-      << none.err;
+  EXPECT_TRUE(has_text(other.err,
+                       "--seat-table data/joints/hip_cup.toml: not a table "
+                       "of a seat"));
 }
 
 // The joint wears in: --blocks ends with what the summary says.

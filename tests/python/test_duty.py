@@ -128,6 +128,9 @@ class Cycles(unittest.TestCase):
             rtol=1e-9)  # fmt: skip
         np.testing.assert_array_equal(cycle.time, states["time_s"])
         self.assertEqual(cycle.rating.shape, cycle.solution.shape)
+        self.assertEqual(cycle.largest_pv, cycle.largest("pv_max")[0])
+        self.assertTrue(np.isnan(cycle.rim_share))
+        self.assertIsNone(cycle.table)
 
     def test_pickle(self):
         cycle = hip_cycle()

@@ -109,7 +109,7 @@ class Seats(unittest.TestCase):
             said = {row["quantity"]: row for row in table(
                 "hinge-duty", "--joint", cup_file,
                 "--cycle", source / "data/duty/hip_cycle.csv",
-                "--euler", "zxy", "--in-seat", states,
+                "--euler", "zxy", "--states", states,
                 "--map", Path(folder) / "map.csv", "--grid", "500",
             )}  # fmt: skip
             with open(states) as lines:
@@ -123,11 +123,13 @@ class Seats(unittest.TestCase):
                 angles=np.radians(np.stack(
                     [hip[x] for x in hip if x.endswith("_deg")], -1)),
                 sequence="zxy",
-            ).in_seat()  # fmt: skip
+            )  # fmt: skip
         for value, name in (
-            (cycle.rim_share, "seat_rim_share"),
-            (cycle.pv_integral, "seat_pv_integral_J"),
-            (cycle.largest_pv, "seat_largest_pv_W_per_m2"),
+            (cycle.energy, "energy_J"),
+            (cycle.rim_share, "rim_share"),
+            (cycle.pv_integral, "pv_integral_J"),
+            (cycle.largest_pv, "largest_pv_max_W_per_m2"),
+            (cycle.largest("peak_pressure")[0], "largest_p_peak_Pa"),
             (cycle.wear("body", 500).deepest_pv_integral,
              "largest_pv_integral_body_Pa_m"),
         ):
@@ -139,8 +141,12 @@ class Seats(unittest.TestCase):
         np.testing.assert_allclose(
             cycle.solution.peak_pressure,
             [number(row, "p_peak_Pa") for row in rows], rtol=1e-12)
-        self.assertIn("SeatCycle of", repr(cycle))
+        self.assertIn("rim_share", repr(cycle))
         self.assertIsNone(cycle.table)
+        self.assertTrue(np.isnan(cycle.contact_spread))
+        self.assertTrue(np.isnan(cycle.largest("half_angle")[0]))
+        with self.assertRaisesRegex(libcontact.Error, "at the rims"):
+            cycle.wear_in(1e-15, 10)
 
     def test_tables_are_kept(self):
         made = libcontact.Seat(ring, (2.9e5, 3e5))

@@ -89,7 +89,8 @@ void add_peaks(const JointCycle& cycle, Report& to) {
   const contact::SlidingContact::Peak q = heat(i);
   to.add("largest_q_max_W_per_m2", q.value,
          "largest heat flux of friction, into both bodies",
-         at_place(time_of(q.value, i), q.place));
+         at_place(time_of(q.value, i),
+                  std::isnan(q.value) ? Vector3d::Constant(q.value) : q.place));
   i = cycle.largest(nominal);
   to.add("largest_pv_nominal_W_per_m2", nominal(i),
          "p v with the next area; catalogues may have another",
