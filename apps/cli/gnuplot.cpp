@@ -75,12 +75,8 @@ std::string why_not(const Kind& kind) {
   return {};
 }
 
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view space = " \t\r\n^";
-  const std::size_t begin = text.find_first_not_of(space);
-  if (begin == std::string_view::npos) return {};
-  return text.substr(begin, text.find_last_not_of(space) - begin + 1);
-}
+// Around what gnuplot says.
+constexpr std::string_view gnuplot_blanks = " \t\r\n^";
 
 // A file in memory by which another program is given or gives a text: no disk
 // is full for it, and no name of the user's is in the command that runs that
@@ -120,7 +116,8 @@ void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
   std::string last;
   std::array<char, 4096> line;
   while (std::fgets(line.data(), line.size(), pipe) != nullptr) {
-    const std::string_view text = trimmed(line.data());
+    const std::string_view text =
+        contact::detail::trimmed(line.data(), gnuplot_blanks);
     if (!text.empty()) last = text;
   }
   if (::pclose(pipe) == 0) return;
@@ -159,7 +156,8 @@ void check_picture_name(std::string_view option, std::string_view file) {
 }
 
 bool is_whole_picture(std::string_view picture, std::string_view file) {
-  return trimmed(picture).ends_with(kind_of(file)->end);
+  return contact::detail::trimmed(picture, gnuplot_blanks)
+      .ends_with(kind_of(file)->end);
 }
 
 std::string gnuplot_text(std::string_view text) {

@@ -92,6 +92,11 @@ std::string joined(std::span<const std::string> words,
   return fmt::format("{}", fmt::join(words, separator));
 }
 
+std::string_view trimmed(std::string_view text, std::string_view of) {
+  text.remove_prefix(std::min(text.find_first_not_of(of), text.size()));
+  return text.substr(0, text.find_last_not_of(of) + 1);
+}
+
 bool has_control_characters(std::string_view text) {
   while (!text.empty()) {
     const auto [code, bytes] = first_character(text);

@@ -41,6 +41,9 @@ std::string message(std::string_view form, const Parts&... parts) {
 std::string joined(std::span<const std::string> words,
                    std::string_view separator);
 
+/// `text` without such characters at its ends.
+std::string_view trimmed(std::string_view text, std::string_view of = " \t");
+
 /// Whether a character of `text` is a control character, which could end a
 /// line or speak to a terminal, or a mark of direction (U+202E and its like).
 bool has_control_characters(std::string_view text);

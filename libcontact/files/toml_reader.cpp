@@ -73,14 +73,9 @@ std::string parse_problem(std::string_view line, std::string_view parser) {
   }
   std::string_view value = line.substr(0, line.find('#'));
   const std::size_t equals = value.find('=');
-  const auto trimmed = [](std::string_view text) {
-    constexpr std::string_view blanks = " \t";
-    text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-    return text.substr(0, text.find_last_not_of(blanks) + 1);
-  };
   std::string rule;
   if (equals != value.npos)
-    rule = number_rule(trimmed(value.substr(equals + 1)));
+    rule = number_rule(detail::trimmed(value.substr(equals + 1)));
   return rule.empty()
              ? detail::printable(parser, longest_line)
              : detail::must_be(detail::printable(trimmed(value), longest_line),

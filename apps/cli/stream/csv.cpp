@@ -6,11 +6,10 @@
 
 #include "cli/number.hpp"
 #include "cli/stream/line_blocks.hpp"
+#include "libcontact/base/text.hpp"
 
 namespace cli {
 namespace {
-
-constexpr std::string_view blanks = " \t";
 
 bool is_quoted(std::string_view raw) {
   return raw.size() >= 2 && raw.front() == '"';
@@ -40,8 +39,7 @@ std::string with_point(std::string_view value) {
 
 // Digits, a mark and three digits, with any sign: 1,250 but not 0,250.
 bool has_thousands_form(std::string_view value, char mark) {
-  value.remove_prefix(std::min(value.find_first_not_of(blanks), value.size()));
-  value = value.substr(0, value.find_last_not_of(blanks) + 1);
+  value = contact::detail::trimmed(value);
   if (value.starts_with('+') || value.starts_with('-')) value.remove_prefix(1);
   const std::size_t at = value.find(mark);
   const auto is_digits = [](std::string_view text) {

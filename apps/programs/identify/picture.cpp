@@ -32,12 +32,12 @@ Range range(std::span<const MeasuredMoment> data, const Of& of) {
 }
 
 double load(const MeasuredMoment& datum) { return datum.reaction.norm(); }
-double rate(const MeasuredMoment& datum) {
+double rate_of(const MeasuredMoment& datum) {
   return datum.angular_velocity.norm();
 }
 
 // The moment about Dw that turns the joint.
-double torque(const MeasuredMoment& datum) {
+double torque_of(const MeasuredMoment& datum) {
   if (!datum.is_vector()) return std::get<double>(datum.moment);
   return -std::get<Vector3d>(datum.moment)
               .dot(datum.angular_velocity.normalized());
@@ -59,9 +59,10 @@ std::string data_blocks(const FrictionFit& fit,
   for (const MeasuredMoment& d : data) {
     const double b = direction_deg(d);
     const double unit = radius * load(d);
-    moments += line({load(d), b, rate(d), torque(d) / unit, d.sigma / unit});
+    moments +=
+        line({load(d), b, rate_of(d), torque_of(d) / unit, d.sigma / unit});
     for (int i = 0; i < d.size(); ++i) {
-      residuals += line({load(d), b, rate(d), fit.residual[at++]});
+      residuals += line({load(d), b, rate_of(d), fit.residual[at++]});
     }
   }
   return moments + "END\n" + residuals + "END\n";
@@ -175,8 +176,8 @@ cli::Extent moments(std::span<const MeasuredMoment> data, double radius) {
   std::vector<double> all;
   for (const MeasuredMoment& d : data) {
     const double unit = radius * load(d);
-    all.push_back((torque(d) - d.sigma) / unit);
-    all.push_back((torque(d) + d.sigma) / unit);
+    all.push_back((torque_of(d) - d.sigma) / unit);
+    all.push_back((torque_of(d) + d.sigma) / unit);
   }
   return cli::extent_of(all, false);
 }

@@ -17,7 +17,7 @@ constexpr Question all_questions[] = {Question::reaction, Question::contact,
                                       Question::rest};
 
 // Some points on their way through the program.
-struct Block : cli::PointLines {
+struct PointBlock : cli::PointLines {
   std::vector<PointRow> kept;
   Problems problems;
 };
@@ -47,7 +47,8 @@ class Points {
   // Reads and answers the points of a block: each(i, answer), null for a bad
   // line.
   template <class Each>
-  void answer(const NamedJoint& joint, Block& block, const Each& each) const {
+  void answer(const NamedJoint& joint, PointBlock& block,
+              const Each& each) const {
     cli::read_points(columns_, block);
     block.kept.clear();
     block.problems = {};
@@ -73,13 +74,13 @@ class Points {
   double rate_;
 };
 
-void keep(const PointSeries& series, Block& block, std::size_t i,
+void keep(const PointSeries& series, PointBlock& block, std::size_t i,
           const Answer* a) {
   if (a == nullptr || a->solution().status != contact::Status::ok) return;
   block.kept.push_back(series.row(*a, block, i));
 }
 
-void add(const Block& block, Problems& problems) {
+void add(const PointBlock& block, Problems& problems) {
   problems.add(block.problems);
   problems.bad_lines += block.bad_lines;
 }
@@ -99,7 +100,7 @@ Problems write_rows(Points& points, const NamedJoint& joint,
   const cli::Table table(options.output, names);
   cli::PointRows rows = points.rows();
   Problems problems;
-  const auto write = [&](Block& block, cli::RowWriter& row) {
+  const auto write = [&](PointBlock& block, cli::RowWriter& row) {
     points.answer(joint, block, [&](std::size_t i, const Answer* a) {
       if (a != nullptr) {
         write_cells(row, joint, shown, *a, 1, {});
@@ -112,13 +113,13 @@ Problems write_rows(Points& points, const NamedJoint& joint,
       if (series != nullptr) keep(*series, block, i, a);
     });
   };
-  cli::write_rows<Block>(options.output, output, table, rows, "points", write,
-                         [&](const Block& block) {
-                           add(block, problems);
-                           if (series != nullptr) {
-                             series->append(block.kept, block.size());
-                           }
-                         });
+  cli::write_rows<PointBlock>(options.output, output, table, rows, "points",
+                              write, [&](const PointBlock& block) {
+                                add(block, problems);
+                                if (series != nullptr) {
+                                  series->append(block.kept, block.size());
+                                }
+                              });
   return problems;
 }
 
@@ -126,14 +127,14 @@ Problems summarise(Points& points, const NamedJoint& joint,
                    const Options& options, PointSeries& series) {
   cli::PointRows rows = points.rows();
   Problems problems;
-  cli::row_blocks<Block>(
+  cli::row_blocks<PointBlock>(
       options.output.jobs, rows, "points",
-      [&](Block& block) {
+      [&](PointBlock& block) {
         points.answer(joint, block, [&](std::size_t i, const Answer* a) {
           keep(series, block, i, a);
         });
       },
-      [&](const Block& block) {
+      [&](const PointBlock& block) {
         add(block, problems);
         series.append(block.kept, block.size());
       });

@@ -48,7 +48,7 @@ std::string base64(const std::vector<Number>& numbers) {
                  numbers.size() * sizeof(Number)});
 }
 
-ordered_json numbers(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+ordered_json xyz(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
 ordered_json body_json(const Case& c, int i) {
   ordered_json j = {{"name", c.rigid_body(i).name},
@@ -57,9 +57,9 @@ ordered_json body_json(const Case& c, int i) {
   if (i == 0) return j;
   const Body& body = c.bodies[i - 1];
   if (body.hinge.kind == HingeKind::none) return j;
-  j["hinge"] = {{"point", numbers(body.hinge.body_point)}};
+  j["hinge"] = {{"point", xyz(body.hinge.body_point)}};
   if (body.hinge.kind == HingeKind::axis) {
-    j["hinge"]["axis"] = numbers(body.hinge.axis);
+    j["hinge"]["axis"] = xyz(body.hinge.axis);
   }
   if (!body.hinge.joints.empty()) {
     const auto inner =
@@ -67,18 +67,17 @@ ordered_json body_json(const Case& c, int i) {
     j["hinge"]["inner"] =
         inner == contact::JointBody::carrier ? "carrier" : "body";
   }
-  if (body.lock) j["lock"] = {{"point", numbers(body.lock->body_point)}};
+  if (body.lock) j["lock"] = {{"point", xyz(body.lock->body_point)}};
   return j;
 }
 
 ordered_json force_json(const Case& c, const Force& force) {
   const ForceEnds ends = force.law->where(c, force.body);
-  ordered_json j = {{"name", force.name},
-                    {"body", force.body},
-                    {"point", numbers(ends.point)}};
+  ordered_json j = {
+      {"name", force.name}, {"body", force.body}, {"point", xyz(ends.point)}};
   if (ends.other >= 0) {
     j["other"] = ends.other;
-    j["other_point"] = numbers(ends.other_point);
+    j["other_point"] = xyz(ends.other_point);
   }
   return j;
 }
@@ -192,7 +191,7 @@ std::string page_data(const Replay& replay, int every) {
   for (int i = 0; i <= static_cast<int>(c.bodies.size()); ++i) {
     j["bodies"].push_back(body_json(c, i));
   }
-  j["gravity"] = numbers(c.options.gravity);
+  j["gravity"] = xyz(c.options.gravity);
   j["forces"] = ordered_json::array();
   for (const Force& force : c.forces)
     j["forces"].push_back(force_json(c, force));
