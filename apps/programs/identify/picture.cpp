@@ -194,7 +194,7 @@ std::string residual_panels(const cli::Canvas& canvas, const cli::Box& box,
   };
   const Over panels[] = {{{"R", "N", true}, range(data, load)},
                          {{"β", "deg"}, range(data, direction_deg)},
-                         {{"|Δω|", "rad/s"}, range(data, rate)}};
+                         {{"|Δω|", "rad/s"}, range(data, rate_of)}};
   std::string script;
   for (int i = 0; i < 3; ++i) {
     const double left = box.left + i * (width + gap);
