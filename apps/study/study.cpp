@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/repeated_setting.hpp"
@@ -18,7 +18,7 @@ namespace {
 
 using contact::Error;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 
 // `*` stands for any characters.
 bool matches(std::string_view pattern, std::string_view text) {

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
-#include <limits>
 #include <set>
 
 #include "cli/joint/key_settings.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/files/joint_tables.hpp"
@@ -139,7 +139,7 @@ std::vector<std::string> length_notes(const JointOptions& o) {
 
 // Moduli with only the ratio known, which no joint file can give.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using contact::detail::infinity;
   constexpr Allowed poisson{0, 0.5, ""};
   return contact::ElasticPair::from_modulus_ratio(
       parse_value("--modulus-ratio", o.modulus_ratio, {0, infinity, ""}),

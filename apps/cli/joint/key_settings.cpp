@@ -1,7 +1,6 @@
 #include "cli/joint/key_settings.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "cli/refuse.hpp"
 #include "cli/sweep.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace cli {
@@ -30,7 +30,7 @@ std::vector<std::string> values_of(std::string_view text) {
   if (!std::ranges::all_of(split(text, ",:"), is_number)) {
     return {parts.begin(), parts.end()};
   }
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using contact::detail::infinity;
   const Sweep sweep(option, text, {-infinity, infinity, ""});
   for (std::size_t i = 0; i < std::min(sweep.size(), most_joints + 1); ++i) {
     values.push_back(number_text(sweep[i]));

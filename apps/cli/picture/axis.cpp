@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
 #include "cli/picture/text_size.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace cli {
 namespace {
@@ -174,7 +174,7 @@ Axis axis_of(std::string_view symbol, std::string_view meaning,
 }
 
 Extent extent_of(std::span<const double> values, bool logarithmic) {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using contact::detail::infinity;
   Extent all{infinity, -infinity};
   for (const double value : values) {
     if (!std::isfinite(value)) continue;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <string_view>
 
 #include "cli/output.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/report.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/registry.hpp"
@@ -15,8 +15,8 @@
 namespace hinge_angle {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::infinity;
+using contact::detail::nan;
 
 int cost_of(std::string_view name, contact::JointKind kind) {
   const auto* const law = contact::detail::find_half_angle_entry(name);

@@ -1,11 +1,11 @@
 #include "programs/angle/input.hpp"
 
-#include <limits>
 #include <utility>
 
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace hinge_angle {
 
@@ -23,7 +23,7 @@ void add_load_options(cli::Program& program, LoadOptions& o) {
 
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using contact::detail::infinity;
 
 // --load, whose unit may say whether it is a force or per length of a pin.
 Input load_input(const std::string& text, const cli::Joint& joint) {

@@ -1,9 +1,9 @@
 #include "programs/angle/play.hpp"
 
-#include <limits>
 #include <string>
 
 #include "cli/refuse.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace hinge_angle {
 
@@ -23,7 +23,7 @@ cli::Joint sized_joint(cli::JointOptions options, const char* for_option) {
 
 void add_play_options(cli::Program& program, PlayOptions& o) {
   using cli::number;
-  constexpr double infinity = std::numeric_limits<double>::infinity();
+  using contact::detail::infinity;
   program.add(
       "Play",
       {{"--force-law", &o.force_law, "",

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <span>
 
 #include "cli/stream/report.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/units.hpp"
@@ -23,7 +23,7 @@ using contact::JointSolution;
 using contact::Status;
 using Eigen::Vector3d;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 constexpr int step_limit = 1000;
 constexpr int round_limit = 200;
 // Change of M from round to round, relative.

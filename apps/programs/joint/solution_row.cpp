@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
 
 namespace hinge_joint {
@@ -14,7 +14,7 @@ using contact::Dimension;
 using contact::Quantity;
 using Eigen::Vector3d;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 
 // Quantities that a solution alone does not know, each behind one of its own.
 struct Beyond {

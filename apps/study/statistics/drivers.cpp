@@ -3,13 +3,14 @@
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
+
+#include "libcontact/base/constants.hpp"
 
 namespace study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 
 double square(double x) { return x * x; }
 

@@ -4,15 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "cli/stream/csv.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace hinge_joint {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 
 // The names that a column of the time may have, the first that is there.
 struct TimeColumn {

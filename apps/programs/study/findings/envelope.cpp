@@ -7,6 +7,7 @@
 #include <limits>
 #include <set>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/results/run.hpp"
 
@@ -15,7 +16,7 @@ namespace {
 
 using separation::Rows;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::nan;
 // Numbers of a row that an envelope is of.
 using Numbers = std::function<std::vector<double>(const Rows&, std::size_t)>;
 

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
+
+#include "libcontact/base/constants.hpp"
 
 namespace study {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using contact::detail::nan;
+using contact::detail::infinity;
 
 std::vector<double> sorted_numbers(const std::vector<double>& values) {
   std::vector<double> result;
