@@ -136,6 +136,7 @@ TEST(HostOde, SeatsTurnWithTheirBody) {
     turn(w.body, attitude(on_parent, false));
     turn(parent, attitude(on_parent, true));
     dBodySetAngularVel(w.body, 0.3, 0.1, 0.5);
+    dBodySetLinearVel(w.body, -0.04, 0.12, 0);
     dJointID ball = dJointCreateBall(w.world, nullptr);
     dJointAttach(ball, w.body, parent);
     dJointSetBallAnchor(ball, 0, 0, 0);
