@@ -18,26 +18,35 @@ constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 }  // namespace
 
 // Place along the force at which the pin first lies a third of the clearance
-// deep: there the stiffness is regular.
+// deep, or less deep where the force law ends before: there the stiffness is
+// regular.
 Vector4d FinitePin::start(const Vector2d& force,
                           const Vector2d& tilt) const noexcept {
   Vector4d place = (Vector4d() << Vector2d::Zero(), tilt).finished();
-  const Vector2d step = clearance_ / 4 * force.stableNormalized();
+  Vector2d step = clearance_ / 4 * force.stableNormalized();
   if (step.isZero(0)) return place;
-  const auto depth = [&](const Relief::Piece& piece, double z) {
-    return (place.head<2>() + z * tilt).norm() - clearance_ - piece.at(z);
-  };
-  constexpr int most = 8;
-  for (int i = 0; i < most; ++i) {
-    double deepest = 0;
+  const auto deepest = [&] {
+    double deep = 0;
     for (const Relief::Piece& piece : pieces_) {
       for (const double z :
            {piece.from, (piece.from + piece.to) / 2, piece.to}) {
-        deepest = std::max(deepest, depth(piece, z));
+        deep = std::max(deep, (place.head<2>() + z * tilt).norm() - clearance_ -
+                                  piece.at(z));
       }
     }
-    if (deepest > clearance_ / 3) break;
+    return deep;
+  };
+  constexpr int most = 8;
+  for (int i = 0; i < most && deepest() <= clearance_ / 3; ++i) {
     place.head<2>() += step;
+  }
+  constexpr int halvings = 40;
+  const double end = 0.9 * law_.largest_penetration();
+  for (int i = 0; i < halvings; ++i) {
+    const double deep = deepest();
+    if (deep > 0 && deep <= end) break;
+    step /= 2;
+    place.head<2>() += deep > 0 ? Vector2d(-step) : step;
   }
   return place;
 }

@@ -13,6 +13,12 @@
 #include "c/door.hpp"
 #include "c/expect_table.hpp"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
+#include "libcontact/joint/group.hpp"
+#include "libcontact/play/impact.hpp"
+#include "libcontact/play/play_joint.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
+#include "libcontact/quantities/play.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -176,6 +182,125 @@ TEST(Quantities, AreNumbersWhereTheStatusIsOk) {
     }
   }
   // As many have none.
+  EXPECT_GT(without, 100);
+}
+
+// The joints beside another one on an axis.
+TEST(Quantities, OfGroupsAreNumbersWhereTheStatusIsOk) {
+  using contact::Status;
+  const contact::Material steel{2.1e11, 0.3};
+  const auto plain = [&](const contact::JointGeometry& geometry) {
+    return Joint(JointSpec{.geometry = geometry,
+                           .inner = steel,
+                           .outer = steel,
+                           .friction = contact::FrictionLaw(0.1)});
+  };
+  const Joint ball = plain(contact::JointGeometry::ball(0.01, 2e-5));
+  const Joint pin = plain(contact::JointGeometry::pin(0.01, 2e-5, 0.02));
+  const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
+  int without = 0;
+  for (const JointSpec& spec : joints_that_end()) {
+    const Joint joint(spec.without_seat());
+    const contact::JointGroup group(
+        {{joint, 0}, {joint.is_pin() ? ball : pin, 0.1}});
+    for (double load = 1e-9; load < 1e13; load *= 20) {
+      const std::string label =
+          spec.canonical_text() + "under " + std::to_string(load);
+      const Eigen::Vector3d reaction(load, 0, 0.3 * load);
+      auto s = group.make_solution();
+      const auto expect_known = [&] {
+        without += s.status != Status::ok;
+        if (s.status != Status::ok) return;
+        EXPECT_TRUE(std::isfinite(s.friction_moment) &&
+                    std::isfinite(s.power) && s.cross_moment.allFinite())
+            << label;
+        for (const contact::JointSolution& one : s.joints) {
+          EXPECT_EQ(one.status, Status::ok) << label;
+          expect_numbers(contact::solution_quantities(), one, label);
+        }
+      };
+      for (const double rate : {0.1, 0.0}) {
+        group.solve({reaction, {}, z, rate}, s);
+        expect_known();
+      }
+      const double utilisation =
+          group.utilisation({reaction, {}, z, 1e-3 * load}, s);
+      expect_known();
+      EXPECT_EQ(std::isnan(utilisation),
+                s.status != Status::ok || joint.contact().stress() != nullptr)
+          << label;
+    }
+  }
+  EXPECT_GT(without, 100);
+}
+
+// Those of pins that end, and the forces of joints with play, which have notes
+// in the place of a status.
+TEST(Quantities, OfPinsThatEndAndOfPlayAreNumbersUnlessTheySayWhy) {
+  using contact::Status;
+  using Eigen::Vector2d;
+  using Eigen::Vector3d;
+  int pins = 0;
+  int without = 0;
+  for (const JointSpec& spec : joints_that_end()) {
+    if (!spec.half_angle_law.empty() && spec.half_angle_law != "exact")
+      continue;
+    if (!spec.friction ||
+        !std::holds_alternative<contact::FrictionLaw>(*spec.friction)) {
+      continue;
+    }
+    const double length = spec.geometry.length();
+    const double clearance = spec.geometry.radial_clearance();
+    // A pin in an infinite body is pressed in without limit.
+    if (clearance <= 0 ||
+        (spec.geometry.kind() == contact::JointKind::pin &&
+         spec.outer.backing.kind() == contact::Backing::Kind::medium)) {
+      continue;
+    }
+    const std::string name = spec.canonical_text();
+    std::optional<contact::ForceLaw> law;  // takes seconds for thin walls
+    if (spec.geometry.kind() == contact::JointKind::pin) {
+      const contact::FinitePin pin(spec);
+      law = pin.force_law();
+      ++pins;
+      for (double load = 1e-9; load < 1e13; load *= 400) {
+        const std::string label = name + "under " + std::to_string(load);
+        const Vector2d reaction(load, 0);
+        const contact::FinitePin::Motion motion{0.1, 1e-3};
+        for (const auto& s : {pin.solve(reaction, {0, 0}, motion),
+                              pin.solve(reaction, {1e-3, -2e-4}, motion),
+                              pin.solve(reaction, {0, 0}, {0, 0}),
+                              pin.solve_at(reaction, 0.1 * length, motion)}) {
+          without += s.contact.status != Status::ok;
+          if (s.contact.status != Status::ok) continue;
+          expect_numbers(contact::finite_pin_quantities(), s, label);
+          EXPECT_FALSE(std::isnan(pin.largest_pv(s.contact, motion))) << label;
+          EXPECT_FALSE(std::isnan(pin.pressure(s.contact, 0, 0))) << label;
+        }
+      }
+    }
+    const contact::PlayJoint play(spec, {},
+                                  law ? *law : contact::ForceLaw(spec));
+    const std::optional<contact::JointImpact> impact =
+        law ? std::nullopt : std::optional<contact::JointImpact>(spec);
+    for (double share = 1e-9; share < 1e6; share *= 10) {
+      const std::string label = name + "at " + std::to_string(share);
+      const contact::PlayMotion motion = {
+          {(1 + share) * clearance, 0, 0}, {1e-4, 2e-4, 0}, {0, 0, 0.5}};
+      contact::PlayDerivatives derivatives;
+      const contact::PlayForce force = play(motion, derivatives);
+      if (play.notes(motion).empty()) {
+        expect_numbers(contact::play_force_quantities(), force, label);
+        EXPECT_TRUE(derivatives.allFinite()) << label;
+      }
+      if (!impact) continue;
+      const contact::Impact hit = (*impact)({}, 1, share);
+      if (impact->notes(hit, 0).empty()) {
+        expect_numbers(contact::impact_quantities(), hit, label);
+      }
+    }
+  }
+  EXPECT_GE(pins, 3);
   EXPECT_GT(without, 100);
 }
 

@@ -170,27 +170,36 @@ TEST(FinitePinAccuracy, UnderTheReactionsOfTheReference) {
   }
 }
 
-// Level and without relief it is the endless pin.
+// Level and without relief it is the endless pin. The second one's force law
+// ends half a clearance deep.
 TEST(FinitePin, LevelIsTheJoint) {
-  JointSpec spec = bush();
-  spec.friction = FrictionLaw(0.1, 1e6);
-  spec.half_angle_law = "exact";
-  const FinitePin pin(spec);
-  const JointContact joint = spec.contact();
-  for (const double force : {1e2, 1e4, 3e5}) {
-    const FinitePinState at = pin.under({0, force}, {0, 0});
-    const double theta0 = joint.half_angle(force).half_angle;
-    // The force law is within 5e-11 of solutions, the joint's table 1e-9.
-    EXPECT_NEAR(at.end_half_angle[0] / theta0, 1, 1e-8);
-    EXPECT_NEAR(at.peak_pressure / joint.peak_pressure(force, theta0), 1, 1e-8);
-    EXPECT_NEAR(
-        at.pressure_moment / (0.02 * joint.sum_of_pressures(force, theta0)), 1,
-        1e-8);
-    EXPECT_NEAR(at.shift.y() / joint.shift(force, theta0), 1, 1e-8);
-    EXPECT_NEAR(at.low, -0.025, 1e-15);
-    EXPECT_NEAR(at.high, 0.025, 1e-15);
-    EXPECT_EQ(at.pieces, 1);
-    EXPECT_NEAR(at.force_moment.norm(), 0, 1e-12 * force);
+  JointSpec lined = bush();
+  lined.geometry = JointGeometry::pin(0.02, 4e-5, 0.05);
+  lined.inner = Material{infinity, 0};
+  lined.outer = {{{0.0015, {5e8, 0.5}}}, Backing::rigid()};
+  for (JointSpec spec : {bush(), lined}) {
+    spec.friction = FrictionLaw(0.1, 1e6);
+    spec.half_angle_law = "exact";
+    const FinitePin pin(spec);
+    const JointContact joint = spec.contact();
+    for (const double force : {1e2, 1e4, 2e5}) {
+      const FinitePinState at = pin.under({0, force}, {0, 0});
+      ASSERT_EQ(at.status, Status::ok) << force;
+      const double theta0 = joint.half_angle(force).half_angle;
+      // The force law is within 5e-11 of solutions, the joint's table 1e-9.
+      EXPECT_NEAR(at.end_half_angle[0] / theta0, 1, 1e-8);
+      EXPECT_NEAR(at.peak_pressure / joint.peak_pressure(force, theta0), 1,
+                  1e-8);
+      EXPECT_NEAR(
+          at.pressure_moment / (0.02 * joint.sum_of_pressures(force, theta0)),
+          1, 1e-8);
+      // Of a liner that cannot be compressed 5e-8.
+      EXPECT_NEAR(at.shift.y() / joint.shift(force, theta0), 1, 1e-7);
+      EXPECT_NEAR(at.low, -0.025, 1e-15);
+      EXPECT_NEAR(at.high, 0.025, 1e-15);
+      EXPECT_EQ(at.pieces, 1);
+      EXPECT_NEAR(at.force_moment.norm(), 0, 1e-12 * force);
+    }
   }
 }
 
