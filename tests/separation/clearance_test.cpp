@@ -13,6 +13,7 @@
 
 #include "separation/case/case_reader.hpp"
 #include "separation/clearance/pair_way.hpp"
+#include "separation/clearance/passage.hpp"
 #include "separation/results/run.hpp"
 #include "support/numbers.hpp"
 #include "support/toml_text.hpp"
@@ -573,6 +574,78 @@ TEST(PairWay, IsNeverAboveTheDistance) {
     way.know(now);
     EXPECT_EQ(way.least_now(), now);
     EXPECT_LE(way.least_since(), least + accuracy);
+  }
+}
+
+BodyMotion moved(const BodyMotion& start, double time) {
+  BodyMotion now = start;
+  const Vector3d turn = time * start.angular_velocity;
+  now.position += time * start.velocity;
+  now.rotation =
+      Eigen::AngleAxisd(turn.norm(), turn.stableNormalized()) * start.rotation;
+  return now;
+}
+
+// Arms that turn by half a turn and more pass the other body between two looks
+// that see nothing of it: in the axes of one that turns the other one moves.
+TEST(Clearance, BoundsKnowWhatTurnsBetweenTwoLooks) {
+  const auto capsule = [](const Vector3d& to) {
+    return Shape{.kind = ShapeKind::capsule,
+                 .from = Vector3d::Zero(),
+                 .to = to,
+                 .radius = 0.1};
+  };
+  const Shape arm = capsule({1, 0, 0});
+  const Shape ball = capsule({0, 0, 0});
+  const BodyMotion still{Vector3d::Zero(), Vector3d::Zero(),
+                         Matrix3d::Identity(), Vector3d::Zero()};
+  struct Pass {
+    Shape a, b;
+    double place;  // of b, m
+    double turn_of_a, turn_of_b;
+  };
+  for (const Pass& pass : {Pass{ball, arm, 1.5, 0, 2 * pi},
+                           {arm, ball, -1.5, 2 * pi, 0},
+                           {arm, ball, -1.5, 3 * pi, 0}}) {
+    BodyMotion a = still;
+    BodyMotion b = still;
+    b.position.x() = pass.place;
+    a.angular_velocity.z() = pass.turn_of_a;
+    b.angular_velocity.z() = pass.turn_of_b;
+    // Another solid of each is far away.
+    const auto far = [](Shape shape, double z) {
+      shape.from.z() = shape.to.z() = z;
+      return shape;
+    };
+    const Clearance clearance(
+        {{pass.a, far(pass.a, -20)}, {far(pass.b, 20), pass.b}}, {{0, 1}});
+    std::vector<std::vector<double>> distance(clearance.solid_pairs(0));
+    separation::PairWay way({0, 1}, separation::reach(pass.b));
+    double least = 1e9;
+    for (int i = 0; i <= 40; ++i) {
+      const std::vector<BodyMotion> bodies = {moved(a, i / 40.),
+                                              moved(b, i / 40.)};
+      double nearest = 1e9;
+      for (std::size_t k = 0; k < distance.size(); ++k) {
+        distance[k].push_back(
+            clearance.look(0, k, i / 40., bodies[0], bodies[1]).distance);
+        nearest = std::min(nearest, distance[k].back());
+      }
+      EXPECT_EQ(nearest, clearance.distance(0, bodies));
+      least = std::min(least, nearest);
+      if (i % 40 > 0) continue;
+      way.move_on(i / 40, bodies);
+      way.know(nearest);
+    }
+    EXPECT_NEAR(least, 0.3, 0.01);
+    EXPECT_LE(way.least_since(), least);
+    for (std::size_t k = 0; k < distance.size(); ++k) {
+      EXPECT_LE(separation::least_between(
+                    clearance.look(0, k, 0, a, b),
+                    clearance.look(0, k, 1, moved(a, 1), moved(b, 1))),
+                *std::ranges::min_element(distance[k]))
+          << k;
+    }
   }
 }
 
