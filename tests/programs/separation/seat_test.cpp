@@ -135,8 +135,9 @@ TEST(SeparationSeat, RefusesWhatIsNoSeat) {
   for (const char* options : {" --friction traditional", " --compare"}) {
     EXPECT_TRUE(has_text(refused("", options), traditional));
   }
-  EXPECT_TRUE(has_text(refused("", " --law fitted"),
-                       "requires the laws exact, or without_seat"));
+  EXPECT_TRUE(has_text(
+      folder.run("hinge-separation data/cases/crane.toml --law fitted").err,
+      "a joint in a seat that ends requires the laws exact, or without_seat"));
   folder.run_well("hinge-separation c.toml --friction ideal");
 }
 
@@ -152,7 +153,7 @@ TEST(SeparationSeat, HiddenPeaksAreNoNumber) {
       folder.run_well("hinge-separation in.toml --output - --history h.csv");
   EXPECT_TRUE(joint_of(run)["peak_pressure_Pa"].is_null());
   EXPECT_GT(joint_of(run)["largest_friction_moment_N_m"], 0);
-  EXPECT_TRUE(has_text(run.err, "no largest pressure: 0.576 mm or more"))
+  EXPECT_TRUE(has_text(run.err, "no largest pressure: 0.66 mm or more"))
       << run.err;
   const History history(folder.read("h.csv"));
   EXPECT_TRUE(std::isnan(history["load.peak_pressure_Pa"][0]));
