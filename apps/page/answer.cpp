@@ -182,8 +182,10 @@ struct Calculator::Prepared {
       joint.approach.emplace(law,
                              cli::Joint{.spec = spec, .pair = spec.pair()});
     }
-    columns = hinge_joint::answer_columns(false, joint.approach.has_value(),
-                                          joint.has_preload(), false, true);
+    columns =
+        hinge_joint::answer_columns({.approach = joint.approach.has_value(),
+                                     .preload = joint.has_preload(),
+                                     .pv = true});
   }
 
   Answer solve(const hinge_joint::Input& input) const {

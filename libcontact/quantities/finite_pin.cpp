@@ -96,7 +96,7 @@ constexpr Quantity<PinLie> of_lie[] = {
     {"tilting_stiffness", "", Dimension::moment,
      "dG/dtilt in the plane of the reaction at a known shift, per rad",
      [](const PinLie& s) { return s.tilting_stiffness; }},
-    {"moment", "M", Dimension::moment,
+    {"moment", "M_middle", Dimension::moment,
      "on the body about the middle of the pin: across the axis of all that "
      "acts, along it of friction",
      [](const PinLie& s) -> const Eigen::Vector3d& { return s.moment; }},

@@ -825,7 +825,7 @@ TEST(HingeJoint, SaysNoPressureBelowTheMeanOfARing) {
   }
 }
 
-// The numbers are those of FinitePin; without a relief there is a note.
+// The numbers are those of FinitePin, of a level pin with a relief too.
 TEST(HingeJoint, TiltsAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";
@@ -839,32 +839,44 @@ TEST(HingeJoint, TiltsAPinThatEnds) {
     const FinitePinSolution s = pin.solve({1e5, 0}, degree * tilt, 1);
     EXPECT_EQ(tilted.at(row, "p_peak_Pa"), s.contact.peak_pressure);
     EXPECT_EQ(tilted.at(row, "z_low_m"), s.contact.low);
-    EXPECT_EQ(tilted.at(row, "M_z_N_m"), s.moment.z());
+    EXPECT_EQ(tilted.at(row, "M_t_z_N_m"), s.moment.z());
     EXPECT_NEAR(tilted.at(row, "tilt_x_deg"), tilt.x(), 1e-15);
     EXPECT_NEAR(tilted.at(row, "pv_max_W_per_m2"),
                 s.contact.peak_pressure * 0.02, 1e-6);
   }
   const CsvTable placed = folder.table(run + "--load-at 10mm");
-  EXPECT_NEAR(placed.at("M_y_N_m"), 1000, 1e-9);
+  EXPECT_NEAR(placed.at("M_middle_y_N_m"), 1000, 1e-9);
+  EXPECT_EQ(placed.at("load_at_m"), 0.01);
   // Sliding along the axis alone there is no friction about it.
   const CsvTable slides =
       folder.table(run + "--tilt 0 --rate 0 --slide 0.1 --pv");
   const FinitePinSolution along = pin.solve({1e5, 0}, {0, 0}, {0, 0.1});
   EXPECT_EQ(slides.at("R_t_z_N"), along.axial_friction_force);
   EXPECT_LT(along.axial_friction_force, 0);
-  EXPECT_EQ(slides.at("M_z_N_m"), 0);
+  EXPECT_EQ(slides.at("M_t_z_N_m"), 0);
   EXPECT_EQ(slides.at("pv_max_W_per_m2"), 0.1 * along.contact.peak_pressure);
   const std::string note = "warning: the relief of the ends is left out";
   EXPECT_EQ(folder.run(run + "--tilt 0").err, "");
+  EXPECT_EQ(folder.run(run).err, "");
+  const CsvTable level = folder.table(run);
+  const FinitePinState at = pin.solve({1e5, 0}, {0, 0}, 1).contact;
+  EXPECT_EQ(level.at("p_peak_Pa"), at.peak_pressure);
+  EXPECT_EQ(level.at("z_high_m"), at.high);
+  // The sum of the pressures over their area.
+  EXPECT_NEAR(level.at("p_mean_Pa"), at.pressure_moment / at.area_moment,
+              1e-9 * at.peak_pressure);
+  EXPECT_TRUE(std::isnan(level.at("theta0_deg")));
   for (const std::string& other :
-       {run, "hinge-angle --joint " + file + " --load 1e5",
+       {run + "--equivalent", "hinge-angle --joint " + file + " --load 1e5",
         "hinge-pressure --joint " + file + " --load 1e5"}) {
     EXPECT_NE(folder.run(other).err.find(note), std::string::npos) << other;
   }
   folder.run_ill(
       run + "--tilt 9", 1,
-      "hinge-joint: warning: rows without a value: 1, rows that have not "
-      "converged: 0\n");
+      "hinge-joint: warning: the load needs a half-angle along the pin beyond "
+      "80 deg, or beyond the limit of the pair\n"
+      "hinge-joint: warning: rows without a value: 1; the half-angle law or "
+      "the pressure law has none there\n");
 }
 
 }  // namespace

@@ -2,19 +2,24 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+#include <variant>
+
 #include "cli/joint/joint_reports.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/pressure/validity.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
+#include "libcontact/quantities/tables.hpp"
 
 namespace cli {
 
 using contact::Dimension;
-using contact::FinitePin;
-using contact::FinitePinSolution;
-using Eigen::Vector2d;
+using contact::JointSolution;
+using contact::PinLie;
+using Eigen::Vector3d;
 
 void add_tilt_options(Program& program, TiltOptions& o, std::string_view needs,
                       std::string_view excludes) {
@@ -34,58 +39,62 @@ void add_tilt_options(Program& program, TiltOptions& o, std::string_view needs,
         "place of the load along a pin, m from its middle", needs, excludes}});
 }
 
-FinitePinSolution PinLie::solve(
-    const FinitePin& pin, const Vector2d& reaction,
-    const FinitePin::Motion& motion) const noexcept {
-  return place ? pin.solve_at(reaction, *place, motion)
-               : pin.solve(reaction, tilt, motion);
-}
+namespace {
 
-FinitePinSolution PinLie::under(const FinitePin& pin,
-                                const Vector2d& force) const noexcept {
-  FinitePinSolution s = {};
-  s.contact =
-      place ? pin.under_moment(force, *place * force) : pin.under(force, tilt);
-  s.friction_force.setZero();
-  s.moment = {-s.contact.force_moment.y(), s.contact.force_moment.x(), 0};
-  return s;
-}
-
-PinLies::PinLies(const TiltOptions& options,
-                 const contact::JointGeometry& geometry)
-    : is_placed_(options.is_placed()),
-      twist_(options.twist.value_or(0)),
-      sweep_(options.flag(), is_placed_ ? options.load_at : options.tilt,
-             is_placed_
-                 ? Allowed{-geometry.length() / 2, geometry.length() / 2, "m"}
-                 : allowed_tilt,
-             is_placed_ ? Dimension::length : Dimension::angle) {}
-
-PinLie PinLies::operator[](std::size_t index) const {
-  if (is_placed_) return {.place = sweep_[index]};
-  return {.tilt = contact::degree * Vector2d(sweep_[index], twist_)};
-}
-
-FinitePin make_finite_pin(const Joint& joint, const char* flag) {
+const Joint& checked(const Joint& joint, const char* flag) {
   if (!joint.has_size) refuse_without(flag, "--radius and --clearance");
   if (joint.is_pin() && !joint.has_length) refuse_without(flag, "--length");
-  return made_of(joint, [&] { return FinitePin(joint.spec); });
+  const std::string why = contact::FinitePin::refusal(joint.spec);
+  if (!why.empty()) throw contact::Error(said_of(joint, why));
+  return joint;
+}
+
+Sweep sweep_of(const TiltOptions& options, const Joint& joint) {
+  const double half = joint.spec.geometry.length() / 2;
+  if (!options.is_placed()) {
+    return {"--tilt", options.tilt, allowed_tilt, Dimension::angle};
+  }
+  return {"--load-at", options.load_at, {-half, half, "m"}, Dimension::length};
+}
+
+}  // namespace
+
+Placements::Placements(const TiltOptions& options, const Joint& joint)
+    : is_placed_(options.is_placed()),
+      twist_(options.twist.value_or(0) * contact::degree),
+      sweep_(sweep_of(options, checked(joint, options.flag()))) {}
+
+contact::Placement Placements::operator[](std::size_t index) const {
+  contact::Placement placement;
+  if (is_placed_) {
+    placement.place = sweep_[index];
+  } else {
+    placement.tilt = Vector3d(contact::degree * sweep_[index], twist_, 0);
+  }
+  return placement;
 }
 
 namespace {
 
-struct Problems {
-  std::size_t out_of_range = 0;
-  std::size_t not_converged = 0;
+using Column =
+    std::variant<contact::Column<JointSolution>, contact::Column<PinLie>>;
 
-  void add(contact::Status status) {
-    if (status == contact::Status::not_converged) {
-      ++not_converged;
-    } else if (status != contact::Status::ok) {
-      ++out_of_range;
+std::vector<Column> columns_of(const TiltedTable& table) {
+  std::vector<Column> columns;
+  if (table.write) return columns;
+  const auto add = [&](const auto& all) {
+    columns.insert(columns.end(), all.begin(), all.end());
+  };
+  for (const std::string_view key : table.columns) {
+    if (const auto* lie = find_quantity(contact::lie_quantities(), key)) {
+      add(contact::columns_of(*lie));
+    } else {
+      add(contact::columns_of(
+          *find_quantity(contact::solution_quantities(), key)));
     }
   }
-};
+  return columns;
+}
 
 // The rows of a joint.
 class Rows {
@@ -93,50 +102,72 @@ class Rows {
   Rows(const Joint& joint, const TiltOptions& options, const TiltedTable& table)
       : joint_(joint),
         table_(table),
-        pin_(make_finite_pin(joint, options.flag())),
-        loads_(table.load_flag, table.loads, {0, 1e100, "N"}, Dimension::force),
-        lies_(options, joint.spec.geometry) {}
+        placements_(options, joint),
+        loads_("--load", table.loads, {0, 1e100, "N"}, Dimension::force),
+        pin_([&] {
+          contact::JointSpec smooth = joint.spec;
+          smooth.friction = contact::FrictionLaw(0);
+          return contact::Joint(smooth);
+        }()) {}
 
-  void write(RowWriter& row, Problems& problems) const {
-    contact::LargestContact largest;
+  /// @return rows without a value, and that have not converged
+  std::array<std::size_t, 2> write(const std::vector<Column>& columns,
+                                   RowWriter& row) const {
+    std::array<std::size_t, 2> bad = {};
+    contact::ContactNotes notes;
     for (std::size_t i = 0; i < loads_.size(); ++i) {
-      for (std::size_t k = 0; k < lies_.size(); ++k) {
-        const PinLie lie = lies_[k];
-        const Vector2d load(loads_[i], 0);
-        const FinitePinSolution s = table_.motion
-                                        ? lie.solve(pin_, load, *table_.motion)
-                                        : lie.under(pin_, load);
-        problems.add(s.contact.status);
-        largest.add(s.contact.largest());
+      for (std::size_t k = 0; k < placements_.size(); ++k) {
+        const contact::Placement placement = placements_[k];
+        const double side = pin_.contact().geometry().inner_body() ==
+                                    contact::JointBody::carrier
+                                ? 1
+                                : -1;
+        const JointSolution s = pin_.solve_contact(
+            {side * loads_[i] * Vector3d::UnitX(), Vector3d::Zero(),
+             Vector3d::UnitZ(), &placement});
+        if (s.status != contact::Status::ok) {
+          ++bad[s.status == contact::Status::not_converged];
+        }
+        notes.add(pin_, s);
         const auto begin = [&] {
           write_differences(joint_.differences, row);
           row.number(loads_[i]);
-          if (lie.place) row.number(*lie.place);
+          if (!std::isnan(placement.place)) row.number(placement.place);
         };
         if (table_.write) {
           table_.write(pin_, s, begin, row);
           continue;
         }
         begin();
-        for (const PinColumn& column : table_.columns) {
-          row.number(column.of(pin_, s));
-        }
-        row.end();
+        write_row(columns, s, row);
       }
     }
-    const contact::ContactLimits limits(*joint_.laws[0].law, joint_.pair,
-                                        joint_.spec.geometry);
-    for (const std::string& note : limits.notes(largest)) {
+    for (const std::string& note :
+         pin_.contact().limits().notes(notes.largest())) {
       warn(table_.program, said_of(joint_, note));
     }
+    return bad;
   }
 
  private:
+  void write_row(const std::vector<Column>& columns, const JointSolution& s,
+                 RowWriter& row) const {
+    const auto lie = pin_.lie(s);
+    for (const Column& column : columns) {
+      const auto* of_lie = std::get_if<1>(&column);
+      const double value = !of_lie ? std::get<0>(column)(s)
+                           : lie   ? (*of_lie)(*lie)
+                                   : std::numeric_limits<double>::quiet_NaN();
+      row.number(value + 0.0);  // no -0
+    }
+    row.end();
+  }
+
   const Joint& joint_;
   const TiltedTable& table_;
-  FinitePin pin_;
+  Placements placements_;
   Sweep loads_;
-  PinLies lies_;
+  contact::Joint pin_;
 };
 
 }  // namespace
@@ -144,43 +175,33 @@ class Rows {
 ExitStatus write_tilted(const std::vector<Joint>& joints,
                         const TiltOptions& options, const TiltedTable& table,
                         const OutputOptions& output) {
-  std::vector<std::string> names = {table.load_column};
+  const std::vector<Column> columns = columns_of(table);
+  std::vector<std::string> names = {"load_N"};
   if (options.is_placed()) names.emplace_back("load_at_m");
-  for (const PinColumn& column : table.columns) names.push_back(column.name);
+  if (table.write) {
+    names.insert(names.end(), table.columns.begin(), table.columns.end());
+  }
+  for (const Column& column : columns) {
+    names.push_back(std::visit([](const auto& c) { return c.name; }, column));
+  }
   std::vector<Rows> rows;
   for (const Joint& joint : joints) rows.emplace_back(joint, options, table);
-  // All but that the relief is left out.
-  std::vector<Joint> level = joints;
-  for (Joint& joint : level) joint.spec.relief = contact::Relief::none();
-  warn_of_validity(table.program, level);
-  Problems problems;
+  std::vector<Joint> straight = joints;  // the relief is not left out
+  for (Joint& joint : straight) joint.spec = joint.spec.without_relief();
+  warn_of_validity(table.program, straight);
+  std::array<std::size_t, 2> bad = {};
   write_table(output, joint_columns(joints, {names}), [&](RowWriter& row) {
-    for (const Rows& of : rows) of.write(row, problems);
-  });
-  if (problems.out_of_range + problems.not_converged == 0) return all_good;
-  warn(table.program,
-       fmt::format("rows without a value: {}, rows that have "
-                   "not converged: {}",
-                   problems.out_of_range, problems.not_converged));
-  return some_bad;
-}
-
-std::vector<PinColumn> pin_columns(const std::vector<std::string_view>& keys) {
-  std::vector<PinColumn> columns;
-  const auto add = [&](const auto& all) {
-    for (const auto& column : all) {
-      columns.push_back({column.name, [column](const FinitePin& /*pin*/,
-                                               const FinitePinSolution& s) {
-                           return column(s) + 0.0;  // no -0
-                         }});
+    for (const Rows& of : rows) {
+      const auto [none, rough] = of.write(columns, row);
+      bad[0] += none;
+      bad[1] += rough;
     }
-  };
-  const auto all = contact::finite_pin_quantities();
-  if (keys.empty()) add(columns_of(all));
-  for (const std::string_view key : keys) {
-    add(columns_of(*find_quantity(all, key)));
-  }
-  return columns;
+  });
+  if (bad[0] + bad[1] == 0) return all_good;
+  warn(table.program, fmt::format("rows without a value: {}, rows that have "
+                                  "not converged: {}",
+                                  bad[0], bad[1]));
+  return some_bad;
 }
 
 }  // namespace cli

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <Eigen/Core>
 #include <functional>
 #include <optional>
 #include <string>
@@ -9,9 +8,10 @@
 
 #include "cli/joint/joint_options.hpp"
 #include "cli/sweep.hpp"
-#include "libcontact/finite_pin/finite_pin.hpp"
+#include "libcontact/joint/joint.hpp"
 
-/// Pins that end, tilted or loaded off their middle, as programs take them.
+/// Pins that end, tilted or loaded off their middle, as programs take them: the
+/// load is along x, the pin along z.
 namespace cli {
 
 /// "" for options that were not given.
@@ -38,66 +38,34 @@ inline constexpr Allowed allowed_tilt{-10, 10, "deg"};
 void add_tilt_options(Program& program, TiltOptions& options,
                       std::string_view needs, std::string_view excludes);
 
-/// How a pin lies: with a tilt, or a load at a place.
-struct PinLie {
-  Eigen::Vector2d tilt = Eigen::Vector2d::Zero();
-  std::optional<double> place = {};  ///< m
-
-  /// Under a reaction along x while the body moves.
-  contact::FinitePinSolution solve(
-      const contact::FinitePin& pin, const Eigen::Vector2d& reaction,
-      const contact::FinitePin::Motion& motion) const noexcept;
-  /// Under a normal force, without friction.
-  contact::FinitePinSolution under(const contact::FinitePin& pin,
-                                   const Eigen::Vector2d& force) const noexcept;
-};
-
-/// The lies of the options, in the order of their sweep.
-class PinLies {
+/// How the pins of the options lie, in the order of their sweep.
+class Placements {
  public:
-  PinLies(const TiltOptions& options, const contact::JointGeometry& geometry);
+  /// @param joint  a pin that ends
+  /// @throws contact::Error for one that has no size or no length, or is no
+  ///   such pin, and for places beyond its ends
+  Placements(const TiltOptions& options, const Joint& joint);
 
   std::size_t size() const { return sweep_.size(); }
-  PinLie operator[](std::size_t index) const;
+  contact::Placement operator[](std::size_t index) const;
 
  private:
   bool is_placed_;
-  double twist_;  // deg
+  double twist_;  // rad
   Sweep sweep_;
 };
 
-/// The pin of a joint.
-/// @param flag  option that asks for it, for messages
-/// @throws contact::Error for one that has no size or no length, or is no such
-///   pin
-contact::FinitePin make_finite_pin(const Joint& joint, const char* flag);
-
-/// A column of such pins.
-struct PinColumn {
-  std::string name;
-  std::function<double(const contact::FinitePin&,
-                       const contact::FinitePinSolution&)>
-      of;
-};
-
-/// The columns of the quantities of pins that end that `keys` name, of all
-/// without it.
-std::vector<PinColumn> pin_columns(
-    const std::vector<std::string_view>& keys = {});
-
-/// Table of such pins: rows of each load and lie.
+/// Table of such pins under normal forces, without friction: rows of each load
+/// and placement.
 struct TiltedTable {
   std::string_view program;
-  std::string_view load_flag;
-  std::string load_column;
-  std::string loads;  ///< sweep
-  /// Nothing: the loads are normal forces; else reactions.
-  std::optional<contact::FinitePin::Motion> motion;
-  std::vector<PinColumn> columns;  ///< behind those of the load
-  /// Instead of one row of the columns, whose names alone count: writes rows,
-  /// each begun by `begin`, which writes the cells of the load.
-  std::function<void(const contact::FinitePin&,
-                     const contact::FinitePinSolution&,
+  std::string loads;  ///< sweep of --load
+  /// Keys of the peak pressure and of lie_quantities(), or names of the columns
+  /// of `write`.
+  std::vector<std::string_view> columns;
+  /// Instead of one row of the columns: writes rows, each begun by `begin`,
+  /// which writes the cells of the load.
+  std::function<void(const contact::Joint&, const contact::JointSolution&,
                      const std::function<void()>& begin, RowWriter&)>
       write = {};
 };

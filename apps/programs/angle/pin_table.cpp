@@ -5,14 +5,10 @@ namespace hinge_angle {
 cli::ExitStatus run_tilted(const Options& options) {
   const cli::TiltedTable table{
       .program = "hinge-angle",
-      .load_flag = "--load",
-      .load_column = "load_N",
       .loads = options.load.load,
-      .motion = {},
-      .columns = cli::pin_columns({"tilt_x", "tilt_y", "low_half_angle",
-                                   "high_half_angle", "largest_half_angle",
-                                   "half_angle_place", "low", "high",
-                                   "peak_pressure"})};
+      .columns = {"tilt", "low_half_angle", "high_half_angle",
+                  "largest_half_angle", "half_angle_place", "low", "high",
+                  "peak_pressure"}};
   return write_tilted(make_joints(options.joint), options.tilt, table,
                       options.output);
 }

@@ -20,13 +20,13 @@ using contact::PinCycle;
 
 // The lies of a joint's pin, by the options or the columns.
 PinCycle::Lies lies_of(const Options& options, const CycleFile& file,
-                       const contact::JointGeometry& geometry) {
+                       const cli::Joint& joint) {
   const contact::DutyCycle& cycle = file.cycle;
   if (!file.tilts.empty()) {
     return PinCycle::tilted(cycle.times(), cycle.period(), file.tilts);
   }
   if (!file.places.empty()) {
-    const double half = geometry.length() / 2;
+    const double half = joint.spec.geometry.length() / 2;
     for (const double place : file.places) {
       if (std::abs(place) <= half) continue;
       cli::refuse("load_at_m =", fmt::format("{}", place),
@@ -34,16 +34,17 @@ PinCycle::Lies lies_of(const Options& options, const CycleFile& file,
     }
     return PinCycle::loaded(cycle.times(), cycle.period(), file.places);
   }
-  const cli::PinLies lies(options.tilt, geometry);
-  if (lies.size() != 1) {
+  const cli::Placements placements(options.tilt, joint);
+  if (placements.size() != 1) {
     cli::refuse(
         options.tilt.flag(),
         options.tilt.is_placed() ? options.tilt.load_at : options.tilt.tilt,
         "one value");
   }
-  const cli::PinLie lie = lies[0];
-  return lie.place ? PinCycle::loaded_at(*lie.place)
-                   : PinCycle::tilted_with_load(lie.tilt);
+  const contact::Placement lies = placements[0];
+  return options.tilt.is_placed()
+             ? PinCycle::loaded_at(lies.place)
+             : PinCycle::tilted_with_load(lies.tilt.head<2>());
 }
 
 void check_files(const Options& options) {
@@ -83,11 +84,11 @@ void add_pins(const Options& options, const CycleFile& file,
   }
   for (JointDuty& duty : duties) {
     if (!duty.joint.is_pin()) cli::refuse_without(flag, "kind = pin");
-    contact::JointSpec spec = duty.joint.spec;
-    spec.friction = duty.cycle.contact().friction();
-    duty.pin.emplace(made_of(duty.joint, [&] {
-      return PinCycle(file.cycle, spec, lies_of(options, file, spec.geometry));
-    }));
+    cli::Joint joint = duty.joint;
+    joint.spec.friction = duty.cycle.contact().friction();
+    const PinCycle::Lies lies = lies_of(options, file, joint);
+    duty.pin.emplace(
+        made_of(joint, [&] { return PinCycle(file.cycle, joint.spec, lies); }));
   }
 }
 
@@ -119,7 +120,7 @@ void add_pin(const PinCycle& pin, cli::Report& to) {
 
 void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
                       const cli::TableStyle& style) {
-  const auto columns = cli::pin_columns();
+  const auto columns = columns_of(contact::finite_pin_quantities());
   std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N"};
   for (const auto& column : columns) names.push_back(column.name);
   names.emplace_back("pv_max_W_per_m2");
@@ -130,8 +131,8 @@ void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
                  to.number(i.time);
                  to.number(i.state.reaction.x());
                  to.number(i.state.reaction.y());
-                 for (const cli::PinColumn& column : columns) {
-                   to.number(column.of(duty.pin->pin(), i.solution));
+                 for (const auto& column : columns) {
+                   to.number(column(i.solution) + 0.0);  // no -0
                  }
                  to.number(i.largest_pv());
                  to.end();

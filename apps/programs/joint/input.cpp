@@ -26,7 +26,14 @@ cli::Sweep angle_sweep(std::string_view option, const std::string& text,
 
 }  // namespace
 
-Inputs::Inputs(const Options& options, bool pin) {
+Inputs::Inputs(const Options& options, const Setup& setup) {
+  const bool pin = setup.joints[0].joint.is_pin();
+  if (options.tilt.given()) {
+    for (const cli::Joint& joint : setup.given) {
+      placements_.emplace(options.tilt, joint);
+    }
+    slide_ = options.slide.value_or(0);
+  }
   const bool reaction = !options.reaction.empty();
   if (options.reaction_xyz) {
     if (!options.rate_xyz && !options.moment_xyz) {
@@ -60,7 +67,7 @@ Inputs::Inputs(const Options& options, bool pin) {
   // A row for each, and for up to 35 pairs of laws, has to have a number.
   constexpr double most = 1e12;
   if (static_cast<double>(forces_->size()) *
-          static_cast<double>(angles_->size()) >
+          static_cast<double>(angles_->size()) * static_cast<double>(lies()) >
       most) {
     throw contact::Error(
         contact::detail::must_be(fmt::format("{} forces and {} angles",
@@ -71,8 +78,14 @@ Inputs::Inputs(const Options& options, bool pin) {
 
 Input Inputs::operator[](std::size_t index) const {
   if (!forces_) return vectors_;
-  return at((*forces_)[index / angles_->size()],
-            (*angles_)[index % angles_->size()]);
+  const std::size_t state = index / lies();
+  Input input = at((*forces_)[state / angles_->size()],
+                   (*angles_)[state % angles_->size()]);
+  if (placements_) {
+    input.placement = (*placements_)[index % lies()];
+    input.placement->axial_velocity = slide_;
+  }
+  return input;
 }
 
 Input Inputs::at(double force, double angle_deg) const {

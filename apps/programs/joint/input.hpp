@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <optional>
 
@@ -10,18 +11,23 @@
 namespace hinge_joint {
 
 /// The states that the options describe: a pair of vectors, or all pairs of
-/// some forces and angles.
+/// some forces and angles, or forces and tilts.
 class Inputs {
  public:
   /// Throws contact::Error for options that do not fit together, or values
   /// that are not allowed.
-  Inputs(const Options& options, bool pin);
+  Inputs(const Options& options, const Setup& setup);
 
   Question question() const { return question_; }
   std::size_t size() const {
-    return forces_ ? angles_->size() * forces_->size() : 1;
+    return forces_ ? angles_->size() * forces_->size() * lies() : 1;
   }
   Input operator[](std::size_t index) const;
+
+  /// Whether the load is at places along a pin.
+  bool is_placed() const {
+    return placements_ && !std::isnan((*placements_)[0].place);
+  }
 
   /// The sweeps, angles running fastest; none of vectors.
   const std::optional<cli::Sweep>& forces() const { return forces_; }
@@ -30,10 +36,15 @@ class Inputs {
   Input at(double force, double angle_deg) const;
 
  private:
+  std::size_t lies() const { return placements_ ? placements_->size() : 1; }
+
   Question question_ = Question::reaction;
   Input vectors_ = {};
   std::optional<cli::Sweep> forces_;
   std::optional<cli::Sweep> angles_;
+  /// Run faster than the angles.
+  std::optional<cli::Placements> placements_;
+  double slide_ = 0;
   double rate_ = 1;
 };
 

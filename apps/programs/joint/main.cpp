@@ -40,8 +40,14 @@ cli::Reader counts(const char* flag, std::vector<int>& to, int most) {
 std::string help_with_columns() {
   constexpr std::string_view place = "%COLUMNS%\n";
   std::string columns;
-  for (const auto& column :
-       hinge_joint::answer_columns(true, true, true, true, true, true)) {
+  for (const auto& column : hinge_joint::answer_columns({.rest = true,
+                            .approach = true,
+                            .preload = true,
+                            .friction = true,
+                            .pv = true,
+                            .rims = true,
+                            .lie = true,
+                            .place = true})) {
     columns += column.meaning.empty()
                    ? fmt::format("  {}\n", column.name)
                    : fmt::format("  {:<19} {}\n", column.name, column.meaning);
@@ -94,8 +100,7 @@ void add_tilt(cli::Program& program, Options& o) {
   add_tilt_options(
       program, o.tilt, "--reaction",
       "--reaction-xyz --beta --normal-force --alpha --points --trace --outer "
-      "--measured-moment --map --beside --summary --plot --jobs --law "
-      "--pressure");
+      "--measured-moment --map --plot --law --pressure");
   program.add("Tilt",
               {{"--slide",
                 cli::number("--slide", o.slide, Dimension::velocity,

@@ -88,9 +88,13 @@ void add(const PointBlock& block, Problems& problems) {
 Problems write_rows(Points& points, const NamedJoint& joint,
                     const Options& options, PointSeries* series) {
   const cli::PointColumns& columns = points.columns();
-  const std::vector<AnswerColumn> shown = answer_columns(
-      points.question() == Question::rest, joint.approach.has_value(),
-      joint.has_preload(), false, options.pv, !joint.joint.is_endless());
+  const std::vector<AnswerColumn> shown =
+      answer_columns({.rest = points.question() == Question::rest,
+                      .approach = joint.approach.has_value(),
+                      .preload = joint.has_preload(),
+                      .pv = options.pv,
+                      .rims = joint.has_rims(),
+                      .lie = joint.ends});
   std::vector<std::string> names = solution_columns(joint, shown, {});
   const std::size_t cells = names.size();
   for (std::string& name : cli::distinct_names(columns.riding, names)) {
@@ -147,7 +151,7 @@ Problems summarise(Points& points, const NamedJoint& joint,
 PointResult write_points(Setup& setup, const Options& options,
                          const std::function<void()>& begin) {
   Points points(options, setup.joints[0].joint.is_pin());
-  put_in_seats(options, points.pointing(), setup);
+  give_ends(options, points.pointing(), setup);
   const NamedJoint& joint = setup.joints[0];
   PointSeries series(points.question(), points.columns());
   begin();

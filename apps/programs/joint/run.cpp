@@ -19,7 +19,6 @@
 #include "programs/joint/point_table.hpp"
 #include "programs/joint/points/plot.hpp"
 #include "programs/joint/solution_table.hpp"
-#include "programs/joint/tilt_table.hpp"
 #include "programs/joint/torque_plot.hpp"
 
 namespace hinge_joint {
@@ -183,12 +182,11 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  if (options.tilt.given()) return run_tilted(options);
   Setup setup = make_setup(options);
   if (!options.kernel.language.empty()) return write_kernel(options, setup);
   if (!options.points.empty()) return run_points(options, setup);
-  const Inputs inputs(options, setup.joints[0].joint.is_pin());
-  put_in_seats(options, pointing(inputs), setup);
+  const Inputs inputs(options, setup);
+  give_ends(options, pointing(inputs), setup);
   if (options.trace || options.outer.has_value()) {
     return run_loops(options, setup, inputs);
   }

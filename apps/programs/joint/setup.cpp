@@ -10,6 +10,7 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/seat/contact.hpp"
 
 namespace hinge_joint {
@@ -53,14 +54,36 @@ std::string_view endless_question(const Options& o) {
 
 // The joint in its seat.
 NamedJoint in_seat(const Options& options, const cli::Joint& joint,
-                   const NamedJoint& endless, contact::SharedLaws& laws) {
+                   contact::SharedLaws& laws) {
   const contact::JointSpec spec =
-      asked_spec(joint, endless.joint.contact().friction(), options.joint);
+      asked_spec(joint, *joint.spec.friction, options.joint);
   NamedJoint confined{spec.half_angle_law,        spec.pressure_law,
                       contact::Joint(spec, laws), {},
                       joint.differences,          options.pv};
   confined.approach.emplace(laws.half_angle(spec), joint);
   return confined;
+}
+
+// Whether slices answer for a pin.
+bool is_sliced(const Options& options, const contact::JointSpec& spec) {
+  if (options.tilt.given()) return true;
+  const auto is_exact = [](const std::vector<std::string>& laws) {
+    return laws.empty() || (laws.size() == 1 && laws[0] == "exact");
+  };
+  return spec.relief.kind() != contact::Relief::Kind::none &&
+         contact::FinitePin::refusal(spec).empty() &&
+         endless_question(options).empty() && is_exact(options.joint.laws) &&
+         is_exact(options.joint.pressures);
+}
+
+// The pin with its ends.
+NamedJoint with_ends(const contact::JointSpec& spec, const NamedJoint& endless,
+                     contact::SharedLaws& laws) {
+  NamedJoint ends{
+      "exact",   "exact", contact::Joint(spec, laws), {}, endless.differences,
+      endless.pv};
+  ends.ends = true;
+  return ends;
 }
 
 void check_in_seat(const Options& options, Pointing pointing,
@@ -81,22 +104,29 @@ void check_in_seat(const Options& options, Pointing pointing,
 
 }  // namespace
 
-void put_in_seats(const Options& options, Pointing pointing, Setup& setup) {
+void give_ends(const Options& options, Pointing pointing, Setup& setup) {
   const bool any = std::any_of(
       setup.given.begin(), setup.given.end(),
       [](const cli::Joint& j) { return j.spec.geometry.seat().has_value(); });
   if (options.without_seat && !any) {
     cli::refuse_without("--without-seat", "a joint with a [seat]");
   }
-  if (options.without_seat || pointing == Pointing::nowhere) return;
+  const bool in_seats = !options.without_seat && pointing != Pointing::nowhere;
   contact::SharedLaws laws;
   auto joint = setup.joints.begin();
   for (cli::Joint& given : setup.given) {
     const std::size_t pairs = given.laws.size() * given.pressures.size();
-    if (const auto& seat = given.spec.geometry.seat()) {
+    contact::JointSpec spec = given.spec;
+    if (const auto& seat = spec.geometry.seat(); seat && in_seats) {
       check_in_seat(options, pointing, *seat);
-      *joint = in_seat(options, given, *joint, laws);
+      *joint = in_seat(options, given, laws);
       given.laws = {{joint->law, laws.half_angle(given.spec)}};
+    } else if (is_sliced(options, spec)) {
+      spec.half_angle_law = spec.pressure_law = "exact";
+      spec.half_angle_options = {};
+      *joint = with_ends(spec, *joint, laws);
+      given.spec = given.spec.without_relief();  // it is not left out
+      given.laws = {{joint->law, laws.half_angle(spec)}};
     }
     joint += static_cast<std::ptrdiff_t>(pairs);
   }
@@ -104,13 +134,14 @@ void put_in_seats(const Options& options, Pointing pointing, Setup& setup) {
 
 Setup make_setup(const Options& options) {
   Setup setup{.given = make_joints(options.joint), .joints = {}};
-  for (const cli::Joint& joint : setup.given) {
+  for (cli::Joint& joint : setup.given) {
     if (joint.kind() != setup.given[0].kind()) {
       throw contact::Error(contact::detail::must_be(
           "the joints of --joint and --set", "all balls or all pins"));
     }
     const contact::FrictionModel friction =
         friction_of(options, joint.spec.friction);
+    joint.spec.friction = friction;
     for (std::size_t i = 0; i < joint.laws.size(); ++i) {
       const cli::NamedLaw& law = joint.laws[i];
       for (std::size_t j = 0; j < joint.pressures.size(); ++j) {

@@ -74,7 +74,11 @@ struct NamedJoint {
   std::vector<cli::Difference> differences = {};
   /// Whether p v and heat are wanted.
   bool pv = false;
+  /// Whether it is a pin that ends: with relief, or tilted.
+  bool ends = false;
 
+  /// Whether it is in a seat that ends.
+  bool has_rims() const { return !joint.is_endless() && !ends; }
   /// Whether it is without clearance or has interference.
   bool has_preload() const {
     return joint.contact().geometry().radial_clearance() <= 0;
@@ -90,27 +94,23 @@ struct Setup {
   /// Whether f0 is that of --measured-moment.
   bool friction_found = false;
 
-  /// Whether any of them has one.
-  bool has_approach() const {
-    return std::any_of(
-        joints.begin(), joints.end(),
-        [](const NamedJoint& joint) { return joint.approach.has_value(); });
+  template <class Predicate>
+  bool has_any(const Predicate& of) const {
+    return std::any_of(joints.begin(), joints.end(), of);
   }
-  /// Whether any of them is in a seat that ends.
-  bool has_rims() const {
-    return std::any_of(
-        joints.begin(), joints.end(),
-        [](const NamedJoint& joint) { return !joint.joint.is_endless(); });
+  bool has_approach() const {
+    return has_any(
+        [](const NamedJoint& joint) { return joint.approach.has_value(); });
   }
   /// Whether any of them is without clearance or has interference.
   bool has_preload() const {
-    return std::any_of(joints.begin(), joints.end(),
-                       std::mem_fn(&NamedJoint::has_preload));
+    return has_any(std::mem_fn(&NamedJoint::has_preload));
   }
 };
 
-/// The joints without the rims of their seats. Throws contact::Error if the
-/// options do not fit together or a value is not allowed.
+/// The joints without the rims of their seats and the ends of their pins.
+/// Throws contact::Error if the options do not fit together or a value is not
+/// allowed.
 Setup make_setup(const Options& options);
 
 /// How states say where a force points.
@@ -120,8 +120,10 @@ enum class Pointing {
   vector,   ///< in the axes of the body with the seat
 };
 
-/// Puts the joints that have a seat in it, unless Options::without_seat: with
-/// the laws exact. Throws contact::Error for options that do not go with that.
-void put_in_seats(const Options& options, Pointing pointing, Setup& setup);
+/// Puts the joints that have a seat in it, unless Options::without_seat, and
+/// gives pins their ends that have a relief or are tilted: with the laws exact.
+/// A relief is left out of what asks for a contact with an axis of symmetry or
+/// another law. Throws contact::Error for options that do not go with that.
+void give_ends(const Options& options, Pointing pointing, Setup& setup);
 
 }  // namespace hinge_joint

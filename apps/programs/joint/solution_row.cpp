@@ -45,6 +45,11 @@ constexpr Quantity<Answer> found_friction = {
     "friction coefficient of the surface, with which M_t is as measured",
     [](const Answer& a) { return a.coefficient; }};
 
+constexpr Quantity<Answer> place_of_load = {
+    "load_at", "", Dimension::length,
+    "place of the reaction along the pin, from its middle",
+    [](const Answer& a) { return a.load_place; }};
+
 // Columns that --pv leaves out: the last three follow from others.
 constexpr std::string_view not_of_pv[] = {"pv_total", "heat",
                                           "heat_flux_max_place"};
@@ -103,8 +108,10 @@ double AnswerColumn::operator()(const Answer& a) const {
     solved = (*approached)(a.approach);
   } else if (const auto* patch = std::get_if<5>(&of)) {
     solved = (*patch)(*a.patch);
+  } else if (const auto* rims = std::get_if<6>(&of)) {
+    solved = (*rims)(a.rims);
   } else {
-    solved = std::get<6>(of)(a.rims);
+    solved = a.lie ? std::get<7>(of)(*a.lie) : nan;
   }
   const bool is_given =
       given && a.given && a.question == given_in && !std::isnan(solved);
@@ -113,19 +120,35 @@ double AnswerColumn::operator()(const Answer& a) const {
 
 namespace {
 
-// The numbers that a contact at a rim has without an axis of symmetry.
-void add_rims(const NamedJoint& named, Answer& a) {
+// p v of a contact without an axis of symmetry.
+void add_pv(const NamedJoint& named, Answer& a) {
+  if (!named.pv) return;
   const contact::JointSolution& s = a.solution();
+  const contact::ContactPv pv = named.joint.pv(s, a.rate);
+  a.rating.pv = {pv.largest, nan, pv.place};
+  a.rating.pv_mean = pv.total / s.contact_area;
+  a.rating.slides = pv.largest > 0;
+}
+
+// The numbers that a contact has without an axis of symmetry, at a rim or along
+// a pin that ends.
+void add_ends(const NamedJoint& named, Answer& a) {
+  const contact::JointSolution& s = a.solution();
+  a.lie = named.joint.lie(s);
+  if (a.lie && a.lie->pieces > 0) {
+    // Of any speed, which both have.
+    const contact::ContactPv about = named.joint.pv(
+        s, a.rate.isZero(0) ? Vector3d(Vector3d::UnitZ()) : a.rate);
+    a.mean_pressure =
+        about.total / s.contact_area * s.peak_pressure / about.largest;
+    add_pv(named, a);
+  }
   const auto rims = named.joint.rims(s);
   if (!rims) return;
   a.rims = *rims;
   if (rims->is_free) return;
   a.mean_pressure = rims->mean_pressure();
-  if (!named.pv) return;
-  const contact::ContactPv pv = named.joint.pv(s, a.rate);
-  a.rating.pv = {pv.largest, nan, pv.place};
-  a.rating.pv_mean = pv.total / rims->area;
-  a.rating.slides = pv.largest > 0;
+  add_pv(named, a);
 }
 
 }  // namespace
@@ -142,12 +165,15 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
            .coefficient = nan,
            .rating = {},
            .approach = {nan, nan},
-           .patch = {}};
+           .patch = {},
+           .load_place = input.placement ? input.placement->place : nan};
+  const contact::Placement* placement =
+      input.placement ? &*input.placement : nullptr;
+  const Vector3d axis(0, 0, placement ? 1 : 0);
   a.rest.utilisation = nan;
   switch (question) {
     case Question::reaction:
-      a.rest.slip = joint.solve(
-          {.reaction = input.force, .angular_velocity = input.turn});
+      a.rest.slip = joint.solve({input.force, input.turn, axis, placement});
       break;
     case Question::contact:
       a.rest.slip = joint.solve_contact(
@@ -165,8 +191,8 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
       contact::ContactPatch{joint.contact(), s.normal_force, s.half_angle});
   if (named.approach) a.approach = (*named.approach)(s.half_angle);
   const double force = contact::magnitude(s.reaction);
-  const contact::JointSolution traditional = joint.solve_contact(
-      {.normal_force = s.reaction, .angular_velocity = a.rate});
+  const contact::JointSolution traditional =
+      joint.solve_contact({s.reaction, a.rate, axis, placement});
   a.traditional = contact::magnitude(traditional.friction_moment);
   const bool is_pressed =
       s.normal_force != 0 || joint.contact().has_interference();
@@ -181,7 +207,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
   if (named.pv) {
     a.rating = contact::SlidingContact(joint.contact(), s, a.rate).rating();
   }
-  add_rims(named, a);
+  add_ends(named, a);
   return a;
 }
 
@@ -201,32 +227,26 @@ bool have_preload(std::span<const AnswerColumn> columns) {
                      [](const AnswerColumn& c) { return c.of.index() == 5; });
 }
 
-std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
-                                         bool friction, bool pv, bool rims) {
+std::vector<AnswerColumn> answer_columns(const ColumnSets& with) {
   std::vector<AnswerColumn> all = solution_columns();
-  if (rims) {
-    for (const auto& quantity : contact::rim_quantities()) add(quantity, all);
-  }
-  if (approach) {
-    for (const auto& quantity : contact::approach_quantities()) {
-      add(quantity, all);
-    }
-  }
-  if (preload) {
-    for (const auto& quantity : contact::preload_quantities()) {
-      add(quantity, all);
-    }
-  }
-  if (rest) {
+  const auto add_all = [&](const auto& quantities) {
+    for (const auto& quantity : quantities) add(quantity, all);
+  };
+  if (with.rims) add_all(contact::rim_quantities());
+  if (with.place) add(place_of_load, all);
+  if (with.lie) add_all(contact::lie_quantities());
+  if (with.approach) add_all(contact::approach_quantities());
+  if (with.preload) add_all(contact::preload_quantities());
+  if (with.rest) {
     for (const std::string_view key : {"utilisation", "direction"}) {
       add(*find_quantity(contact::rest_quantities(), key), all);
     }
   }
-  if (friction) add(found_friction, all);
-  if (!pv) return all;
+  if (with.friction) add(found_friction, all);
+  if (!with.pv) return all;
   for (const auto& quantity : contact::rating_quantities()) {
     const bool is_of_rims =
-        rims && find_quantity(contact::rim_quantities(), quantity.key);
+        with.rims && find_quantity(contact::rim_quantities(), quantity.key);
     if (!is_of_rims && std::find(std::begin(not_of_pv), std::end(not_of_pv),
                                  quantity.key) == std::end(not_of_pv)) {
       add(quantity, all);

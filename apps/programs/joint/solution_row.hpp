@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/joint/input.hpp"
@@ -36,6 +37,9 @@ struct Answer {
   std::optional<contact::ContactPatch> patch;
   /// NaN without a seat that ends.
   contact::RimContact rims = {};
+  /// None of a pin that is level and endless.
+  std::optional<contact::PinLie> lie = {};
+  double load_place;  ///< of Input::placement, m
 
   const contact::JointSolution& solution() const { return rest.slip; }
 };
@@ -57,7 +61,8 @@ struct AnswerColumn {
                contact::Column<contact::RestSolution>,
                contact::Column<contact::ContactApproach>,
                contact::Column<contact::ContactPatch>,
-               contact::Column<contact::RimContact>>
+               contact::Column<contact::RimContact>,
+               contact::Column<contact::PinLie>>
       of;
   /// A force or an angle that was given is shown as it was given: what the
   /// solution says of it differs in the last digits, and rows would not be
@@ -68,16 +73,20 @@ struct AnswerColumn {
   double operator()(const Answer& a) const;
 };
 
+/// Which columns there are beside those of every solution.
+struct ColumnSets {
+  bool rest = false;      ///< those of Question::rest
+  bool approach = false;  ///< of the half-angle law exact
+  bool preload = false;   ///< of joints without clearance
+  bool friction = false;  ///< f0
+  bool pv = false;        ///< of NamedJoint::pv
+  bool rims = false;      ///< of seats that end
+  bool lie = false;       ///< of pins that end
+  bool place = false;     ///< where along the pin the load is
+};
+
 /// All of them in the order of the columns.
-/// @param rest      with those of Question::rest
-/// @param approach  with those of the half-angle law exact
-/// @param preload   with those of joints without clearance
-/// @param friction  with f0
-/// @param pv        with those of NamedJoint::pv
-/// @param rims      with those of seats that end
-std::vector<AnswerColumn> answer_columns(bool rest, bool approach, bool preload,
-                                         bool friction, bool pv,
-                                         bool rims = false);
+std::vector<AnswerColumn> answer_columns(const ColumnSets& with);
 
 /// Whether they are those of joints without clearance, with the word
 /// contact_state.

@@ -21,10 +21,15 @@ contact::LoadDirection direction_of(const Answer& answer) {
 }
 
 std::vector<AnswerColumn> columns_of(const Setup& setup, const Inputs& inputs) {
-  return answer_columns(inputs.question() == Question::rest,
-                        setup.has_approach(), setup.has_preload(),
-                        setup.friction_found, setup.joints[0].pv,
-                        setup.has_rims());
+  return answer_columns(
+      {.rest = inputs.question() == Question::rest,
+       .approach = setup.has_approach(),
+       .preload = setup.has_preload(),
+       .friction = setup.friction_found,
+       .pv = setup.joints[0].pv,
+       .rims = setup.has_any(std::mem_fn(&NamedJoint::has_rims)),
+       .lie = setup.has_any([](const NamedJoint& j) { return j.ends; }),
+       .place = inputs.is_placed()});
 }
 
 }  // namespace

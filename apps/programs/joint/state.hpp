@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/joint/placement.hpp"
 
 namespace hinge_joint {
 
@@ -26,6 +27,8 @@ struct Input {
     double angle_deg;
   };
   std::optional<Given> given = {};
+  /// How a pin lies that ends, its axis along z; none: it is level.
+  std::optional<contact::Placement> placement = {};
 };
 
 /// R at the angle b from Dw: Dw along Z, R in the plane XOZ.

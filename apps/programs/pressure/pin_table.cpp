@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <numbers>
-#include <string>
 #include <vector>
 
 #include "libcontact/base/units.hpp"
@@ -13,69 +11,93 @@
 namespace hinge_pressure {
 namespace {
 
-using contact::FinitePin;
-using contact::FinitePinSolution;
-using contact::FinitePinState;
-using Begin = std::function<void()>;
+using contact::Joint;
+using contact::JointSolution;
+using Eigen::Vector3d;
 
 // The i-th of some numbers with even steps.
 double step(double from, double to, int i, int count) {
   return from + (to - from) * i / (count - 1);
 }
 
-// Angle from the load beyond which nothing touches, rad.
-double edge_of(const FinitePin& pin, const FinitePinState& state, double half) {
+// Angle from the load beyond which nothing touches, rad, to 1e-6: slices are
+// pressed where the pin's axis has gone.
+double edge_of(const Joint& joint, const JointSolution& s, double half) {
+  const auto lie = joint.lie(s);
+  if (!lie) return 0;
+  const double rho = joint.contact().geometry().radius();
   constexpr int count = 201;
   double edge = 0;
   for (int i = 0; i < count; ++i) {
-    const auto s = pin.slice(state, step(-half, half, i, count));
-    if (!(s.force > 0)) continue;
-    const double middle = std::atan2(s.direction.y(), s.direction.x());
-    edge = std::max(edge, std::abs(middle) + s.half_angle);
+    const double z = step(-half, half, i, count);
+    const Vector3d to = lie->shift + z * lie->tilt;
+    const double middle = std::abs(std::atan2(to.y(), to.x()));
+    const auto touches = [&](double theta) {
+      const double at = std::copysign(middle + theta, to.y());
+      const Vector3d place(std::cos(at), std::sin(at), z / rho);
+      return joint.pressures(s, {&place, 1})[0] > 0;
+    };
+    double inside = 0;
+    double outside = lie->largest_half_angle;
+    if (!touches(inside)) continue;
+    while (outside - inside > 1e-6) {
+      const double between = (inside + outside) / 2;
+      (touches(between) ? inside : outside) = between;
+    }
+    edge = std::max(edge, middle + outside);
   }
   return std::min(edge, std::numbers::pi);
 }
 
-void write_map(const FinitePin& pin, const FinitePinState& state, int points,
-               const Begin& begin, cli::RowWriter& row) {
-  const double half = pin.force_law().geometry().length() / 2;
-  const double edge = edge_of(pin, state, half);
+void write_map(const Joint& joint, const JointSolution& s, int points,
+               const std::function<void()>& begin, cli::RowWriter& row) {
+  const contact::JointGeometry& geometry = joint.contact().geometry();
+  const double half = geometry.length() / 2;
+  const double edge = edge_of(joint, s, half);
+  std::vector<Vector3d> places;
   for (int i = 0; i < points; ++i) {
     const double z = step(-half, half, i, points);
     for (int j = 0; j < points; ++j) {
       const double theta = step(-edge, edge, j, points);
-      begin();
-      row.number(theta / contact::degree);
-      row.number(z);
-      row.number(pin.pressure(state, z, theta));
-      row.end();
+      places.emplace_back(std::cos(theta), std::sin(theta),
+                          z / geometry.radius());
     }
   }
+  const std::vector<double> pressures = joint.pressures(s, places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    begin();
+    row.number(step(-edge, edge, static_cast<int>(i) % points, points) /
+               contact::degree);
+    row.number(step(-half, half, static_cast<int>(i) / points, points));
+    row.number(pressures[i]);
+    row.end();
+  }
+}
+
+// Friction has no part in it.
+std::vector<std::string_view> keys() {
+  std::vector<std::string_view> all;
+  for (const auto& q : contact::lie_quantities()) {
+    if (q.key == "moment" || q.key == "axial_friction_force") continue;
+    if (q.key == "peak_place") all.emplace_back("peak_pressure");
+    all.push_back(q.key);
+  }
+  return all;
 }
 
 }  // namespace
 
 cli::ExitStatus run_tilted(const Options& options) {
   cli::TiltedTable table{.program = "hinge-pressure",
-                         .load_flag = "--load",
-                         .load_column = "load_N",
                          .loads = options.load.load,
-                         .motion = {},
-                         .columns = {}};
+                         .columns = keys()};
   if (const int points = options.points; points > 0) {
-    table.columns = {{"theta_deg", {}}, {"z_m", {}}, {"p_Pa", {}}};
-    table.write = [points](const FinitePin& pin, const FinitePinSolution& s,
-                           const Begin& begin, cli::RowWriter& row) {
-      write_map(pin, s.contact, points, begin, row);
+    table.columns = {"theta_deg", "z_m", "p_Pa"};
+    table.write = [points](const Joint& joint, const JointSolution& s,
+                           const std::function<void()>& begin,
+                           cli::RowWriter& row) {
+      write_map(joint, s, points, begin, row);
     };
-  } else {
-    // Friction has no part in it.
-    std::vector<std::string_view> keys;
-    for (const auto& q : contact::finite_pin_quantities()) {
-      if (q.is_word() || q.key == "moment") continue;
-      if (q.key != "axial_friction_force") keys.push_back(q.key);
-    }
-    table.columns = cli::pin_columns(keys);
   }
   return write_tilted(make_joints(options.joint), options.tilt, table,
                       options.output);

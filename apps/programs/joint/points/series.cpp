@@ -35,8 +35,7 @@ std::vector<AnswerColumn> point_columns(Question question) {
       "p_peak_Pa",
       "theta0_deg",
       rest ? "utilisation" : "power_W"};
-  const std::vector<AnswerColumn> all =
-      answer_columns(rest, false, false, false, false);
+  const std::vector<AnswerColumn> all = answer_columns({.rest = rest});
   std::vector<AnswerColumn> found;
   for (const std::string_view name : names) {
     found.push_back(*std::ranges::find(all, name, &AnswerColumn::name));
