@@ -1,6 +1,7 @@
 #include "libcontact/finite_pin/slices_model.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -223,11 +224,15 @@ std::vector<double> SlicesModel::pressures(
   const SlicesFound* found = found_of(s);
   const FinitePin* of = found && s.status == Status::ok ? pin() : nullptr;
   if (!of) return all;
-  const double rho = level_.contact().geometry().radius();
+  const JointGeometry& geometry = level_.contact().geometry();
+  const double rho = geometry.radius();
+  const double half = geometry.length() / 2;
   for (std::size_t i = 0; i < places.size(); ++i) {
     const Vector3d at = found->axes.transpose() * places[i];
     const double across = std::hypot(at.x(), at.y());
-    const double z = rho * at.z() / across;
+    double z = rho * at.z() / across;
+    // An end may round to beyond itself.
+    if (std::abs(z) <= half * (1 + 1e-14)) z = std::clamp(z, -half, half);
     if (std::isnan(across) || std::isnan(at.z())) continue;
     all[i] = std::isfinite(z) ? of->pressure(found->pin.contact, z,
                                              std::atan2(at.y(), at.x()))

@@ -280,6 +280,16 @@ TEST(Slices, PressuresSumToWhatTheyCarry) {
       (rho * pv.place + joint.lie(s)->peak_place * q.col(2)).normalized();
   EXPECT_NEAR(joint.pressures(s, std::vector{there})[0] / s.peak_pressure, 1,
               1e-9);
+  // At an end, which rounds to either side of itself, and beyond.
+  const double at_end = joint.lie(s)->end_pressure[1];
+  ASSERT_GT(at_end, 0);
+  const Vector3d middle = joint.lie(s)->shift + length / 2 * joint.lie(s)->tilt;
+  for (const double by : {-1e-15, 0.0, 1e-15, 1e-9}) {
+    const Vector3d end =
+        rho * middle.normalized() + length / 2 * (1 + by) * q.col(2);
+    const double p_end = joint.pressures(s, std::vector{end})[0];
+    EXPECT_NEAR(p_end, by > 1e-12 ? 0 : at_end, 1e-6 * at_end) << by;
+  }
   // Along the axis there is no surface.
   EXPECT_EQ(joint.pressures(s, std::vector<Vector3d>{q.col(2)})[0], 0);
 }
