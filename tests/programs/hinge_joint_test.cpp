@@ -184,15 +184,19 @@ TEST(HingeJoint, TakesTheFileOfAJointAlone) {
     EXPECT_EQ(printed(program + file + load), expected);
     EXPECT_EQ(printed(program + load + file), expected);
   }
-  EXPECT_EQ(printed("hinge-joint " + file + "data/joints/pin_joint.toml " +
-                    "--reaction 1kN --beta 90"),
-            printed("hinge-joint --joint " + file +
-                    "--joint data/joints/pin_joint.toml --reaction 1kN "
-                    "--beta 90"));
+  EXPECT_EQ(
+      printed("hinge-joint " + file +
+              "data/joints/hip_cocr_uhmwpe_infinite.toml " +
+              "--reaction 1kN --beta 90"),
+      printed(
+          "hinge-joint --joint " + file +
+          "--joint data/joints/hip_cocr_uhmwpe_infinite.toml --reaction 1kN "
+          "--beta 90"));
   const std::string sizes =
       " --radius 10mm --clearance 10um --reaction 1kN "
       "--beta 90 --law tanh";
-  EXPECT_NE(printed("hinge-joint --joint ball --f0 0.1 " + pair + sizes), "");
+  EXPECT_NE(printed("hinge-joint --joint ball --friction 0.1 " + pair + sizes),
+            "");
 }
 
 TEST(HingeJoint, SweptInputsComeBackAsGiven) {
