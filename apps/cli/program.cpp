@@ -255,6 +255,14 @@ void Program::add_jobs(OutputOptions& options) {
                   "threads, 1 (default) to 256"}});
 }
 
+void Program::add_schema(std::function<std::string()> text) {
+  app_->add_flag_callback(
+          "--schema", [text] { throw CLI::CallForVersion(text(), 0); },
+          "print a JSON schema of the file's keys and units,\n"
+          "for editors")
+      ->group("Output");
+}
+
 void Program::describe(const char* flag, const char* meaning) {
   app_->get_option(flag)->description(meaning);
 }

@@ -59,6 +59,8 @@ class Program {
   void add_output(OutputOptions& options);
   /// Adds --jobs.
   void add_jobs(OutputOptions& options);
+  /// --schema: prints the schema of the program's file, and no more.
+  void add_schema(std::function<std::string()> text);
   /// Gives an option another meaning in --help.
   void describe(const char* flag, const char* meaning);
   /// Adds a check that comes before those of needs and excludes.

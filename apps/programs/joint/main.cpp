@@ -8,6 +8,8 @@
 #include "cli/program.hpp"
 #include "cli/sweep.hpp"
 #include "help/help.hpp"
+#include "libcontact/files/joint_tables.hpp"
+#include "libcontact/files/key_schema.hpp"
 #include "programs/joint/run.hpp"
 #include "programs/joint/solution_row.hpp"
 
@@ -193,6 +195,8 @@ int main(int argc, char** argv) {
   add_output(program, options);
   add_loops(program, options);
   add_fileless_joint_options(program, options.joint);
+  program.add_schema(
+      [] { return contact::schema_text(contact::joint_keys()); });
   return program.run(argc, argv, help_with_columns(),
                      [&] { return hinge_joint::run(options); });
 }

@@ -3,8 +3,10 @@
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "help/help.hpp"
+#include "libcontact/files/key_schema.hpp"
 #include "programs/separation/option_check.hpp"
 #include "programs/separation/run.hpp"
+#include "separation/case/case_keys.hpp"
 
 namespace {
 
@@ -76,6 +78,8 @@ int main(int argc, char** argv) {
                        "", true}});
   add_run(program, options);
   add_output(program, options);
+  program.add_schema(
+      [] { return contact::schema_text(separation::case_keys()); });
   return program.run(argc, argv, help, [&] {
     separation::check_options(options, program.has("--format"));
     return separation::run(options);

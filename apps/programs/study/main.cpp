@@ -4,7 +4,9 @@
 #include "cli/program.hpp"
 #include "cli/quantity.hpp"
 #include "help/help.hpp"
+#include "libcontact/files/key_schema.hpp"
 #include "programs/study/run.hpp"
+#include "study/plan/plan.hpp"
 
 namespace {
 
@@ -67,5 +69,6 @@ int main(int argc, char** argv) {
   add_study(program, options);
   add_instead(program, options);
   add_output(program, options);
+  program.add_schema([] { return contact::schema_text(study::study_keys()); });
   return program.run(argc, argv, help, [&] { return study::run(options); });
 }

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <string>
+
+#include "libcontact/files/toml_reader.hpp"
+
+namespace contact {
+
+/// A JSON schema of a file with these keys, by which editors complete and check
+/// TOML: every spelling of a key, with its unit. Ranges and keys that need each
+/// other are for the reader to check.
+std::string schema_text(const KnownKeys& keys);
+
+}  // namespace contact
