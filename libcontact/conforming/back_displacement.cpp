@@ -1,6 +1,5 @@
 #include "libcontact/conforming/back_displacement.hpp"
 
-#include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
 #include <complex>
 #include <numbers>
@@ -79,21 +78,16 @@ BackDisplacement::BackDisplacement(double nu, double psi)
     head_[n] = q * ((n == 1 ? 0 : ball_compliance(n, nu)) - covered);
   }
 
-  series_.fill(0);
-  for (int i = 0; i < series_terms; ++i) {
-    const double angle = pi * (i + 0.5) / series_terms;
-    const double value = by_quadrature(series_end_ * std::cos(angle / 2));
-    for (int k = 0; k < series_terms; ++k) {
-      series_[k] += 2 * value / series_terms * std::cos(k * angle);
-    }
-  }
+  series_ = {series_terms, [&](double half_phase) {
+               return Eigen::RowVectorXd::Constant(
+                   1, by_quadrature(series_end_ * std::cos(half_phase)));
+             }};
 }
 
 double BackDisplacement::operator()(double f) const {
   const double v = f / series_end_;
   if (std::abs(v) > 1) return by_quadrature(f);
-  return boost::math::chebyshev_clenshaw_recurrence(
-      series_.data(), series_.size(), 2 * v * v - 1);
+  return series_.value(0, 2 * v * v - 1);
 }
 
 double BackDisplacement::by_quadrature(double f) const {

@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "libcontact/base/chebyshev_table.hpp"
+
 namespace contact::detail {
 
 /// Radial displacement of a ball by a uniform normal pressure on the cap of
@@ -44,7 +46,7 @@ class BackDisplacement {
 
   double cosine_patch_;
   double series_end_;
-  std::array<double, series_terms> series_;
+  ChebyshevTable series_;
   std::array<double, nodes> decay_;       // exp(-s)
   std::array<double, nodes> half_decay_;  // exp(-s/2)
   std::array<double, nodes> weight_;      // quadrature, times sigma(s)

@@ -1,7 +1,6 @@
 #include "libcontact/half_angle/approach_table.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -28,50 +27,39 @@ ApproachTable::ApproachTable(JointKind kind, const HalfAngleTable& load,
       load_(load),
       variable_(JointKind::ball, load.largest(), load.thickness()) {
   if (!variable_.has_walls()) {
-    tabulate(40, solver);
+    series_ = tabulated(40, solver);
     return;
   }
-  tabulate(64, solver);
-  if (!is_resolved()) tabulate(128, solver);  // thin free rings
-}
-
-void ApproachTable::tabulate(int count, const Solver& solver) {
-  approach_.assign(count, 0);
-  growth_.assign(count, 0);
-  for (int i = 0; i < count; ++i) {
-    const double phi = pi * (i + 0.5) / count;
-    const double cosine = std::cos(phi / 2);
-    const double sine = std::sin(phi / 2);
-    const auto [half_angle, rest] =
-        variable_.half_angle(cosine * cosine, sine * sine);
-    const ForcePoint solved = solver(half_angle);
-    // The approach is made that of the other table's load: near the limit both
-    // loads are small differences, whose roundings are not each other's.
-    const double same_load = solved.reciprocal_load *
-                             load_.load_parameter(half_angle).load_parameter;
-    const double complement = load_.reaches_limit() ? rest : 1;
-    const double unit = square(half_angle);
-    const double l = logarithm(half_angle);
-    const auto h = [&](double value) {
-      return std::log(complement * (value / unit - l));
-    };
-    // The growth and the stiffness are each other's reciprocal.
-    const double approach = h(same_load * solved.approach.approach);
-    const double growth = h(stiffness(half_angle, solved.approach.stiffness));
-    for (int k = 0; k < count; ++k) {
-      const double factor = 2.0 / count * std::cos(k * phi);
-      approach_[k] += factor * approach;
-      growth_[k] += factor * growth;
-    }
+  series_ = tabulated(64, solver);
+  if (!series_.is_resolved(negligible, 2)) {
+    series_ = tabulated(128, solver);  // thin free rings
   }
 }
 
-bool ApproachTable::is_resolved() const {
-  const auto ends = [](const Series& series) {
-    return std::all_of(series.end() - 4, series.end(),
-                       [](double c) { return std::abs(c) < negligible; });
-  };
-  return ends(approach_) && ends(growth_);
+ChebyshevTable ApproachTable::tabulated(int count, const Solver& solver) const {
+  return {count, [&](double half_phase) -> Eigen::RowVectorXd {
+            const double cosine = std::cos(half_phase);
+            const double sine = std::sin(half_phase);
+            const auto [half_angle, rest] =
+                variable_.half_angle(cosine * cosine, sine * sine);
+            const ForcePoint solved = solver(half_angle);
+            // The approach is made that of the other table's load: near the
+            // limit both loads are small differences, whose roundings are not
+            // each other's.
+            const double same_load =
+                solved.reciprocal_load *
+                load_.load_parameter(half_angle).load_parameter;
+            const double complement = load_.reaches_limit() ? rest : 1;
+            const double unit = square(half_angle);
+            const double l = logarithm(half_angle);
+            const auto h = [&](double value) {
+              return std::log(complement * (value / unit - l));
+            };
+            // The growth and the stiffness are each other's reciprocal.
+            return Eigen::RowVector2d(
+                h(same_load * solved.approach.approach),
+                h(stiffness(half_angle, solved.approach.stiffness)));
+          }};
 }
 
 double ApproachTable::logarithm(double half_angle) const {
@@ -94,12 +82,11 @@ ContactApproach ApproachTable::operator()(double half_angle) const noexcept {
       load_.reaches_limit() ? (load_.largest() - half_angle) / load_.largest()
                             : 1;
   const double l = logarithm(half_angle);
-  const auto value = [&](const Series& series) {
-    const double h = boost::math::chebyshev_clenshaw_recurrence(
-        series.data(), series.size(), v);
+  const auto value = [&](int column) {
+    const double h = series_.value(column, v);
     return square(half_angle) * (std::exp(h) / complement + l);
   };
-  return {value(approach_), stiffness(half_angle, value(growth_))};
+  return {value(0), stiffness(half_angle, value(1))};
 }
 
 }  // namespace contact::detail

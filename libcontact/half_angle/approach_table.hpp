@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
 #include "libcontact/conforming/force_point.hpp"
 #include "libcontact/half_angle/table.hpp"
@@ -33,16 +32,14 @@ class ApproachTable {
   ContactApproach operator()(double half_angle) const noexcept;
 
  private:
-  using Series = std::vector<double>;  // its first coefficient doubled
-  void tabulate(int count, const Solver& solver);
-  bool is_resolved() const;
+  ChebyshevTable tabulated(int count, const Solver& solver) const;
   double logarithm(double half_angle) const;
   double stiffness(double half_angle, double growth) const;
 
   JointKind kind_;
   const HalfAngleTable& load_;
   HalfAngleVariable variable_;
-  Series approach_, growth_;  // series in ln h
+  ChebyshevTable series_;  // ln h of the approach and of its growth
 };
 
 }  // namespace contact::detail

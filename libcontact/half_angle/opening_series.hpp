@@ -3,6 +3,8 @@
 #include <Eigen/Core>
 #include <functional>
 
+#include "libcontact/base/chebyshev_table.hpp"
+
 namespace contact::detail {
 
 /// Numbers of a contact that closes nearly all round, over psi = pi - theta0
@@ -20,10 +22,10 @@ class OpeningSeries {
   /// @param row    the numbers at psi in (0, largest); called here only
   void tabulate(int count, const Row& row);
 
-  Eigen::Index columns() const { return coefficients_.cols(); }
+  Eigen::Index columns() const { return series_.columns(); }
   /// Whether the last coefficients of the first column are below 1e-8: what is
   /// cut off is as large.
-  bool is_resolved() const;
+  bool is_resolved() const { return series_.is_resolved(1e-8, 1, 3); }
 
   /// The first numbers at psi in [0, largest].
   Eigen::RowVectorXd at(double opening, Eigen::Index columns) const;
@@ -39,7 +41,7 @@ class OpeningSeries {
 
   double thickness_;
   double range_;
-  Eigen::MatrixXd coefficients_;  // a degree a row
+  ChebyshevTable series_;
 };
 
 }  // namespace contact::detail

@@ -30,22 +30,21 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
                                const std::function<double(double)>& reciprocal,
                                double largest, bool is_limit, double thickness)
     : kind_(kind),
-      terms_(terms_for(kind, largest)),
       largest_(largest),
       is_limit_(is_limit),
       variable_(kind, largest, thickness) {
   if (variable_.has_walls()) {
-    for (terms_ = 64;; terms_ = max_terms) {
-      tabulate(reciprocal);
-      if (terms_ == max_terms || is_resolved()) break;
+    series_ = tabulated(64, reciprocal);
+    if (!series_.is_resolved(negligible, 1)) {
+      series_ = tabulated(128, reciprocal);
     }
-    while (std::abs(coefficients_[terms_ - 1]) < negligible) --terms_;
+    series_.shorten(negligible);
     // ln G(0) = 0 in truth.
-    coefficients_[0] -= std::log(evaluate(0).value);
+    series_.shift(0, -std::log(evaluate(0).value));
   } else {
-    tabulate(reciprocal);
+    series_ = tabulated(terms_for(kind, largest), reciprocal);
     // G(0) = 1 in truth.
-    coefficients_[0] += 1 - evaluate(0).value;
+    series_.shift(0, 1 - evaluate(0).value);
   }
   // The start does not know the variable of walls.
   start_.emplace(
@@ -53,52 +52,25 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
       largest, variable_.has_walls() ? 512 : 128);
 }
 
-void HalfAngleTable::tabulate(const std::function<double(double)>& reciprocal) {
-  coefficients_ = {};
-  std::array<double, 4 * max_terms> cosine;  // cos(m pi/(2 terms))
-  for (int m = 0; m < 4 * terms_; ++m) {
-    cosine[m] = std::cos(pi / 2 * m / terms_);
-  }
-  for (int i = 0; i < terms_; ++i) {
-    // u = (1 + cos(phi))/2 at the Chebyshev points phi, 1 - u = sin^2(phi/2).
-    const double half_phi = pi / 2 * (i + 0.5) / terms_;
-    const auto [half_angle, complement] =
-        variable_.half_angle(std::cos(half_phi) * std::cos(half_phi),
-                             std::sin(half_phi) * std::sin(half_phi));
-    const double g = raised(kind_, 2 * std::sin(half_angle / 2)) *
-                     reciprocal(half_angle) / power_per_load(kind_) /
-                     (is_limit_ ? complement : 1);
-    const double value = variable_.has_walls() ? std::log(g) : g;
-    // Discrete orthogonality: T_k at the point is cos(k phi).
-    for (int k = 0; k < terms_; ++k) {
-      coefficients_[k] += (k == 0 ? 1.0 : 2.0) / terms_ * value *
-                          cosine[k * (2 * i + 1) % (4 * terms_)];
-    }
-  }
-}
-
-bool HalfAngleTable::is_resolved() const {
-  for (int k = terms_ - 4; k < terms_; ++k) {
-    if (!(std::abs(coefficients_[k]) < negligible)) return false;
-  }
-  return true;
+ChebyshevTable HalfAngleTable::tabulated(
+    int count, const std::function<double(double)>& reciprocal) const {
+  return {count, [&](double half_phase) {
+            const double cosine = std::cos(half_phase);
+            const double sine = std::sin(half_phase);
+            const auto [half_angle, complement] =
+                variable_.half_angle(cosine * cosine, sine * sine);
+            const double g = raised(kind_, 2 * std::sin(half_angle / 2)) *
+                             reciprocal(half_angle) / power_per_load(kind_) /
+                             (is_limit_ ? complement : 1);
+            return Eigen::RowVectorXd::Constant(
+                1, variable_.has_walls() ? std::log(g) : g);
+          }};
 }
 
 RelationValue HalfAngleTable::evaluate(double half_angle) const noexcept {
   const auto [u, du] = variable_(half_angle);
-  // Clenshaw's recurrence for the series and its derivative in v = 2u - 1.
-  const double twice_v = 2 * (2 * u - 1);
-  double b0 = 0, b1 = 0, d0 = 0, d1 = 0;
-  for (int k = terms_ - 1; k > 0; --k) {
-    const double d = 2 * b0 + twice_v * d0 - d1;
-    d1 = d0;
-    d0 = d;
-    const double b = coefficients_[k] + twice_v * b0 - b1;
-    b1 = b0;
-    b0 = b;
-  }
-  double g = coefficients_[0] + twice_v / 2 * b0 - b1;
-  double slope = 2 * du * (b0 + twice_v / 2 * d0 - d1);
+  auto [g, slope] = series_.tangent(0, 2 * u - 1);
+  slope *= 2 * du;
   if (variable_.has_walls()) {
     g = std::exp(g);
     slope *= g;

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <array>
 #include <functional>
 #include <limits>
 #include <optional>
 
+#include "libcontact/base/chebyshev_table.hpp"
 #include "libcontact/conforming/half_angle_variable.hpp"
 #include "libcontact/half_angle/factory.hpp"
 #include "libcontact/half_angle/law.hpp"
@@ -48,18 +48,15 @@ class HalfAngleTable {
   double thickness() const noexcept { return variable_.thickness(); }
 
  private:
-  void tabulate(const std::function<double(double)>& reciprocal);
-  bool is_resolved() const;
+  ChebyshevTable tabulated(
+      int count, const std::function<double(double)>& reciprocal) const;
   RelationValue evaluate(double half_angle) const noexcept;
 
-  static constexpr int max_terms = 128;
-
   JointKind kind_;
-  int terms_;
   double largest_;
   bool is_limit_;
   HalfAngleVariable variable_;
-  std::array<double, max_terms> coefficients_{};  // series of G or ln G
+  ChebyshevTable series_;  // of G or ln G
   std::optional<HalfAngleStart> start_;
 };
 

@@ -1,7 +1,6 @@
 #include "libcontact/play/force_series.hpp"
 
 #include <algorithm>
-#include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
 #include <numbers>
 
@@ -32,74 +31,47 @@ ForceSeries::ForceSeries(JointKind kind, double limit, const Solver& solver)
       last_(std::log(
           std::min(largest_half_angle, largest_share_of_limit * limit))) {
   for (int count = 64;; count *= 2) {
-    tabulate(kind, count, solver);
-    if (count == 256 || is_resolved()) break;
+    series_ = tabulated(kind, count, solver);
+    if (count == 256 || series_.is_resolved(negligible, penetration)) break;
   }
 }
 
-void ForceSeries::tabulate(JointKind kind, int count, const Solver& solver) {
+ChebyshevTable ForceSeries::tabulated(JointKind kind, int count,
+                                      const Solver& solver) const {
   // 1/mu or 1/lambda over x, and stiffness over K_1'/D'.
   const double load_unit = kind == JointKind::ball ? pi / 2 : 0.5;
   const double stiffness_unit = kind == JointKind::ball ? pi / 3 : pi / 4;
-  for (Series* s : {&reciprocal_, &approach_, &stiffness_, &excess_}) {
-    s->assign(count, 0);
-  }
-  for (int i = 0; i < count; ++i) {
-    const double phi = pi * (i + 0.5) / count;
-    const double u =
-        (first_ + last_) / 2 + (last_ - first_) / 2 * std::cos(phi);
-    const double theta = std::exp(u);
-    const ForcePoint point = solver(theta);
-    const double x = load_unit * point.reciprocal_load;
-    const double shift = (power_ - 2) * u;
-    const double values[] = {
-        std::log(x / (limit_ - theta)) + power_ * u,
-        std::log(point.approach.approach * x) + shift,
-        std::log(point.approach.stiffness / stiffness_unit) - shift,
-        std::log(point.excess) - 2 * u};
-    for (int k = 0; k < count; ++k) {
-      const double factor = 2.0 / count * std::cos(k * phi);
-      reciprocal_[k] += factor * values[0];
-      approach_[k] += factor * values[1];
-      stiffness_[k] += factor * values[2];
-      excess_[k] += factor * values[3];
-    }
-  }
-  penetration_ = approach_;
-  for (int k = 0; k < count; ++k) penetration_[k] -= reciprocal_[k];
-  // c'_{k-1} = c'_{k+1} + 2 k c_k
-  growth_.assign(count, 0);
-  for (int k = count - 1; k > 0; --k) {
-    const double beyond = k + 1 < count ? growth_[k + 1] : 0;
-    growth_[k - 1] = beyond + 2 * k * penetration_[k];
-  }
-  for (double& c : growth_) c *= 2 / (last_ - first_);
+  return {count, [&](double half_phase) -> Eigen::RowVectorXd {
+            const double u = (first_ + last_) / 2 +
+                             (last_ - first_) / 2 * std::cos(2 * half_phase);
+            const double theta = std::exp(u);
+            const ForcePoint point = solver(theta);
+            const double x = load_unit * point.reciprocal_load;
+            const double shift = (power_ - 2) * u;
+            Eigen::RowVectorXd row(penetration + 1);
+            row << std::log(x / (limit_ - theta)) + power_ * u,
+                std::log(point.approach.approach * x) + shift,
+                std::log(point.approach.stiffness / stiffness_unit) - shift,
+                std::log(point.excess) - 2 * u, 0;
+            row[penetration] = row[approach] - row[reciprocal];
+            return row;
+          }};
 }
 
-bool ForceSeries::is_resolved() const {
-  const auto ends = [](const Series& series) {
-    return std::all_of(series.end() - 4, series.end(),
-                       [](double c) { return std::abs(c) < negligible; });
-  };
-  return ends(reciprocal_) && ends(approach_) && ends(stiffness_) &&
-         ends(excess_);
-}
-
-double ForceSeries::value(const Series& series, double u) const {
-  const double v = (2 * u - first_ - last_) / (last_ - first_);
-  return boost::math::chebyshev_clenshaw_recurrence(series.data(),
-                                                    series.size(), v);
+double ForceSeries::variable(double u) const {
+  return (2 * u - first_ - last_) / (last_ - first_);
 }
 
 ForceSeries::Point ForceSeries::at(double u) const {
   const double theta = std::exp(u);
+  const double v = variable(u);
   const double x =
-      (limit_ - theta) * std::exp(value(reciprocal_, u) - power_ * u);
-  const double approach = std::exp(value(approach_, u) - (power_ - 2) * u);
-  const double slope = std::exp(value(stiffness_, u) + (power_ - 2) * u);
-  const double excess = std::exp(value(excess_, u) + 2 * u);
-  const double penetration = approach / x;
-  return {theta, penetration, 1 / x, slope, (penetration - excess) / (2 * x)};
+      (limit_ - theta) * std::exp(series_.value(reciprocal, v) - power_ * u);
+  const double penetration =
+      std::exp(series_.value(approach, v) - (power_ - 2) * u) / x;
+  const double slope = std::exp(series_.value(stiffness, v) + (power_ - 2) * u);
+  const double extra = std::exp(series_.value(excess, v) + 2 * u);
+  return {theta, penetration, 1 / x, slope, (penetration - extra) / (2 * x)};
 }
 
 double ForceSeries::at_penetration(double penetration, double start) const {
@@ -110,10 +82,12 @@ double ForceSeries::at_penetration(double penetration, double start) const {
   for (int i = 0; i < step_limit; ++i) {
     const double theta = std::exp(u);
     const double rest = limit_ - theta;
-    const double error =
-        value(penetration_, u) + 2 * u - std::log(rest) - wanted;
-    const double next = std::clamp(
-        u - error / (value(growth_, u) + 2 + theta / rest), first_, last_);
+    const auto [value, slope] =
+        series_.tangent(ForceSeries::penetration, variable(u));
+    const double error = value + 2 * u - std::log(rest) - wanted;
+    const double growth = slope * 2 / (last_ - first_);
+    const double next =
+        std::clamp(u - error / (growth + 2 + theta / rest), first_, last_);
     const double step = std::abs(next - u);
     u = next;
     if (step < 1e-15 * std::abs(u)) break;

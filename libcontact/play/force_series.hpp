@@ -1,8 +1,8 @@
 #pragma once
 
 #include <functional>
-#include <vector>
 
+#include "libcontact/base/chebyshev_table.hpp"
 #include "libcontact/conforming/force_point.hpp"
 #include "libcontact/pair/joint_geometry.hpp"
 
@@ -36,21 +36,20 @@ class ForceSeries {
   double last() const { return last_; }
 
  private:
-  using Series = std::vector<double>;  // its first coefficient doubled
-  void tabulate(JointKind kind, int count, const Solver& solver);
-  bool is_resolved() const;
-  double value(const Series& series, double u) const;
+  // Columns of the series.
+  enum { reciprocal, approach, stiffness, excess, penetration };
+  ChebyshevTable tabulated(JointKind kind, int count,
+                           const Solver& solver) const;
+  double variable(double u) const;  // [-1, 1]
 
   double power_;  // x ~ theta0^-power
   double limit_;
   double first_;
   double last_;
-  Series reciprocal_;   // ln(x theta0^power/(limit - theta0))
-  Series approach_;     // ln((delta/K_1) theta0^(power-2))
-  Series stiffness_;    // ln((K_1'/D') theta0^(2-power))
-  Series excess_;       // ln((S - 1)/theta0^2)
-  Series penetration_;  // ln(delta/eps) - 2 u + ln(limit - theta0)
-  Series growth_;       // its derivative over u
+  // ln(x theta0^power/(limit - theta0)), ln((delta/K_1) theta0^(power-2)),
+  // ln((K_1'/D') theta0^(2-power)), ln((S - 1)/theta0^2), and
+  // ln(delta/eps) - 2 u + ln(limit - theta0), the second less the first.
+  ChebyshevTable series_;
 };
 
 }  // namespace contact::detail
