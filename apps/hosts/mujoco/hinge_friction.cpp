@@ -162,7 +162,9 @@ VectorXd HingeFriction::free_rates(const mjData* data) const {
 // The moments of friction in place of those that there are; the change.
 double HingeFriction::solve(const VectorXd& free) {
   const VectorXd before = force_;
-  Eigen::MatrixXd weight = weight_;  // in the axes of the starts
+  const bool turns = std::any_of(hinges_.begin(), hinges_.end(),
+                                 [](const Hinge& h) { return h.on_carrier; });
+  if (turns) turned_ = weight_;
   int at = 0;
   for (std::size_t i = 0; i < hinges_.size(); at += hinges_[i++].size) {
     contact_step_start& s = starts_[i];
@@ -170,12 +172,13 @@ double HingeFriction::solve(const VectorXd& free) {
     Vector3d::Map(s.free) = h.size == 3 ? Vector3d(h.turn * free.segment<3>(at))
                                         : Vector3d(free[at] * Vector3d(s.axis));
     if (!h.on_carrier) continue;
-    weight.middleRows<3>(at) = (h.turn * weight.middleRows<3>(at)).eval();
-    weight.middleCols<3>(at) =
-        (weight.middleCols<3>(at) * h.turn.transpose()).eval();
+    turned_.middleRows<3>(at) = (h.turn * turned_.middleRows<3>(at)).eval();
+    turned_.middleCols<3>(at) =
+        (turned_.middleCols<3>(at) * h.turn.transpose()).eval();
   }
   must(contact_joints_step(contacts_.data(), contacts_.size(), starts_.data(),
-                           weight.data(), steps_.data(), &sweeps_));
+                           (turns ? turned_ : weight_).data(), steps_.data(),
+                           &sweeps_));
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     const Hinge& h = hinges_[i];
     const Vector3d moment(steps_[i].moment);

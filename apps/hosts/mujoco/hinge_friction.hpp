@@ -102,6 +102,7 @@ class HingeFriction {
   Eigen::MatrixXd inertia_;             // H
   Eigen::LLT<Eigen::MatrixXd> damped_;  // H where there is damping
   Eigen::MatrixXd weight_;              // W
+  Eigen::MatrixXd turned_;              // the same in the axes of the seats
   Eigen::VectorXd force_;               // generalized, of friction
 };
 
