@@ -253,7 +253,7 @@ JointSolution whole(const Joint& joint, const contact_solution& solution) {
   s.work = joint
                .solve_contact({.normal_force = s.normal_force * s.normal,
                                .angular_velocity = Vector3d::Zero(),
-                               .axis = s.friction_moment})
+                               .axis = s.friction_moment.stableNormalized()})
                .work;
   return s;
 }

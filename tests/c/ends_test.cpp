@@ -299,6 +299,17 @@ TEST(CEnds, SolutionsAreFoundAnew) {
   ASSERT_EQ(contact_rating_get(c.get(), &level, &found, "heat", &heat),
             CONTACT_OK);
   EXPECT_EQ(heat, -s.power);
+  // A pin with a relief, whose axis is that of its moment.
+  const contact_slip turning = {{1e4, 200, 0}, {0, 0, 1}, {0, 0, 1}};
+  const Joint pin(contact::read_joint(bush));
+  const CJoint c_pin = c_joint(bush);
+  const contact_solution turned = solved(c_pin, turning);
+  double pv_max;
+  ASSERT_EQ(
+      contact_rating_get(c_pin.get(), &turning, &turned, "pv_max", &pv_max),
+      CONTACT_OK);
+  EXPECT_NEAR(pv_max / pin.pv(pin.solve(cpp(turning)), {0, 0, 1}).largest, 1,
+              1e-8);
   // The moment of the slip is one of the edge.
   contact_held held;
   ASSERT_EQ(contact_joint_held(c.get(), &found, found.friction_moment, &held),
