@@ -6,8 +6,11 @@
 #include <cmath>
 #include <filesystem>
 #include <limits>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "c/door.hpp"
@@ -19,6 +22,7 @@
 #include "libcontact/play/play_joint.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/play.hpp"
+#include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -91,6 +95,58 @@ TEST(CQuantities, OfRatingsAreThoseOfCpp) {
                contact_rating_quantity, [&](const char* key, double* to) {
                  return contact_rating_get(c.get(), &slip, &s, key, to);
                });
+}
+
+// Neighbours of one type, each with a number of its own.
+TEST(Quantities, OfRimsAreTheirMembers) {
+  contact::RimContact rim;
+  rim.area = 1;
+  rim.peak_pressure = 2;
+  rim.peak_place = {3, 4};
+  rim.pressure_at_load = 5;
+  rim.lower_end = 6;
+  rim.upper_end = 7;
+  rim.half_width = 8;
+  for (const int i : {0, 1}) {
+    rim.rims[i].distance = 9 + i;
+    rim.rims[i].gap = 11 + i;
+    rim.rims[i].intensity = 13 + i;
+    rim.rims[i].peak_pressure = 15 + i;
+  }
+  rim.force_ratio = 17;
+  rim.nominal_area = 18;
+  rim.shift = {0, 19, 0};
+  rim.force = {0, 0, 20};
+  const std::map<std::string_view, double> expected = {
+      {"free", 0},
+      {"contact_area", 1},
+      {"peak_pressure", 2},
+      {"peak_polar_angle", 3},
+      {"peak_longitude", 4},
+      {"pressure_at_load", 5},
+      {"lower_end", 6},
+      {"upper_end", 7},
+      {"half_width", 8},
+      {"lower_rim_distance", 9},
+      {"upper_rim_distance", 10},
+      {"lower_rim_gap", 11},
+      {"upper_rim_gap", 12},
+      {"lower_intensity", 13},
+      {"upper_intensity", 14},
+      {"lower_rim_pressure", 15},
+      {"upper_rim_pressure", 16},
+      {"force_ratio", 17},
+      {"nominal_area", 18},
+      {"shift", 19},
+      {"seat_force", 20}};
+  for (const auto all :
+       {contact::seat_quantities(), contact::rim_quantities()}) {
+    for (const auto& quantity : all) {
+      ASSERT_TRUE(expected.contains(quantity.key)) << quantity.key;
+      EXPECT_EQ(contact::value_of(quantity, rim), expected.at(quantity.key))
+          << quantity.key;
+    }
+  }
 }
 
 // Joints whose laws end where loads do not, each pair of laws that a ball and a

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
 #include <string>
+#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
@@ -249,6 +251,80 @@ TEST(JointPressure, HalfAnglesBeyondTheTableAreThoseOfInterference) {
                     make_half_angle_law("exact", JointKind::ball, soft),
                     make_pressure_law("exact", JointKind::ball, soft)});
   EXPECT_TRUE(same.contact().validity_notes().empty());
+}
+
+// Where the ball or pin of the one body is pressed into the other one's seat,
+// pressures add up to the normal force and p v to its integral.
+TEST(JointAnswers, PressuresAndPvAreThoseOfTheContact) {
+  constexpr double radius = 0.05;
+  const Vector3d reaction(0, 3e5, 0);
+  const Vector3d rate(0, 1, 0.4);
+  for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
+    const ElasticPair pair = unlike_pair();
+    const Joint joint({JointGeometry::ball(radius, 0.05e-3, inner), pair,
+                       FrictionLaw(0.1),
+                       make_half_angle_law("exact", JointKind::ball, pair),
+                       make_pressure_law("exact", JointKind::ball, pair)});
+    const JointSolution s = joint.solve({reaction, rate});
+    const Vector3d to_contact =
+        inner == JointBody::carrier ? s.normal : Vector3d(-s.normal);
+    const Eigen::Quaterniond turn =
+        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to_contact);
+    const auto speed = [&](const Vector3d& place) {
+      return radius * rate.cross(place).norm();
+    };
+    std::vector<Vector3d> places;
+    std::vector<double> areas;
+    constexpr int rings = 200;
+    constexpr int parts = 60;
+    for (int i = 0; i < rings; ++i) {
+      const double theta = s.half_angle * (i + 0.5) / rings;
+      for (int k = 0; k < parts; ++k) {
+        const double phi = 2 * std::numbers::pi * k / parts;
+        places.push_back(turn * Vector3d(std::sin(theta) * std::cos(phi),
+                                         std::sin(theta) * std::sin(phi),
+                                         std::cos(theta)));
+        areas.push_back(radius * radius * std::sin(theta) * s.half_angle /
+                        rings * 2 * std::numbers::pi / parts);
+      }
+    }
+    const std::vector<double> pressures = joint.pressures(s, places);
+    Vector3d force = Vector3d::Zero();
+    double pv = 0;
+    double largest = 0;
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      force += pressures[i] * areas[i] * places[i];
+      pv += pressures[i] * areas[i] * speed(places[i]);
+      largest = std::max(largest, pressures[i] * speed(places[i]));
+    }
+    // Of the sum over the root at the edge.
+    EXPECT_LT((force / s.normal_force - to_contact).norm(), 3e-4);
+    const ContactPv found = joint.pv(s, rate);
+    EXPECT_NEAR(found.total / pv, 1, 3e-4);
+    const Vector3d place[] = {found.place, -to_contact};
+    const std::vector<double> there = joint.pressures(s, place);
+    EXPECT_NEAR(found.largest / (there[0] * speed(found.place)), 1, 1e-9);
+    EXPECT_GE(found.largest, largest * (1 - 1e-9));
+    EXPECT_NEAR(found.largest / largest, 1, 1e-3);
+    EXPECT_GT((found.place - to_contact).norm(), 0.05);
+    EXPECT_EQ(there[1], 0);
+  }
+}
+
+// Without a load too, all round.
+TEST(JointAnswers, PressedJointsHaveTheirPressure) {
+  const ElasticPair pair = unlike_pair();
+  const Joint pin({JointGeometry::pin(0.05, -1e-6, 0.1), pair, FrictionLaw(0.1),
+                   make_half_angle_law("exact", JointKind::pin, pair),
+                   make_pressure_law("exact", JointKind::pin, pair)});
+  const Vector3d z = Vector3d::UnitZ();
+  const JointSolution s = pin.solve({Vector3d::Zero(), z, z});
+  const Vector3d places[] = {{1, 0, 0}, {-0.6, 0.8, 0}};
+  const double pressed = pin.contact().interference_pressure();
+  EXPECT_GT(pressed, 0);
+  for (const double p : pin.pressures(s, places)) {
+    EXPECT_NEAR(p, pressed, 1e-12 * pressed);
+  }
 }
 
 }  // namespace

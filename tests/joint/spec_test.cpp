@@ -5,12 +5,15 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <set>
 #include <string>
+#include <utility>
 
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/fitted.hpp"
+#include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/mixture.hpp"
@@ -198,6 +201,38 @@ TEST(JointContact, TakesLawsOfTheSameConstants) {
   EXPECT_EQ(refusal(pair, std::make_shared<FittedLaw>(ball, ratio),
                     std::make_shared<MixturePressure>(ball, ratio)),
             "(no error)");
+}
+
+// Notes of several rows, or threads, are those of all.
+TEST(ContactNotes, AddUp) {
+  const JointSpec spec{.geometry = JointGeometry::ball(0.033, 1e-5)
+                                       .with_seat(SeatZone::ring(0.028, 0.033)),
+                       .inner = Material{2e11, 0.3, "a", 1e8},
+                       .outer = Material{1e11, 0.3, "b", 1e8},
+                       .friction = FrictionLaw(0.1)};
+  const Joint joint(spec);
+  const Joint endless(spec.without_seat());
+  const JointSolution large =
+      endless.solve({{5e5, 0, 0}, Eigen::Vector3d::UnitZ()});
+  JointSolution lost;
+  lost.status = Status::out_of_seat;
+  ContactNotes first;
+  first.add(endless, large);
+  ContactNotes second;
+  second.add(joint, lost);
+  const auto of_first = first.notes(joint);
+  const auto of_second = second.notes(joint);
+  EXPECT_GE(of_first.size(), 1u);
+  EXPECT_GE(of_second.size(), 1u);
+  EXPECT_NE(of_first, of_second);
+  std::set<std::string> expected(of_first.begin(), of_first.end());
+  expected.insert(of_second.begin(), of_second.end());
+  for (const auto& [one, other] : {std::pair(first, second), {second, first}}) {
+    ContactNotes all = one;
+    all.add(other);
+    const auto notes = all.notes(joint);
+    EXPECT_EQ(std::set<std::string>(notes.begin(), notes.end()), expected);
+  }
 }
 
 }  // namespace
