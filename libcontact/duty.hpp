@@ -7,7 +7,6 @@
 #include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/duty/wear_in.hpp"
-#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/duty/seat_pv.hpp"
 #include "libcontact/duty/pin_cycle.hpp"
 // clang-format on

@@ -15,13 +15,6 @@ using S = RimContact;
 
 bool is_number(double x) { return !std::isnan(x); }
 
-// It rises with K.
-double rim_pressure(const SeatCycle& cycle) {
-  const auto* instant = cycle.largest_intensity();
-  return instant ? instant->solution.contact.rim_pressure()
-                 : std::numeric_limits<double>::quiet_NaN();
-}
-
 constexpr Quantity<S> of_seat[] = {
     {"free", "", Dimension::number, "1 if the contact reaches no rim",
      [](const S& s) {
@@ -149,39 +142,6 @@ constexpr auto of_limit = std::to_array<Quantity<Rest>>({
      [](const Rest& s) -> const Eigen::Vector3d& { return s.direction; }},
 });
 
-constexpr Quantity<SeatCycle> of_cycle[] = {
-    {"rim_share", "seat_rim_share", Dimension::number,
-     "share of the time in which the contact is at a rim of its seat",
-     [](const SeatCycle& c) { return c.rim_share(); }},
-    {"least_gap", "seat_least_gap", Dimension::length,
-     "from the contact to the nearest rim along the seat",
-     [](const SeatCycle& c) { return c.least_gap()->solution.contact.gap(); },
-     "", [](const SeatCycle& c) { return c.least_gap() != nullptr; }},
-    {"largest_peak_pressure", "seat_largest_p_peak", Dimension::stress,
-     "largest pressure report_distance (0.02 radii) or more from every rim",
-     [](const SeatCycle& c) {
-       return c.largest_peak()->solution.contact.peak_pressure;
-     },
-     "", [](const SeatCycle& c) { return c.largest_peak() != nullptr; }},
-    {"pv_integral", "seat_pv_integral", Dimension::energy,
-     "of p v over contact and time, in the seat that ends",
-     [](const SeatCycle& c) { return c.pv_integral(); }},
-    {"largest_pv", "seat_largest_pv", Dimension::power_density,
-     "largest p v report_distance (0.02 radii) or more from every rim",
-     [](const SeatCycle& c) { return c.largest_pv()->pv.largest; }, "",
-     [](const SeatCycle& c) { return c.largest_pv() != nullptr; }},
-    {"largest_intensity", "seat_largest_K", Dimension::number,
-     "largest p sqrt(2 pi s) at a rim, s from it, Pa m^0.5",
-     [](const SeatCycle& c) {
-       return c.largest_intensity()->solution.contact.intensity();
-     },
-     "", [](const SeatCycle& c) { return c.largest_intensity() != nullptr; }},
-    {"largest_rim_pressure", "seat_largest_p_rim", Dimension::stress,
-     "largest pressure on a rim, rounded by edge_radius",
-     [](const SeatCycle& c) { return rim_pressure(c); }, "",
-     [](const SeatCycle& c) { return is_number(rim_pressure(c)); }},
-};
-
 constexpr auto of_rest =
     detail::joined(detail::lifted<Rest, &Rest::slip, of_joint>(), of_limit);
 
@@ -196,10 +156,6 @@ std::span<const Quantity<SeatRestSolution>> seat_rest_quantities() {
 }
 
 std::span<const Quantity<SeatPv>> seat_pv_quantities() { return of_pv; }
-
-std::span<const Quantity<SeatCycle>> seat_cycle_quantities() {
-  return of_cycle;
-}
 
 std::span<const Quantity<RimContact>> seat_quantities() { return of_seat; }
 

@@ -2,7 +2,6 @@
 
 #include <span>
 
-#include "libcontact/duty/seat_cycle.hpp"
 #include "libcontact/quantities/quantity.hpp"
 #include "libcontact/seat/joint.hpp"
 
@@ -18,7 +17,5 @@ std::span<const Quantity<SeatJointSolution>> seat_joint_quantities();
 /// With those of the sliding at the limit.
 std::span<const Quantity<SeatRestSolution>> seat_rest_quantities();
 std::span<const Quantity<SeatPv>> seat_pv_quantities();
-/// The worst of a cycle.
-std::span<const Quantity<SeatCycle>> seat_cycle_quantities();
 
 }  // namespace contact

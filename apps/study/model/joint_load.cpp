@@ -5,9 +5,6 @@
 #include <numbers>
 
 #include "libcontact/base/units.hpp"
-#include "libcontact/finite_pin/finite_pin.hpp"
-#include "libcontact/pressure/validity.hpp"
-#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/seat/contact.hpp"
 
 namespace study {
@@ -15,7 +12,6 @@ namespace {
 
 using contact::Interval;
 using contact::TomlTable;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 constexpr const char* vector_key = "reaction_xyz";
@@ -67,9 +63,9 @@ void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
       load.optional_number("swing", {0, std::numbers::pi / 2}).value_or(0);
 }
 
-void read_tilt(const TomlTable& load, const contact::JointGeometry& geometry,
-               Load& to) {
-  for (const char* key : {"tilt", "load_at"}) {
+void read_placement(const TomlTable& load,
+                    const contact::JointGeometry& geometry, Load& to) {
+  for (const char* key : {"tilt", "load_at", "slide"}) {
     if (load.has(key) && geometry.kind() != contact::JointKind::pin) {
       load.needs(key, "a pin");
     }
@@ -78,20 +74,23 @@ void read_tilt(const TomlTable& load, const contact::JointGeometry& geometry,
     load.must_be("tilt", "left out beside load_at, which finds it");
   }
   if (load.has("twist") && !load.has("tilt")) load.needs("twist", "tilt");
-  if (!load.has("tilt") && !load.has("load_at")) return;
+  // A pin that bends or jams is another joint long before.
+  const Interval slope{-10 * contact::degree, 10 * contact::degree};
+  const double half = geometry.length() / 2;
+  contact::Placement& placement = to.placement;
+  placement.tilt = {load.optional_number("tilt", slope).value_or(0),
+                    load.optional_number("twist", slope).value_or(0), 0};
+  placement.place =
+      load.optional_number("load_at", {-half, half}).value_or(placement.place);
+  placement.axial_velocity =
+      load.optional_number("slide", Interval::any()).value_or(0);
+  if (!placement.ends_pin()) return;
   for (const char* key : {"beta", vector_key}) {
     if (!load.has(key)) continue;
     load.must_be(key,
-                 "left out beside tilt and load_at: the reaction is across "
-                 "the axis");
+                 "left out beside tilt, load_at and slide: the reaction is "
+                 "across the axis");
   }
-  // A pin that bends or jams is another joint long before.
-  const Interval slope{-10 * contact::degree, 10 * contact::degree};
-  to.is_tilted = load.has("tilt");
-  to.tilt = load.optional_number("tilt", slope).value_or(0);
-  to.twist = load.optional_number("twist", slope).value_or(0);
-  const double half = geometry.length() / 2;
-  to.load_at = load.optional_number("load_at", {-half, half});
 }
 
 }  // namespace
@@ -100,7 +99,7 @@ Load read_load(const TomlTable& load, const contact::JointGeometry& geometry) {
   Load all{};
   read_reaction(load, all);
   read_seat(load, geometry, all);
-  read_tilt(load, geometry, all);
+  read_placement(load, geometry, all);
   return all;
 }
 
@@ -128,34 +127,6 @@ contact::DutyCycle swinging(const Load& load,
   return {rows,
           {.axes = body_has_seat ? contact::JointBody::body
                                  : contact::JointBody::carrier}};
-}
-
-Result run_pin_that_ends(const contact::JointSpec& joint, const Load& load,
-                         const Effort& effort) {
-  const contact::FinitePin pin(joint);
-  const Vector2d force(load.reaction.norm(), 0);
-  const contact::FinitePinSolution s =
-      load.load_at ? pin.solve_at(force, *load.load_at, load.rate)
-                   : pin.solve(force, {load.tilt, load.twist}, load.rate);
-  if (s.contact.status != contact::Status::ok) {
-    return {failure_of(s.contact.status), {}};
-  }
-  Result result;
-  static const auto columns = columns_of(contact::finite_pin_quantities());
-  for (const auto& column : columns) {
-    result.numbers.emplace(column.name, column(s));
-  }
-  const contact::JointContact contact = joint.without_relief().contact();
-  const contact::ContactLimits limits = contact.limits();
-  const contact::LargestContact largest = s.contact.largest();
-  result.numbers.emplace(over_limit,
-                         largest.peak_pressure / limits.peak_pressure());
-  if (!effort.remarks) return result;
-  result.warnings = contact.validity_notes();
-  for (std::string& note : limits.notes(largest)) {
-    result.warnings.push_back(std::move(note));
-  }
-  return result;
 }
 
 }  // namespace study

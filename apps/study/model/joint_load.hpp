@@ -1,12 +1,11 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <optional>
 
 #include "libcontact/duty/duty_cycle.hpp"
+#include "libcontact/files/toml_reader.hpp"
 #include "libcontact/joint/contact_notes.hpp"
-#include "libcontact/joint/spec.hpp"
-#include "study/model/model.hpp"
+#include "libcontact/joint/joint.hpp"
 
 /// What [load] of the study of a joint says.
 namespace study {
@@ -20,17 +19,17 @@ struct Load {
   /// Swing of the reaction to both sides in its plane with z, rad; 0: it
   /// stands still.
   double swing = 0;
-  bool is_tilted = false;
-  double tilt = 0;   ///< slope of a pin in the plane of the reaction, rad
-  double twist = 0;  ///< slope across it, rad
-  std::optional<double> load_at = {};  ///< place of the reaction along a pin, m
+  /// How a pin is tilted, loaded off its middle or slides; the axis is z.
+  contact::Placement placement;
 
-  /// The joint under it.
-  contact::JointSpec of(const contact::JointSpec& joint) const {
-    return without_seat ? joint.without_seat() : joint;
-  }
-  bool is_of_pin() const { return is_tilted || load_at; }
   Eigen::Vector3d angular_velocity() const { return {0, 0, rate}; }
+  /// Refers to the load.
+  contact::Joint::Slip slip() const& {
+    return {.reaction = reaction,
+            .angular_velocity = angular_velocity(),
+            .axis = Eigen::Vector3d::UnitZ(),
+            .placement = &placement};
+  }
   /// The reaction turned in its plane with z, away from z, by an angle, rad.
   Eigen::Vector3d swung(double angle) const;
 };
@@ -42,9 +41,5 @@ Load read_load(const contact::TomlTable& load,
 /// The load in the axes of the seat, which it swings in.
 contact::DutyCycle swinging(const Load& load,
                             const contact::JointGeometry& geometry);
-
-/// As hinge-joint --tilt or --load-at.
-Result run_pin_that_ends(const contact::JointSpec& joint, const Load& load,
-                         const Effort& effort);
 
 }  // namespace study

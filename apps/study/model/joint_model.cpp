@@ -10,13 +10,15 @@
 #include <optional>
 
 #include "cli/progress.hpp"
-#include "libcontact/duty/seat_cycle.hpp"
+#include "libcontact/duty/joint_cycle.hpp"
 #include "libcontact/files/joint_tables.hpp"
 #include "libcontact/files/toml_form.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
+#include "libcontact/quantities/tables.hpp"
 #include "study/model/joint_load.hpp"
 
 namespace study {
@@ -25,7 +27,7 @@ using contact::KeySettings;
 using contact::TomlTable;
 
 struct JointModel::Loaded {
-  contact::JointSpec spec;
+  contact::JointSpec spec;  ///< under the load
   contact::Joint joint;
   Load load;
 };
@@ -41,8 +43,7 @@ struct JointModel::Rims {
   std::vector<double> draws;  ///< of one of them
   double least_load = std::numeric_limits<double>::infinity();  ///< N
   double most_load = 0;                                         ///< N
-  /// Whether they are read from a table.
-  bool are_tabulated = false;
+  bool are_tabulated = false;  ///< read from a table
   std::once_flag once = {};
   std::optional<contact::Joint> table = {};
 };
@@ -61,37 +62,44 @@ bool reaches_rim(const contact::Joint& endless, const Load& load) {
   return false;
 }
 
-/// Numbers of a contact in its seat, but for distances from rims that are not
-/// there.
-void add_rims(const contact::RimContact& rims, const contact::JointSolution& s,
-              Result& to) {
-  static const auto columns = columns_of(contact::rim_quantities());
+/// Numbers by their names, but for distances from rims that are not there.
+template <class T>
+void add(const std::vector<contact::Column<T>>& columns, const T& of,
+         Result& to) {
   for (const auto& column : columns) {
-    const double value = column(rims);
+    const double value = column(of);
     if (!std::isinf(value)) to.numbers.emplace(column.name, value);
   }
-  to.numbers.emplace("p_nominal_Pa", s.reaction.norm() / rims.nominal_area);
+}
+
+/// How a contact ends.
+void add_ends(const contact::Joint& joint, const contact::JointSolution& s,
+              Result& to) {
+  static const auto of_rims = columns_of(contact::rim_quantities());
+  static const auto of_pin = columns_of(contact::lie_quantities());
+  if (const auto rims = joint.rims(s)) {
+    add(of_rims, *rims, to);
+    to.numbers.emplace("p_nominal_Pa", s.reaction.norm() / rims->nominal_area);
+  }
+  if (const auto lie = joint.lie(s)) add(of_pin, *lie, to);
 }
 
 /// The worst of a load that swings.
-void add_swing(const contact::JointSpec& joint, const Load& load,
-               contact::LargestContact& largest, const Effort& effort,
-               Result& to) {
-  const contact::SeatCycle cycle(swinging(load, joint.geometry), joint);
+void add_swing(const contact::Joint& joint, const Load& load, Result& to) {
+  const contact::JointCycle cycle(swinging(load, joint.contact().geometry()),
+                                  joint);
   for (const auto& row : cycle.rows()) {
-    if (row.solution.contact.status == contact::SeatStatus::ok) continue;
-    to = {cycle.joint()->notes(row.solution).front(), {}};
+    if (row.solution.status == contact::Status::ok) continue;
+    to.failure = joint.notes(row.solution).front();
     return;
   }
-  static const auto columns = columns_of(contact::seat_cycle_quantities());
-  for (const auto& column : columns) {
-    const double value = column(cycle);
-    if (!std::isinf(value)) to.numbers.emplace(column.name, value);
-  }
-  const auto* highest = cycle.largest_peak();
-  largest.peak_pressure = highest ? highest->solution.contact.peak_pressure
-                                  : std::numeric_limits<double>::quiet_NaN();
-  if (effort.remarks) to.warnings = cycle.notes();
+  static const auto sums = columns_of(contact::cycle_quantities());
+  static const auto largest = columns_of(contact::worst_quantities());
+  add(sums, cycle, to);
+  add(largest, cycle, to);
+  to.warnings = cycle.notes();
+  to.numbers[over_limit] = cycle.largest_peak().solution.peak_pressure /
+                           joint.contact().limits().peak_pressure();
 }
 
 }  // namespace
@@ -104,19 +112,19 @@ JointModel::JointModel(const Plan& plan)
   }
   const TomlTable table = plan.file.table("load");
   const Load load = read_load(table, nominal.geometry);
-  const contact::Joint joint = [&] {
-    try {
-      return contact::Joint(load.of(nominal), laws_);
-    } catch (const contact::Error& error) {
-      plan.file.fail("joint", error.what());
-    }
-  }();
+  try {
+    joint_.emplace(load.without_seat ? nominal.without_seat() : nominal, laws_);
+  } catch (const contact::Error& error) {
+    plan.file.fail("joint", error.what());
+  }
   // One that scatters about a clearance of 0 may be unloaded in some runs.
-  if (load.reaction.isZero(0) && !joint.contact().has_interference()) {
+  if (load.reaction.isZero(0) && !joint_->contact().has_interference()) {
     table.must_be("reaction",
                   "above 0, as a joint without interference has no friction "
                   "without load");
   }
+  const auto is_fixed = [](const Dispersion& d) { return is_of_load(d.key); };
+  if (!std::ranges::all_of(plan.dispersions, is_fixed)) joint_.reset();
 }
 
 JointModel::~JointModel() = default;
@@ -131,10 +139,13 @@ std::vector<std::string> JointModel::copies(
 
 JointModel::Loaded JointModel::loaded(const TomlTable& joint,
                                       const TomlTable& study) const {
+  const contact::JointSpec given = contact::joint_of_file(joint);
+  const Load load = read_load(study.table("load"), given.geometry);
+  const contact::JointSpec spec =
+      load.without_seat ? given.without_seat() : given;
+  if (joint_) return {spec, *joint_, load};
   contact::SharedLaws laws = laws_;
-  const contact::JointSpec spec = contact::joint_of_file(joint);
-  const Load load = read_load(study.table("load"), spec.geometry);
-  return {spec, contact::Joint(load.of(spec), laws), load};
+  return {spec, contact::Joint(spec, laws), load};
 }
 
 JointModel::Loaded JointModel::read(const KeySettings& settings) const {
@@ -196,9 +207,7 @@ Result JointModel::run(const std::vector<double>& draws, const Effort& effort,
 
 Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   const auto& [spec, joint, load] = loaded;
-  if (load.is_of_pin()) return run_pin_that_ends(spec, load, effort);
-  const contact::JointSolution s =
-      joint.solve({load.reaction, load.angular_velocity()});
+  const contact::JointSolution s = joint.solve(load.slip());
   if (s.status != contact::Status::ok) return {joint.notes(s).front(), {}};
   Result result;
   for (const auto& column : columns_) {
@@ -209,34 +218,30 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   for (const auto& column : preload_columns_) {
     result.numbers.emplace(column.name, column(patch));
   }
-  if (const auto rims = joint.rims(s)) add_rims(*rims, s, result);
-  const contact::ContactLimits limits = contact.limits();
-  const double overlap = contact::rim_overlap(contact, s, load.direction);
-  contact::LargestContact largest{s.half_angle, s.peak_pressure, overlap};
-  if (effort.remarks) result.warnings = joint.notes(s);
-  if (load.swing > 0) add_swing(spec, load, largest, effort, result);
-  result.numbers.emplace(over_limit,
-                         largest.peak_pressure / limits.peak_pressure());
+  add_ends(joint, s, result);
+  result.numbers[over_limit] =
+      s.peak_pressure / contact.limits().peak_pressure();
+  if (load.swing > 0) add_swing(joint, load, result);
   if (!effort.remarks) return result;
-  for (auto& notes : {contact.validity_notes(), limits.notes(largest)}) {
-    std::ranges::copy(notes, std::back_inserter(result.warnings));
+  contact::ContactNotes notes;
+  notes.add(joint, s, load.direction);
+  for (auto& more : {contact.validity_notes(), notes.notes(joint)}) {
+    std::ranges::copy(more, std::back_inserter(result.warnings));
   }
   return result;
 }
 
 void JointModel::prepare(const std::vector<std::vector<double>>& first,
                          std::uint64_t runs) {
-  const bool only_load = std::ranges::all_of(
-      plan_.dispersions, [](const Dispersion& d) { return is_of_load(d.key); });
   // Laws of joints that differ may have to be made.
   const std::size_t count =
-      std::min<std::size_t>(only_load ? first.size() : 20, first.size());
+      std::min<std::size_t>(joint_ ? first.size() : 20, first.size());
   contact::SharedLaws laws = laws_;
   auto rims = std::make_unique<Rims>();
   for (std::size_t i = 0; i < count; ++i) {
     try {
       const Loaded loaded = read(first[i]);
-      if (!loaded.load.of(loaded.spec).geometry.seat()) return;
+      if (!loaded.spec.geometry.seat()) return;
       const contact::Joint endless(loaded.spec.without_seat(), laws);
       if (!reaches_rim(endless, loaded.load)) continue;
       const double load = loaded.load.reaction.norm();
@@ -252,7 +257,7 @@ void JointModel::prepare(const std::vector<std::vector<double>>& first,
   // So many take as long as the table.
   constexpr double many = 500;
   rims->are_tabulated =
-      only_load && rims->share * static_cast<double>(runs) >= many;
+      joint_ && rims->share * static_cast<double>(runs) >= many;
   rims_ = std::move(rims);
 }
 
@@ -267,12 +272,10 @@ const contact::Joint& JointModel::tabulated() const {
       done = std::max(done, percent);
     };
     const double most = rims_->most_load;
-    rims_->table =
-        read(rims_->draws)
-            .joint.tabulated(
-                {.least_load = std::max(0.9 * rims_->least_load, 0.01 * most),
-                 .most_load = 1.1 * most,
-                 .progress = say});
+    rims_->table = joint_->tabulated(
+        {.least_load = std::max(0.9 * rims_->least_load, 0.01 * most),
+         .most_load = 1.1 * most,
+         .progress = say});
   });
   return *rims_->table;
 }

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <mutex>
+#include <optional>
 
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -50,7 +51,8 @@ class JointModel : public Model {
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
-  std::unique_ptr<Rims> rims_;  ///< null where no contact is at a rim
+  std::optional<contact::Joint> joint_;  ///< of all runs: if the load scatters
+  std::unique_ptr<Rims> rims_;           ///< null where no contact is at a rim
   mutable Pool<Form> forms_;
 };
 

@@ -31,18 +31,6 @@ struct Result {
   std::vector<std::string> warnings = {};  ///< with Effort::remarks
 };
 
-/// Why a joint has no solution.
-inline const char* failure_of(contact::Status status) {
-  switch (status) {
-    case contact::Status::not_converged:
-      return "the solution did not converge";
-    case contact::Status::out_of_seat:
-      return "no pressure on the seat carries the load: the ball leaves it";
-    default:
-      return "the load is out of the range of the laws";
-  }
-}
-
 /// Evaluations wanted along a run.
 struct Effort {
   bool peaks = true;
