@@ -1,9 +1,11 @@
 #pragma once
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -17,6 +19,63 @@ namespace contact_python {
 
 using contact::Quantity;
 
+namespace detail {
+
+template <class Row, class Pointers>
+struct Getters;
+template <class Row, class Part, class... Value>
+struct Getters<Row, std::variant<Value (*)(const Part&)...>> {
+  using type = std::variant<std::function<Value(const Row&)>...>;
+};
+
+}  // namespace detail
+
+/// A Quantity of a Row, or of something that a Row has.
+template <class Row>
+struct Field {
+  std::string_view key;
+  std::string_view symbol;
+  contact::Dimension dimension;
+  std::string_view meaning;
+  typename detail::Getters<Row, decltype(Quantity<Row>::of)>::type of;
+
+  bool is_vector() const { return of.index() == 5; }
+  bool is_word() const {
+    return of.index() == 3 || of.index() == 4 || of.index() >= 6;
+  }
+};
+
+/// The quantities of a Row; made once, and never destroyed.
+template <class Row>
+using Table = std::vector<Field<Row>>;
+
+/// Adds quantities of what `part(row)` refers to.
+template <class Row, class Part, class Get>
+void add(Table<Row>& to, std::span<const Quantity<Part>> quantities,
+         const Get& part) {
+  for (const Quantity<Part>& q : quantities) {
+    Field<Row>& field = to.emplace_back(
+        Field<Row>{q.key, q.symbol, q.dimension, q.meaning, {}});
+    std::visit(
+        [&]<class Value>(Value (*get)(const Part&)) {
+          field.of = std::function<Value(const Row&)>(
+              [get, part](const Row& row) -> Value { return get(part(row)); });
+        },
+        q.of);
+  }
+}
+
+/// A table whose quantities are those of a Row.
+template <class Row>
+const Table<Row>& table_of(std::span<const Quantity<Row>> quantities) {
+  static const auto& all = *new Table<Row>([&] {
+    Table<Row> fields;
+    add(fields, quantities, [](const Row& row) -> const Row& { return row; });
+    return fields;
+  }());
+  return all;
+}
+
 /// Return type of a quantity's getter, as NumPy has it.
 template <class Value>
 using Number =
@@ -24,11 +83,12 @@ using Number =
                        std::conditional_t<std::is_enum_v<Value>, int, Value>>;
 
 /// For people: "M_t: friction moment on the body, N m, (..., 3)."
-template <class Row>
-std::string documentation(const Quantity<Row>& q) {
-  return description(q) + (q.is_vector() ? ", (..., 3)."
-                           : q.is_word() ? ", as a number."
-                                         : ".");
+template <class Quantity>
+std::string documentation(const Quantity& q) {
+  return contact::description(q.symbol, q.meaning, q.dimension) +
+         (q.is_vector() ? ", (..., 3)."
+          : q.is_word() ? ", as a number."
+                        : ".");
 }
 
 /// Rows as they were computed; the array of a quantity is made when it is asked
@@ -74,9 +134,9 @@ std::vector<std::string> chosen_names(const Fields& names, const Out& out);
                                std::vector<std::string> known);
 template <class Row>
 [[noreturn]] void refuse_field(const std::string& name,
-                               std::span<const Quantity<Row>> table) {
+                               const Table<Row>& fields) {
   std::vector<std::string> known;
-  for (const Quantity<Row>& q : table) known.emplace_back(q.key);
+  for (const Field<Row>& q : fields) known.emplace_back(q.key);
   refuse_field(name, std::move(known));
 }
 /// Nobody writes into an array any more.
@@ -86,7 +146,8 @@ py::array rows_of(const py::array& array, const py::array_t<std::size_t>& which,
                   bool is_vector);
 
 template <class Row, class Value>
-py::array made(const Answers<Row>& a, Value (*of)(const Row&)) {
+py::array made(const Answers<Row>& a,
+               const std::function<Value(const Row&)>& of) {
   py::array_t<Number<Value>> array(a.shape);
   auto* to = array.mutable_data();
   for (const Row& row : a.rows) *to++ = static_cast<Number<Value>>(of(row));
@@ -95,7 +156,7 @@ py::array made(const Answers<Row>& a, Value (*of)(const Row&)) {
 
 template <class Row>
 py::array made(const Answers<Row>& a,
-               const Eigen::Vector3d& (*of)(const Row&)) {
+               const std::function<const Eigen::Vector3d&(const Row&)>& of) {
   Shape shape = a.shape;
   shape.push_back(3);
   py::array_t<double> array(shape);
@@ -107,23 +168,23 @@ py::array made(const Answers<Row>& a,
 }
 
 template <class Row>
-py::array column(const Answers<Row>& a, const Quantity<Row>& q) {
+py::array column(const Answers<Row>& a, const Field<Row>& q) {
   if (!a.arrays) a.arrays = py::dict();
   const py::str key(q.key.data(), q.key.size());
   if (PyObject* const known = PyDict_GetItem(a.arrays.ptr(), key.ptr())) {
     return py::reinterpret_borrow<py::array>(known);
   }
-  py::array array = std::visit([&](auto of) { return made(a, of); }, q.of);
+  py::array array =
+      std::visit([&](const auto& of) { return made(a, of); }, q.of);
   protect(array);
   a.arrays[key] = array;
   return array;
 }
 
 template <class Row>
-py::dict arrays_of(const Answers<Row>& a,
-                   std::span<const Quantity<Row>> fields) {
+py::dict arrays_of(const Answers<Row>& a, const Table<Row>& fields) {
   py::dict arrays;
-  for (const Quantity<Row>& field : fields)
+  for (const Field<Row>& field : fields)
     arrays[field.key.data()] = column(a, field);
   return arrays;
 }
@@ -131,10 +192,10 @@ py::dict arrays_of(const Answers<Row>& a,
 // A copy of an array of a pickle, as column() makes them. Those of another
 // shape would be read beyond their ends.
 template <class Row>
-py::array array_in(const py::dict& arrays, const Quantity<Row>& field,
+py::array array_in(const py::dict& arrays, const Field<Row>& field,
                    const std::optional<Shape>& rows) {
   return std::visit(
-      [&]<class Value>(Value (*)(const Row&)) -> py::array {
+      [&]<class Value>(const std::function<Value(const Row&)>&) -> py::array {
         using Number = Number<Value>;
         const bool is_vector = field.is_vector();
         const auto given = arrays.attr("get")(field.key.data());
@@ -156,11 +217,10 @@ py::array array_in(const py::dict& arrays, const Quantity<Row>& field,
 }
 
 template <class Row>
-Answers<Row> from_arrays(const py::dict& arrays,
-                         std::span<const Quantity<Row>> fields) {
+Answers<Row> from_arrays(const py::dict& arrays, const Table<Row>& fields) {
   std::optional<Shape> shape;  // shape of the rows, by a plain number
   py::dict own;
-  for (const Quantity<Row>& field : fields) {
+  for (const Field<Row>& field : fields) {
     const py::array array = array_in(arrays, field, shape);
     if (!shape) shape.emplace(array.shape(), array.shape() + array.ndim());
     own[field.key.data()] = array;
@@ -171,7 +231,7 @@ Answers<Row> from_arrays(const py::dict& arrays,
 
 // Some rows, in any shape.
 template <class Row>
-Answers<Row> taken(const Answers<Row>& a, std::span<const Quantity<Row>> fields,
+Answers<Row> taken(const Answers<Row>& a, const Table<Row>& fields,
                    const py::array_t<std::size_t>& which) {
   Answers<Row> some{Shape(which.shape(), which.shape() + which.ndim())};
   if (!a.rows.empty()) {
@@ -180,7 +240,7 @@ Answers<Row> taken(const Answers<Row>& a, std::span<const Quantity<Row>> fields,
     return some;
   }
   py::dict arrays;
-  for (const Quantity<Row>& field : fields) {
+  for (const Field<Row>& field : fields) {
     py::array array = rows_of(column(a, field), which, field.is_vector());
     protect(array);
     arrays[field.key.data()] = array;
@@ -190,7 +250,7 @@ Answers<Row> taken(const Answers<Row>& a, std::span<const Quantity<Row>> fields,
 }
 
 template <class Row, class Value>
-const char* words_of(Value (*)(const Row&)) {
+const char* words_of(const std::function<Value(const Row&)>&) {
   if (std::is_same_v<Value, contact::Status>) return "Status";
   if (std::is_same_v<Value, contact::SeatStatus>) return "SeatStatus";
   return std::is_same_v<Value, contact::JointState> ? "State" : "";
@@ -199,14 +259,18 @@ const char* words_of(Value (*)(const Row&)) {
 // For people, and for labels: key, symbol, unit, meaning, and the enumeration
 // of words or "".
 template <class Row>
-py::list quantities_of(std::span<const Quantity<Row>> fields) {
+py::list quantities_of(const Table<Row>& fields) {
   py::list all;
-  for (const Quantity<Row>& q : fields) {
-    all.append(
-        py::make_tuple(q.key, q.symbol, unit_text(q.dimension), q.meaning,
-                       std::visit([](auto of) { return words_of(of); }, q.of)));
+  for (const Field<Row>& q : fields) {
+    all.append(py::make_tuple(
+        q.key, q.symbol, contact::unit_text(q.dimension), q.meaning,
+        std::visit([](const auto& of) { return words_of(of); }, q.of)));
   }
   return all;
+}
+template <class Row>
+py::list quantities_of(std::span<const Quantity<Row>> quantities) {
+  return quantities_of(table_of(quantities));
 }
 
 }  // namespace detail
@@ -216,13 +280,14 @@ template <class Row>
 class ChosenColumns {
  public:
   /// @throws contact::Error for other names and for arrays that do not fit
-  ChosenColumns(std::span<const Quantity<Row>> table, const Fields& names,
-                const Out& out, const Shape& shape) {
+  ChosenColumns(const Table<Row>& fields, const Fields& names, const Out& out,
+                const Shape& shape) {
     if (out) arrays_ = *out;
     for (const std::string& name : detail::chosen_names(names, out)) {
-      const Quantity<Row>* const q = find_quantity(table, name);
-      if (!q) detail::refuse_field(name, table);
-      std::visit([&](auto of) { add(*q, of, shape, out.has_value()); }, q->of);
+      const auto q = std::ranges::find(fields, name, &Field<Row>::key);
+      if (q == fields.end()) detail::refuse_field(name, fields);
+      std::visit([&](const auto& of) { add(*q, of, shape, out.has_value()); },
+                 q->of);
     }
   }
 
@@ -233,8 +298,8 @@ class ChosenColumns {
 
  private:
   template <class Value>
-  void add(const Quantity<Row>& q, Value (*of)(const Row&), Shape shape,
-           bool is_given) {
+  void add(const Field<Row>& q, const std::function<Value(const Row&)>& of,
+           Shape shape, bool is_given) {
     using Number = Number<Value>;
     if (q.is_vector()) shape.push_back(3);
     const py::str key(q.key.data(), q.key.size());
@@ -244,7 +309,7 @@ class ChosenColumns {
     Number* const to = static_cast<Number*>(
         detail::memory_of("out[\"" + std::string(q.key) + "\"]", array,
                           py::dtype::of<Number>(), shape));
-    columns_.push_back([to, of](std::size_t i, const Row& row) {
+    columns_.push_back([to, &of](std::size_t i, const Row& row) {
       if constexpr (std::is_same_v<Value, const Eigen::Vector3d&>) {
         Eigen::Map<Eigen::Vector3d>(to + 3 * i) = of(row);
       } else {
@@ -267,20 +332,25 @@ struct WantedRows {
 
 /// Answers of all rows, or a dict of some of their quantities, which alone are
 /// kept.
-/// @param begin  see Rows::for_each(); its functions return a Row
+/// @param begin, at_once  see Rows::for_each(); its functions return a Row
 template <class Row, class Begin>
-py::object answered(const Rows& rows, std::span<const Quantity<Row>> table,
-                    const WantedRows& wanted, const Begin& begin) {
+py::object answered(const Rows& rows, const Table<Row>& fields,
+                    const WantedRows& wanted, const Begin& begin,
+                    std::size_t at_once = Rows::block) {
   Wanted{.threads = wanted.threads}.check();
   const auto into = [&](const auto& put) {
-    rows.for_each(wanted.threads, [&] {
-      return
-          [&put, row = begin()](const double* const* at,
-                                std::size_t i) mutable { put(i, row(at, i)); };
-    });
+    rows.for_each(
+        wanted.threads,
+        [&] {
+          return [&put, row = begin()](const double* const* at,
+                                       std::size_t i) mutable {
+            put(i, row(at, i));
+          };
+        },
+        at_once);
   };
   if (wanted.fields || wanted.out) {
-    const ChosenColumns<Row> chosen(table, wanted.fields, wanted.out,
+    const ChosenColumns<Row> chosen(fields, wanted.fields, wanted.out,
                                     rows.shape());
     into(chosen);
     return chosen.arrays();
@@ -290,15 +360,21 @@ py::object answered(const Rows& rows, std::span<const Quantity<Row>> table,
   into([&](std::size_t i, const Row& row) { all.rows[i] = row; });
   return py::cast(std::move(all));
 }
+template <class Row, class Begin>
+py::object answered(const Rows& rows, std::span<const Quantity<Row>> quantities,
+                    const WantedRows& wanted, const Begin& begin,
+                    std::size_t at_once = Rows::block) {
+  return answered(rows, table_of(quantities), wanted, begin, at_once);
+}
 
 /// The Python class of such results; libcontact/_results.py has more of it.
-/// @param fields  a table; the first is a number
+/// @param fields  the first is a number
 template <class Row>
 py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
-                                      std::span<const Quantity<Row>> fields,
+                                      const Table<Row>& fields,
                                       const char* doc) {
   py::class_<Answers<Row>> type(m, name, doc);
-  for (const Quantity<Row>& field : fields) {
+  for (const Field<Row>& field : fields) {
     type.def_property_readonly(
         field.key.data(),
         [&field](const Answers<Row>& a) {
@@ -311,19 +387,27 @@ py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
           "shape",
           [](const Answers<Row>& a) { return py::tuple(py::cast(a.shape)); },
           "Shape of the rows: that of the arguments broadcast.")
-      .def("_rows",
-           [fields](const Answers<Row>& a,
+      .def(
+          "_rows",
+          [&fields](const Answers<Row>& a,
                     const py::array_t<std::size_t, py::array::c_style>& which) {
-             return detail::taken(a, fields, which);
-           })
+            return detail::taken(a, fields, which);
+          })
       .def(py::pickle(
-          [fields](const Answers<Row>& a) {
+          [&fields](const Answers<Row>& a) {
             return detail::arrays_of(a, fields);
           },
-          [fields](const py::dict& arrays) {
+          [&fields](const py::dict& arrays) {
             return detail::from_arrays(arrays, fields);
           }));
   return type;
+}
+
+template <class Row>
+py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
+                                      std::span<const Quantity<Row>> quantities,
+                                      const char* doc) {
+  return bind_answers(m, name, table_of(quantities), doc);
 }
 
 }  // namespace contact_python

@@ -7,6 +7,7 @@
 #include "python/answers.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows_doc.hpp"
+#include "python/solved.hpp"
 
 namespace contact_python {
 namespace {
@@ -43,9 +44,19 @@ py::object pressure(const JointSet& self, const Numbers& theta,
       {out, threads});
 }
 
+std::vector<std::string> notes_of(const FileJoint& self,
+                                  const Answers<Solved>& solution) {
+  require_rows(solution);
+  contact::ContactNotes notes;
+  for (const Solved& s : solution.rows) notes.add(self[0], s);
+  return notes.notes(self[0]);
+}
+
 std::vector<std::string> notes(const FileJoint& self,
-                               const std::optional<Numbers>& force) {
-  std::vector<std::string> all = self.spec().without_seat().validity_notes();
+                               const std::optional<Numbers>& force,
+                               const Answers<Solved>* solution) {
+  if (solution) return notes_of(self, *solution);
+  std::vector<std::string> all = self.spec().validity_notes();
   if (!force) return all;
   const JointContact& contact = self.contact();
   LargestContacts largest(self);
@@ -240,14 +251,18 @@ void bind_quantities(py::class_<JointSet>& type) {
 }
 
 void bind_notes(py::class_<FileJoint, JointSet>& type) {
-  type.def("notes", &notes, py::arg("normal_force") = py::none(),
-           R"(notes(self, normal_force=None)
+  type.def("notes", &notes, py::arg("normal_force") = py::none(), py::kw_only(),
+           py::arg("solution") = py::none(),
+           R"(notes(self, normal_force=None, *, solution=None)
 --
 
 Where the joint leaves the range of the theory, and what its materials bear, a
 sentence each: what the programs warn of.
 
-normal_force: the loads that it has, R_n, N, (...).)");
+normal_force: the loads that it has, R_n, N, (...).
+solution: a Solution of this joint instead, which has not been pickled: limits
+    that its contacts pass, what the model leaves out beside rims, and why there
+    is no contact.)");
 }
 
 void bind_laws(py::class_<FileJoint, JointSet>& type) {

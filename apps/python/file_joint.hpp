@@ -3,6 +3,7 @@
 #include <pybind11/pybind11.h>
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -21,15 +22,18 @@ contact::KeySettings key_settings(const Settings& settings);
 /// A joint from the text of a joint file.
 class FileJoint : public JointSet {
  public:
-  /// @throws contact::Error as read_joint()
+  /// @param without_seat  whether it is as JointSpec::without_seat()
+  /// @param table  Joint::table() of this joint
+  /// @throws contact::Error as read_joint() and Joint::tabulated()
   FileJoint(const std::string& text, const std::string& source,
             const std::filesystem::path& folder,
-            const contact::KeySettings& settings);
+            const contact::KeySettings& settings, bool without_seat,
+            const std::optional<std::string>& table);
 
   const contact::JointSpec& spec() const { return spec_; }
   const contact::JointContact& contact() const { return (*this)[0].contact(); }
   const contact::ContactLimits& limits() const { return JointSet::limits(0); }
-  /// @throws contact::Error if it has no friction
+  /// @throws contact::Error if it has no friction, or none in its seat
   const contact::Joint& joint() const {
     require_friction();
     return (*this)[0];
@@ -40,8 +44,7 @@ class FileJoint : public JointSet {
   const std::string& canonical() const { return canonical_; }
 
  private:
-  explicit FileJoint(const contact::TomlTable& file);
-  FileJoint(std::string toml, contact::JointSpec spec);
+  FileJoint(std::string toml, contact::JointSpec spec, AnyJoint joint);
 
   std::string toml_;
   contact::JointSpec spec_;

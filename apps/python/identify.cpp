@@ -60,8 +60,10 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
   // The parameters to be found need not be given.
   const bool finds_coefficient =
       std::ranges::count(options.parameters, FrictionParameter::coefficient);
-  const contact::JointContact& contact =
-      finds_coefficient ? joint.contact() : joint.joint().contact();
+  if (!finds_coefficient) joint.require_friction();
+  contact::SharedLaws laws;
+  const contact::JointContact contact =
+      any_joint(joint.spec().without_seat(), laws).joint.contact();
   std::unique_ptr<FrictionFit> fit;
   {
     const Unlocked unlocked;

@@ -4,11 +4,14 @@
 #include <memory>
 #include <optional>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/load_law/load_law.hpp"
 #include "libcontact/pressure/registry.hpp"
 #include "python/file_joint.hpp"
 #include "python/interpreter_lock.hpp"
+#include "python/rows.hpp"
 
 namespace contact_python {
 namespace {
@@ -33,17 +36,37 @@ std::string file_toml(const std::string& kind,
 
 }  // namespace
 
+namespace {
+
+AnyJoint joint_of(const JointSpec& spec,
+                  const std::optional<std::string>& table) {
+  contact::SharedLaws laws;
+  AnyJoint made = any_joint(spec, laws);
+  if (table) made.joint = made.joint.tabulated(*table);
+  return made;
+}
+
+JointSpec spec_of(const TomlTable& file, bool without_seat) {
+  JointSpec spec = contact::joint_of_file(file);
+  return without_seat ? spec.without_seat() : spec;
+}
+
+}  // namespace
+
 FileJoint::FileJoint(const std::string& text, const std::string& source,
                      const std::filesystem::path& folder,
-                     const contact::KeySettings& settings)
-    : FileJoint(TomlTable::from_text(text, source, contact::joint_keys(),
-                                     folder, settings)) {}
+                     const contact::KeySettings& settings, bool without_seat,
+                     const std::optional<std::string>& table)
+    : FileJoint([&] {
+        const TomlTable file = TomlTable::from_text(
+            text, source, contact::joint_keys(), folder, settings);
+        JointSpec spec = spec_of(file, without_seat);
+        AnyJoint joint = joint_of(spec, table);
+        return FileJoint(file.toml_text(), std::move(spec), std::move(joint));
+      }()) {}
 
-FileJoint::FileJoint(const TomlTable& file)
-    : FileJoint(file.toml_text(), contact::joint_of_file(file)) {}
-
-FileJoint::FileJoint(std::string toml, JointSpec spec)
-    : JointSet({}, {friction_or_none(spec)}, friction_refusal(spec)),
+FileJoint::FileJoint(std::string toml, JointSpec spec, AnyJoint joint)
+    : JointSet({}, {std::move(joint.joint)}, std::move(joint.refusal)),
       toml_(std::move(toml)),
       spec_(std::move(spec)),
       canonical_(spec_.canonical_text()) {}
@@ -98,6 +121,10 @@ std::string kernel(const FileJoint& self, const std::string& language,
                    const std::string& name, double error,
                    const std::optional<std::pair<double, double>>& reaction) {
   const contact::Joint& joint = self.joint();
+  if (!joint.is_endless()) {
+    throw contact::Error(contact::detail::needs(
+        "kernel()", "a joint without a [seat], or without_seat()"));
+  }
   const Unlocked unlocked;
   return load_law_text(joint, {.language = language,
                                .name = name,
@@ -121,6 +148,43 @@ reaction: least and largest load, N, of a ball, and of a pin with adhesion;
     None: load parameters of 1e-3 to 10.
 Raises Error for joints that have no such law, and an error out of reach.)";
 
+// Table of contacts at rims between two loads, in bytes.
+py::bytes make_table(const FileJoint& self, double least, double most) {
+  const contact::Joint& joint = self.joint();
+  std::string table;
+  {
+    const Unlocked unlocked;
+    table = joint
+                .tabulated({.least_load = least,
+                            .most_load = most,
+                            .progress =
+                                [](double /*share*/) { Rows::heed_signals(); }})
+                .table();
+  }
+  return table;
+}
+
+void bind_table(py::class_<FileJoint, JointSet>& type) {
+  type.def("_make_table", &make_table);
+  type.def_property_readonly(
+      "table",
+      [](const FileJoint& self) -> std::optional<py::bytes> {
+        const std::string table = self[0].table();
+        if (table.empty()) return {};
+        return table;
+      },
+      "That of tabulated() as bytes to keep; None without one.");
+  type.def_property_readonly(
+      "table_error",
+      [](const FileJoint& self) -> std::optional<double> {
+        const auto check = self[0].table_check();
+        if (!check) return {};
+        return check->error();
+      },
+      "Largest error of 100 random states of the table, over the load; None "
+      "without one.");
+}
+
 }  // namespace
 
 void bind_joint(py::module_& m) {
@@ -135,18 +199,20 @@ void bind_joint(py::module_& m) {
       [](const JointSet& self) { return py::tuple(py::cast(self.shape())); },
       "That of an array of joints; () of one.");
   py::class_<FileJoint, JointSet> type(m, "Joint");
-  type.def(py::init([](const std::string& text, const std::string& source,
-                       const std::filesystem::path& folder,
-                       const Settings& settings) {
-             const Unlocked unlocked;
-             return std::make_unique<FileJoint>(text, source, folder,
-                                                key_settings(settings));
-           }),
-           py::arg("text"), py::arg("source"), py::arg("folder"),
-           py::arg("settings"));
+  type.def(
+      py::init([](const std::string& text, const std::string& source,
+                  const std::filesystem::path& folder, const Settings& settings,
+                  bool without_seat, const std::optional<std::string>& table) {
+        const Unlocked unlocked;
+        return std::make_unique<FileJoint>(
+            text, source, folder, key_settings(settings), without_seat, table);
+      }),
+      py::arg("text"), py::arg("source"), py::arg("folder"),
+      py::arg("settings"), py::arg("without_seat"), py::arg("table"));
   type.def("kernel", &kernel, py::arg("language") = "c", py::kw_only(),
            py::arg("name") = "friction", py::arg("error") = 1e-4,
            py::arg("reaction") = py::none(), kernel_doc);
+  bind_table(type);
   type.def_property_readonly("_toml", &FileJoint::toml);
   type.def_property_readonly("_canonical", &FileJoint::canonical);
   bind_contact(m, joints, type);

@@ -1,5 +1,6 @@
 #include "python/joint_set.hpp"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -14,6 +15,8 @@ JointSet::JointSet(Shape shape, std::vector<contact::Joint> joints,
       joints_(std::move(joints)),
       numbers_(joints_.size()),
       refusal_(std::move(refusal)),
+      any_ends_(std::ranges::any_of(
+          joints_, [](const contact::Joint& j) { return !j.is_endless(); })),
       limits_(joints_.size()) {
   std::iota(numbers_.begin(), numbers_.end(), 0.0);
 }
@@ -31,24 +34,23 @@ const contact::ContactLimits& JointSet::limits(std::size_t i) const {
   return *limits_[i];
 }
 
-contact::Joint friction_or_none(const contact::JointSpec& spec,
-                                contact::SharedLaws* laws) {
-  contact::SharedLaws own;
-  if (!laws) laws = &own;
-  contact::JointSpec smooth = spec.without_seat().without_relief();
-  if (spec.friction) return contact::Joint(smooth, *laws);
-  smooth.friction = contact::FrictionLaw(0);
-  return contact::Joint(smooth, *laws);
-}
-
-std::string friction_refusal(const contact::JointSpec& spec) {
-  if (spec.friction) return "";
-  try {
-    spec.contact();
-  } catch (const contact::Error& error) {
-    return error.what();
+AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws) {
+  contact::JointSpec smooth = spec;
+  std::string refusal;
+  if (!spec.friction) {
+    smooth.friction = contact::FrictionLaw(0);
+    try {
+      spec.contact(laws);
+    } catch (const contact::Error& error) {
+      refusal = error.what();
+    }
   }
-  return "";
+  try {
+    return {contact::Joint(smooth, laws), std::move(refusal)};
+  } catch (const contact::Error& error) {
+    if (!spec.geometry.seat()) throw;
+    return {contact::Joint(smooth.without_seat(), laws), error.what()};
+  }
 }
 
 namespace {
@@ -71,6 +73,18 @@ void LargestContacts::add(const double* const* at, double half_angle,
   raise(largest.rim_overlap, rim_overlap);
 }
 
+void LargestContacts::add(const double* const* at,
+                          const contact::JointSolution& s) {
+  const contact::Joint& joint = joints_(at);
+  add(at, s.half_angle, s.peak_pressure,
+      contact::rim_overlap(joint.contact(), s));
+  if (joint.is_endless() || s.status != contact::Status::ok) return;
+  contact::ContactNotes notes;
+  notes.add(joint, s);
+  const std::lock_guard lock(of_notes_);
+  notes_[JointSet::number(at)].add(notes);
+}
+
 contact::LargestContact LargestContacts::at(std::size_t joint) const {
   const Largest& largest = largest_[joint];
   return {largest.half_angle, largest.peak_pressure, largest.rim_overlap};
@@ -78,12 +92,24 @@ contact::LargestContact LargestContacts::at(std::size_t joint) const {
 
 void LargestContacts::warn() const {
   for (std::size_t i = 0; i < largest_.size(); ++i) {
-    if (warn_of(joints_.limits(i), at(i))) return;
+    bool any = warn_of(joints_.limits(i), at(i));
+    if (!notes_.empty()) {
+      for (const std::string& note : notes_[i].of_seat()) warn_of(note);
+      any |= !notes_[i].of_seat().empty();
+    }
+    if (any) return;
   }
 }
 
 std::vector<std::string> LargestContacts::notes() const {
   return joints_.limits(0).notes(at(0));
+}
+
+void warn_of(const JointSet& joint, const contact::JointSolution& s) {
+  LargestContacts largest(joint);
+  const double* const first = joint.argument().data;
+  largest.add(&first, s);
+  largest.warn();
 }
 
 }  // namespace contact_python

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,7 +17,8 @@ namespace contact_python {
 /// single one ().
 class JointSet {
  public:
-  /// @param refusal  what functions of friction say if the joints have none
+  /// @param refusal  what functions of friction say if the joints have none, or
+  ///   none in their seats
   JointSet(Shape shape, std::vector<contact::Joint> joints,
            std::string refusal);
 
@@ -32,8 +34,11 @@ class JointSet {
     return joints_[number(at)];
   }
   const contact::Joint& operator[](std::size_t i) const { return joints_[i]; }
-  /// @throws contact::Error if they have no friction
+  /// @throws contact::Error if they have no friction, or none in their seats
   void require_friction() const;
+  /// So many rows as nobody waits for: at rims some 30 ms each.
+  std::size_t at_once() const { return any_ends_ ? 16 : Rows::block; }
+  bool any_ends() const { return any_ends_; }
   /// Limits of a joint's contact; with Python's lock.
   const contact::ContactLimits& limits(std::size_t i) const;
 
@@ -42,29 +47,33 @@ class JointSet {
   std::vector<contact::Joint> joints_;
   std::vector<double> numbers_;  // 0, 1, ...
   std::string refusal_;
+  bool any_ends_;  // whether any of them is in a seat that ends
   mutable std::vector<std::optional<contact::ContactLimits>> limits_;
 };
 
-/// The joint; without friction where there is none.
-contact::Joint friction_or_none(const contact::JointSpec& spec,
-                                contact::SharedLaws* laws = nullptr);
-/// Why it has none; "" if it has.
-std::string friction_refusal(const contact::JointSpec& spec);
+/// A joint that can be asked of its contact, whether there is friction in its
+/// seat or not.
+struct AnyJoint {
+  contact::Joint joint;
+  std::string refusal;  ///< of functions of friction; "" if there are none
+};
+AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws);
 
-/// The largest contact of each joint, of rows on any thread.
+/// The largest contact of each joint, and notes on contacts beside rims, of
+/// rows on any thread.
 class LargestContacts {
  public:
   explicit LargestContacts(const JointSet& joints)
-      : joints_(joints), largest_(joints.size()) {}
+      : joints_(joints),
+        largest_(joints.size()),
+        notes_(joints.any_ends() ? joints.size() : 0) {}
 
   void add(const double* const* at, double half_angle, double peak_pressure,
            double rim_overlap = 0);
-  void add(const double* const* at, const contact::JointSolution& s) {
-    add(at, s.half_angle, s.peak_pressure,
-        contact::rim_overlap(joints_(at).contact(), s));
-  }
+  /// Solutions without a number say so by their status.
+  void add(const double* const* at, const contact::JointSolution& s);
   /// Gives a ContactWarning for each limit that the first joint of those that
-  /// pass any has passed.
+  /// pass any has passed, and for each note on its rims.
   void warn() const;
   /// A sentence for each limit that a single joint has passed.
   std::vector<std::string> notes() const;
@@ -79,6 +88,11 @@ class LargestContacts {
 
   const JointSet& joints_;
   std::vector<Largest> largest_;
+  std::mutex of_notes_;
+  std::vector<contact::ContactNotes> notes_;  // of joints whose contacts end
 };
+
+/// The same of a solution of a single joint.
+void warn_of(const JointSet& joint, const contact::JointSolution& s);
 
 }  // namespace contact_python

@@ -28,7 +28,8 @@ std::unique_ptr<FileJoints> make_joints(const std::string& text,
                                         const std::filesystem::path& folder,
                                         const Settings& settings,
                                         const std::vector<std::string>& keys,
-                                        const Numbers& numbers) {
+                                        const Numbers& numbers,
+                                        bool without_seat) {
   const Shape shape(numbers.shape(), numbers.shape() + numbers.ndim() - 1);
   std::span<const double> rest(numbers.data(),
                                static_cast<std::size_t>(numbers.size()));
@@ -40,8 +41,9 @@ std::unique_ptr<FileJoints> make_joints(const std::string& text,
   std::string refusal;
   for (; !rest.empty(); rest = rest.subspan(keys.size())) {
     const contact::JointSpec spec = form.with(rest.first(keys.size()));
-    all.push_back(friction_or_none(spec, &laws));
-    if (refusal.empty()) refusal = friction_refusal(spec);
+    AnyJoint one = any_joint(without_seat ? spec.without_seat() : spec, laws);
+    all.push_back(std::move(one.joint));
+    if (refusal.empty()) refusal = std::move(one.refusal);
   }
   return std::make_unique<FileJoints>(
       JointSet(shape, std::move(all), std::move(refusal)), laws.size());
@@ -53,7 +55,7 @@ void bind_joints(py::module_& m) {
   py::class_<FileJoints, JointSet>(m, "Joints")
       .def(py::init(&make_joints), py::arg("text"), py::arg("source"),
            py::arg("folder"), py::arg("settings"), py::arg("keys"),
-           py::arg("numbers"))
+           py::arg("numbers"), py::arg("without_seat"))
       .def_property_readonly(
           "laws", &FileJoints::laws,
           "How many laws of half-angle and pressure were made for all of "

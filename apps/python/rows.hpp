@@ -68,11 +68,11 @@ class Rows {
 
   /// Calls `row(numbers)` for each in turn, numbers[k] those of argument k,
   /// without Python's lock. Ctrl-C ends it.
-  /// @param at_once  so many without looking
+  /// @param at_once  so many without looking; fewer than `block` are slow
   template <class Row>
   void for_each(const Row& row, std::size_t at_once = block) const {
     Cursor cursor(*this);
-    if (size_ < at_once) {
+    if (size_ < at_once && at_once == block) {
       for (std::size_t i = 0; i < size_; ++i, cursor.next()) row(cursor.at());
       return;
     }
@@ -87,10 +87,11 @@ class Rows {
   static void heed_signals();
 
   /// The same on several threads, or as many of them as the system starts:
-  /// each block of rows has a function `begin()(numbers, i)` of its own, i the
-  /// number of the row.
+  /// each `at_once` rows have a function `begin()(numbers, i)` of their own, i
+  /// the number of the row.
   template <class Begin>
-  void for_each(int threads, const Begin& begin) const;
+  void for_each(int threads, const Begin& begin,
+                std::size_t at_once = block) const;
 
  private:
   // Places of the numbers of a row.
@@ -114,13 +115,14 @@ class Rows {
 };
 
 template <class Begin>
-void Rows::for_each(int threads, const Begin& begin) const {
-  const std::size_t blocks = (size_ + block - 1) / block;
+void Rows::for_each(int threads, const Begin& begin,
+                    std::size_t at_once) const {
+  const std::size_t blocks = (size_ + at_once - 1) / at_once;
   const auto used = std::min(static_cast<std::size_t>(threads), blocks);
   if (used <= 1) {
     auto row = begin();
     std::size_t i = 0;
-    for_each([&](const double* const* at) { row(at, i++); });
+    for_each([&](const double* const* at) { row(at, i++); }, at_once);
     return;
   }
   std::atomic<std::size_t> next = 0;
@@ -128,10 +130,10 @@ void Rows::for_each(int threads, const Begin& begin) const {
   std::mutex of_failure;
   const auto work = [&](bool is_caller) {
     try {
-      for (std::size_t i; (i = next.fetch_add(block)) < size_;) {
+      for (std::size_t i; (i = next.fetch_add(at_once)) < size_;) {
         auto row = begin();
         Cursor cursor(*this, i);
-        const std::size_t end = std::min(i + block, size_);
+        const std::size_t end = std::min(i + at_once, size_);
         for (; i < end; ++i, cursor.next()) row(cursor.at(), i);
         if (is_caller) heed_signals();
       }

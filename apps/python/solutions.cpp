@@ -1,9 +1,9 @@
 // Joints that slide or rest under a known reaction.
 #include <pybind11/stl.h>
 
-#include "libcontact/quantities/tables.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows_doc.hpp"
+#include "python/solved.hpp"
 #include "python/starts.hpp"
 
 namespace contact_python {
@@ -16,25 +16,37 @@ using Eigen::Vector3d;
 // Solutions of rows in turn, one from the other if they are warm.
 class Solver {
  public:
-  Solver(const JointSet& joints, const Starts<JointSolution>& start, bool warm,
-         LargestContacts& largest)
-      : joints_(&joints), start_(&start), largest_(&largest), warm_(warm) {}
+  Solver(const JointSet& joints, const Starts<Solved>& start, bool warm,
+         const Placements& placements, LargestContacts& largest)
+      : joints_(&joints),
+        start_(&start),
+        placements_(placements),
+        largest_(&largest),
+        warm_(warm) {}
 
-  const JointSolution& operator()(const double* const* at, std::size_t i) {
+  Solved operator()(const double* const* at, std::size_t i) {
     const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
-                                    vector_at(at[3])};
+                                    vector_at(at[3]), placements_(at[4], i)};
     const contact::Joint& joint = (*joints_)(at);
     const JointSolution* start = (*start_)(i);
     if (warm_ && has_last_) start = &last_;
-    last_ = start ? joint.solve(slip, *start) : joint.solve(slip);
+    if (joint.is_endless()) {
+      last_ = start ? joint.solve(slip, *start) : joint.solve(slip);
+    } else {
+      last_ = near_.begin(joint, start);
+      last_ = joint.solve(slip, last_);
+      near_.keep(joint, last_);
+    }
     has_last_ = true;
     largest_->add(at, last_);
-    return last_;
+    return {joint, last_};
   }
 
  private:
   const JointSet* joints_;
-  const Starts<JointSolution>* start_;
+  const Starts<Solved>* start_;
+  Placements placements_;
+  NearRim near_;
   LargestContacts* largest_;
   bool warm_;
   bool has_last_ = false;
@@ -44,17 +56,23 @@ class Solver {
 py::object solve(const JointSet& self, const Numbers& reaction,
                  const Numbers& angular_velocity,
                  const std::optional<Numbers>& axis, bool warm,
-                 const Answers<JointSolution>* last, const WantedRows& wanted) {
+                 const Answers<Solved>* last,
+                 const std::optional<Numbers>& from_seat,
+                 const WantedRows& wanted) {
   self.require_friction();
   const Rows rows({self.argument(),
                    {"reaction", reaction, 3},
                    {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis)});
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
   const Starts starts(last, rows);
   LargestContacts largest(self);
-  py::object all = answered(rows, contact::solution_quantities(), wanted, [&] {
-    return Solver(self, starts, warm, largest);
-  });
+  py::object all = answered(
+      rows, solved_table(), wanted,
+      [&] {
+        return Solver(self, starts, warm, Placements(from_seat), largest);
+      },
+      self.at_once());
   largest.warn();
   return all;
 }
@@ -62,56 +80,75 @@ py::object solve(const JointSet& self, const Numbers& reaction,
 py::object solve_contact(const JointSet& self, const Numbers& normal_force,
                          const Numbers& angular_velocity,
                          const std::optional<Numbers>& axis,
+                         const std::optional<Numbers>& from_seat,
                          const WantedRows& wanted) {
   self.require_friction();
   const Rows rows({self.argument(),
                    {"normal_force", normal_force, 3},
                    {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis)});
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
   LargestContacts largest(self);
-  py::object all = answered(rows, contact::solution_quantities(), wanted, [&] {
-    return [&](const double* const* at, std::size_t /*i*/) {
-      const JointSolution s = self(at).solve_contact(
-          {vector_at(at[1]), vector_at(at[2]), vector_at(at[3])});
-      largest.add(at, s);
-      return s;
-    };
-  });
+  py::object all = answered(
+      rows, solved_table(), wanted,
+      [&] {
+        return [&, placements = Placements(from_seat)](const double* const* at,
+                                                       std::size_t i) mutable {
+          const JointSolution s =
+              self(at).solve_contact({vector_at(at[1]), vector_at(at[2]),
+                                      vector_at(at[3]), placements(at[4], i)});
+          largest.add(at, s);
+          return Solved(self(at), s);
+        };
+      },
+      self.at_once());
   largest.warn();
   return all;
 }
 
 py::object at_rest(const JointSet& self, const Numbers& reaction,
                    const Numbers& moment, const std::optional<Numbers>& axis,
-                   const Answers<RestSolution>* last,
+                   const Answers<Held>* last,
+                   const std::optional<Numbers>& from_seat,
                    const WantedRows& wanted) {
   self.require_friction();
   const Rows rows({self.argument(),
                    {"reaction", reaction, 3},
                    {"moment", moment, 3},
-                   axis_argument(axis)});
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
   const Starts starts(last, rows);
   LargestContacts largest(self);
-  py::object all = answered(rows, contact::rest_quantities(), wanted, [&] {
-    return [&](const double* const* at, std::size_t i) {
-      const contact::Joint::Hold hold{vector_at(at[1]), vector_at(at[2]),
-                                      vector_at(at[3])};
-      const RestSolution* const start = starts(i);
-      const RestSolution s =
-          start ? self(at).at_rest(hold, *start) : self(at).at_rest(hold);
-      largest.add(at, s.slip);
-      return s;
-    };
-  });
+  py::object all = answered(
+      rows, held_table(), wanted,
+      [&] {
+        return [&, placements = Placements(from_seat), near = NearRim()](
+                   const double* const* at, std::size_t i) mutable {
+          const contact::Joint& joint = self(at);
+          const contact::Joint::Hold hold{vector_at(at[1]), vector_at(at[2]),
+                                          vector_at(at[3]),
+                                          placements(at[4], i)};
+          RestSolution s;
+          if (const RestSolution* const start = starts(i)) s = *start;
+          near.put(joint, s.slip);
+          s = joint.at_rest(hold, s);
+          near.keep(joint, s.slip);
+          largest.add(at, s.slip);
+          return Held(joint, s);
+        };
+      },
+      self.at_once());
   largest.warn();
   return all;
 }
 
 constexpr const char* solve_doc =
-    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, fields=None, out=None, threads=1)
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
-Friction of the joint while its halves turn, under a known reaction.
+Friction of the joint while its halves turn, under a known reaction. A ball whose
+joint has a [seat] is in it: libcontact's docs/seat_joint.md. Its rows at rims
+take some 30 ms, and begin from the row before, which leaves 1e-7.
 
 reaction: R on the body, N, (..., 3).
 angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
@@ -120,13 +157,13 @@ warm: begin each row from the solution of the row before. Rows that are near
     each other take 0.2 to 0.7 of the time; the last digits differ.
 last: a Solution of this joint for similar rows, from which each row begins,
     of their shape or a single one; an unpickled one has nothing to begin from.
-)" CONTACT_ROWS_DOC R"(
+)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
 Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
 the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE. Warm rows
 begin anew every 1024 where several threads share them.)";
 
 constexpr const char* solve_contact_doc =
-    R"(solve_contact(self, normal_force, angular_velocity, *, axis=None, fields=None, out=None, threads=1)
+    R"(solve_contact(self, normal_force, angular_velocity, *, axis=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
 Friction under a known normal force: nothing to solve. With the reaction in its
@@ -134,10 +171,10 @@ place it is the traditional estimate.
 
 normal_force: R_n n on the body, N, (..., 3).
 angular_velocity, axis: as in solve().
-)" CONTACT_ROWS_DOC;
+)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC;
 
 constexpr const char* at_rest_doc =
-    R"(at_rest(self, reaction, moment, *, axis=None, last=None, fields=None, out=None, threads=1)
+    R"(at_rest(self, reaction, moment, *, axis=None, last=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
@@ -146,58 +183,69 @@ how near it is to sliding.
 reaction: R on the body, N, (..., 3).
 moment: M on the body that friction has to supply, N m, (..., 3).
 last: a RestSolution for similar rows, as in solve(): a fifth of the time.
-)" CONTACT_ROWS_DOC R"(
-Returns a RestSolution.)";
+)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
+Returns a RestSolution, whose `slip` is the sliding at the limit.)";
 
 void bind_sliding(py::class_<JointSet>& type) {
   type.def(
       "solve",
       [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
          const std::optional<Numbers>& axis, bool warm,
-         const Answers<JointSolution>* last, const Fields& fields,
-         const Out& out, int threads) {
-        return solve(self, reaction, rate, axis, warm, last,
+         const Answers<Solved>* last, const std::optional<Numbers>& from_seat,
+         const Fields& fields, const Out& out, int threads) {
+        return solve(self, reaction, rate, axis, warm, last, from_seat,
                      {fields, out, threads});
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::kw_only(),
       py::arg("axis") = py::none(), py::arg("warm") = false,
-      py::arg("last") = py::none(), py::arg("fields") = py::none(),
-      py::arg("out") = py::none(), py::arg("threads") = 1, solve_doc);
+      py::arg("last") = py::none(), py::arg("from_seat") = py::none(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, solve_doc);
   type.def(
       "solve_contact",
       [](const JointSet& self, const Numbers& normal_force, const Numbers& rate,
-         const std::optional<Numbers>& axis, const Fields& fields,
+         const std::optional<Numbers>& axis,
+         const std::optional<Numbers>& from_seat, const Fields& fields,
          const Out& out, int threads) {
-        return solve_contact(self, normal_force, rate, axis,
+        return solve_contact(self, normal_force, rate, axis, from_seat,
                              {fields, out, threads});
       },
       py::arg("normal_force"), py::arg("angular_velocity"), py::kw_only(),
-      py::arg("axis") = py::none(), py::arg("fields") = py::none(),
-      py::arg("out") = py::none(), py::arg("threads") = 1, solve_contact_doc);
+      py::arg("axis") = py::none(), py::arg("from_seat") = py::none(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, solve_contact_doc);
 }
 
 void bind_rest(py::class_<JointSet>& type) {
   type.def(
       "at_rest",
       [](const JointSet& self, const Numbers& reaction, const Numbers& moment,
-         const std::optional<Numbers>& axis, const Answers<RestSolution>* last,
-         const Fields& fields, const Out& out, int threads) {
-        return at_rest(self, reaction, moment, axis, last,
+         const std::optional<Numbers>& axis, const Answers<Held>* last,
+         const std::optional<Numbers>& from_seat, const Fields& fields,
+         const Out& out, int threads) {
+        return at_rest(self, reaction, moment, axis, last, from_seat,
                        {fields, out, threads});
       },
       py::arg("reaction"), py::arg("moment"), py::kw_only(),
       py::arg("axis") = py::none(), py::arg("last") = py::none(),
-      py::arg("fields") = py::none(), py::arg("out") = py::none(),
-      py::arg("threads") = 1, at_rest_doc);
+      py::arg("from_seat") = py::none(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(), py::arg("threads") = 1, at_rest_doc);
 }
 
 }  // namespace
 
 void bind_solutions(py::module_& m, py::class_<JointSet>& joints) {
-  bind_answers(m, "Solution", contact::solution_quantities(),
+  bind_answers(m, "Solution", solved_table(),
                "What Joint.solve() returns, and Joint.solve_contact().");
-  bind_answers(m, "RestSolution", contact::rest_quantities(),
-               "What Joint.at_rest() returns.");
+  bind_answers(m, "RestSolution", held_table(), "What Joint.at_rest() returns.")
+      .def_property_readonly(
+          "slip",
+          [](const Answers<Held>& all) {
+            return part_of(all, "slip of a RestSolution", [](const Held& rest) {
+              return Solved(rest.slip, rest.ends);
+            });
+          },
+          "The sliding at the limit, a Solution.");
   bind_sliding(joints);
   bind_rest(joints);
 }

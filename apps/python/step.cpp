@@ -8,6 +8,7 @@
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows_doc.hpp"
+#include "python/solved.hpp"
 #include "python/starts.hpp"
 
 namespace contact_python {
@@ -21,33 +22,45 @@ using Eigen::Vector3d;
 py::object step(const JointSet& self, const Numbers& reaction,
                 const Numbers& angular_velocity, const Numbers& free,
                 const Numbers& inertia, const std::optional<Numbers>& axis,
-                const Answers<JointStep>* last, const WantedRows& wanted) {
+                const Answers<Stepped>* last,
+                const std::optional<Numbers>& from_seat,
+                const WantedRows& wanted) {
   self.require_friction();
   const Rows rows({self.argument(),
                    {"reaction", reaction, 3},
                    {"angular_velocity", angular_velocity, 3},
                    {"free", free, 3},
                    Argument::matrix("inertia", inertia),
-                   axis_argument(axis)});
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
   const Starts starts(last, rows);
   LargestContacts largest(self);
-  py::object all = answered(rows, contact::step_quantities(), wanted, [&] {
-    return [&](const double* const* at, std::size_t i) {
-      const JointStep* const before = starts(i);
-      const contact::StepStart start{vector_at(at[1]), vector_at(at[2]),
-                                     vector_at(at[3]), vector_at(at[5])};
-      const Eigen::Matrix3d w = matrix_at(at[4]);
-      if (!contact::is_inertia(self(at), start, w)) {
-        throw contact::Error(contact::detail::must_be(
-            contact::detail::message("inertia of row {}", i),
-            contact::inertia_rule));
-      }
-      const JointStep s =
-          contact::step(self(at), start, w, before ? *before : JointStep());
-      largest.add(at, s.solution);
-      return s;
-    };
-  });
+  py::object all = answered(
+      rows, stepped_table(), wanted,
+      [&] {
+        return [&, placements = Placements(from_seat), near = NearRim()](
+                   const double* const* at, std::size_t i) mutable {
+          const contact::Joint& joint = self(at);
+          const contact::StepStart start{vector_at(at[1]), vector_at(at[2]),
+                                         vector_at(at[3]), vector_at(at[5]),
+                                         placements(at[6], i)};
+          const Eigen::Matrix3d w = matrix_at(at[4]);
+          if (!contact::is_inertia(joint, start, w)) {
+            throw contact::Error(contact::detail::must_be(
+                contact::detail::message("inertia of row {}", i),
+                contact::inertia_rule));
+          }
+          JointStep s;
+          if (const JointStep* const before = starts(i)) s = *before;
+          near.put(joint, s.solution);
+          near.put(joint, s.rest.slip);
+          s = contact::step(joint, start, w, s);
+          near.keep(joint, s.solution);
+          largest.add(at, s.solution);
+          return Stepped(joint, s);
+        };
+      },
+      self.at_once());
   largest.warn();
   return all;
 }
@@ -58,7 +71,8 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
                         const Numbers& angular_velocity, const Numbers& free,
                         const Numbers& inertia,
                         const std::optional<Numbers>& axis,
-                        const Answers<JointStep>* last) {
+                        const Answers<Stepped>* last,
+                        const std::optional<Numbers>& from_seat) {
   std::vector<const contact::Joint*> all;
   for (const FileJoint* joint : joints) {  // null: None
     if (!joint) {
@@ -69,8 +83,9 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
   const Rows rows({{"reaction", reaction, 3},
                    {"angular_velocity", angular_velocity, 3},
                    {"free", free, 3},
-                   axis_argument(axis)});
-  Answers<JointStep> result{{static_cast<py::ssize_t>(all.size())}};
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
+  Answers<Stepped> result{{static_cast<py::ssize_t>(all.size())}};
   if (rows.shape() != result.shape) {
     throw contact::Error(contact::detail::must_be(
         "the arguments of step()", "(n, 3), a row for each joint"));
@@ -80,21 +95,24 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
   }
   const Starts starts(last, rows);
   std::vector<contact::StepStart> begin;
+  std::vector<Placements> placements(all.size(), Placements(from_seat));
+  std::vector<JointStep> steps;
   rows.for_each([&](const double* const* at) {
-    const JointStep* const start = starts(begin.size());
-    result.rows.push_back(start ? *start : JointStep());
+    const std::size_t i = begin.size();
+    const JointStep* const start = starts(i);
+    steps.push_back(start ? *start : JointStep());
     begin.push_back({vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
-                     vector_at(at[3])});
+                     vector_at(at[3]), placements[i](at[4], i)});
   });
   // Symmetric, so that the order of its numbers does not matter.
   const contact::StepSweeps sweeps =
       contact::step(all, begin,
                     Eigen::Map<const Eigen::MatrixXd>(
                         inertia.data(), inertia.shape(1), inertia.shape(0)),
-                    result.rows);
+                    steps);
   for (std::size_t i = 0; i < all.size(); ++i) {
-    const JointSolution& s = result.rows[i].solution;
-    warn_of(joints[i]->limits(), {s.half_angle, s.peak_pressure});
+    warn_of(*joints[i], steps[i].solution);
+    result.rows.emplace_back(*all[i], steps[i]);
   }
   py::dict told;
   told["status"] = static_cast<int>(sweeps.status);
@@ -103,28 +121,17 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
   return py::make_tuple(std::move(result), told);
 }
 
-// A part of steps, row by row.
-template <class Part>
-Answers<Part> part_of(const Answers<JointStep>& steps, const char* name,
-                      Part JointStep::*part) {
-  if (steps.rows.empty() && steps.arrays) {
-    throw contact::Error(contact::detail::must_be(
-        std::string(name) + " of a Step", "asked for before it is pickled"));
-  }
-  Answers<Part> all{steps.shape};
-  for (const JointStep& step : steps.rows) all.rows.push_back(step.*part);
-  return all;
-}
-
 py::dict derivatives(const JointSet& self, const Numbers& reaction,
                      const Numbers& angular_velocity,
-                     const std::optional<Numbers>& axis, int threads) {
+                     const std::optional<Numbers>& axis,
+                     const std::optional<Numbers>& from_seat, int threads) {
   self.require_friction();
   Wanted{.threads = threads}.check();
   const Rows rows({self.argument(),
                    {"reaction", reaction, 3},
                    {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis)});
+                   axis_argument(axis),
+                   seat_argument(from_seat)});
   Shape shape = rows.shape();
   shape.insert(shape.end(), {3, 3});
   py::dict all;
@@ -134,22 +141,27 @@ py::dict derivatives(const JointSet& self, const Numbers& reaction,
     to.push_back(reinterpret_cast<RowMajor*>(array.mutable_data()));
     all[name] = array;
   }
-  rows.for_each(threads, [&] {
-    return [&](const double* const* at, std::size_t i) {
-      const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
-                                      vector_at(at[3])};
-      const contact::SlipDerivatives d =
-          contact::derivatives(self(at), slip, self(at).solve(slip));
-      to[0][i] = d.over_rate;
-      to[1][i] = d.over_reaction;
-      to[2][i] = d.at_contact;
-    };
-  });
+  rows.for_each(
+      threads,
+      [&] {
+        return [&, placements = Placements(from_seat)](const double* const* at,
+                                                       std::size_t i) mutable {
+          const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
+                                          vector_at(at[3]),
+                                          placements(at[4], i)};
+          const contact::SlipDerivatives d =
+              contact::derivatives(self(at), slip, self(at).solve(slip));
+          to[0][i] = d.over_rate;
+          to[1][i] = d.over_reaction;
+          to[2][i] = d.at_contact;
+        };
+      },
+      self.at_once());
   return all;
 }
 
 constexpr const char* step_doc =
-    R"(step(self, reaction, angular_velocity, free, inertia, *, axis=None, last=None, fields=None, out=None, threads=1)
+    R"(step(self, reaction, angular_velocity, free, inertia, *, axis=None, last=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
 One implicit step of a simulator with friction, which comes to rest, holds and
@@ -165,12 +177,12 @@ inertia: W, inertia about the joint over the time step, N m s, symmetric and
 axis: of a pin, unit vector, (..., 3); the direction of Dw or of free if it is
     None.
 last: the Step before, from which this one is found faster.
-)" CONTACT_ROWS_DOC R"(
+)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
 Returns a Step; its `solution` is friction at the start, its `rest` what a joint
 had to hold that rested.)";
 
 constexpr const char* step_together_doc =
-    R"(step(joints, reaction, angular_velocity, free, inertia, *, axis=None, last=None)
+    R"(step(joints, reaction, angular_velocity, free, inertia, *, axis=None, last=None, from_seat=None)
 --
 
 One implicit step of several joints of one mechanism, whose motions depend on
@@ -182,7 +194,7 @@ inertia: W, mass matrix over the time step in the joints' angular velocities,
     three rows for a ball and one, about its axis, for a pin.
 axis: of pins, unit vectors, (n, 3).
 last: the Step before, from which this one is found faster.
-
+)" CONTACT_SEAT_DOC R"(
 Returns a Step of n rows, and a dict of how they have come to fit: "status",
 "sweeps" and "residual", the change of the last sweep over the largest W free.)";
 
@@ -191,52 +203,59 @@ void bind_steps(py::class_<JointSet>& joints) {
       "step",
       [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
          const Numbers& free, const Numbers& inertia,
-         const std::optional<Numbers>& axis, const Answers<JointStep>* last,
-         const Fields& fields, const Out& out, int threads) {
-        return step(self, reaction, rate, free, inertia, axis, last,
+         const std::optional<Numbers>& axis, const Answers<Stepped>* last,
+         const std::optional<Numbers>& from_seat, const Fields& fields,
+         const Out& out, int threads) {
+        return step(self, reaction, rate, free, inertia, axis, last, from_seat,
                     {fields, out, threads});
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::arg("free"),
       py::arg("inertia"), py::kw_only(), py::arg("axis") = py::none(),
-      py::arg("last") = py::none(), py::arg("fields") = py::none(),
-      py::arg("out") = py::none(), py::arg("threads") = 1, step_doc);
+      py::arg("last") = py::none(), py::arg("from_seat") = py::none(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, step_doc);
   joints.def(
       "derivatives", &derivatives, py::arg("reaction"),
       py::arg("angular_velocity"), py::kw_only(), py::arg("axis") = py::none(),
-      py::arg("threads") = 1,
-      R"(derivatives(self, reaction, angular_velocity, *, axis=None, threads=1)
+      py::arg("from_seat") = py::none(), py::arg("threads") = 1,
+      R"(derivatives(self, reaction, angular_velocity, *, axis=None, from_seat=None, threads=1)
 --
 
 How M_t answers, a dict of arrays (..., 3, 3) whose rows are parts of M_t:
 "over_rate", dM_t/dDw under a known reaction, N m s; "over_reaction", dM_t/dR, m;
-"at_contact", dM_t/dDw at fixed n, R_n and theta0. NaN at rest.
+"at_contact", dM_t/dDw at fixed n, R_n and theta0. NaN at rest and at a rim.
 
-reaction, angular_velocity, axis: as in solve().
+reaction, angular_velocity, axis, from_seat: as in solve().
 threads: how many share the rows.)");
 }
 
 }  // namespace
 
 void bind_step(py::module_& m, py::class_<JointSet>& joints) {
-  auto type = bind_answers(m, "Step", contact::step_quantities(),
-                           "What Joint.step() returns.");
+  auto type =
+      bind_answers(m, "Step", stepped_table(), "What Joint.step() returns.");
   type.def_property_readonly(
       "solution",
-      [](const Answers<JointStep>& s) {
-        return part_of(s, "solution", &JointStep::solution);
+      [](const Answers<Stepped>& all) {
+        return part_of(all, "solution of a Step", [](const Stepped& s) {
+          return Solved(s.solution, s.ends);
+        });
       },
       "Friction at the start, a Solution.");
   type.def_property_readonly(
       "rest",
-      [](const Answers<JointStep>& s) {
-        return part_of(s, "rest", &JointStep::rest);
+      [](const Answers<Stepped>& all) {
+        return part_of(all, "rest of a Step", [](const Stepped& s) {
+          return Held(s.rest, s.rest_ends);
+        });
       },
       "What a joint had to hold that rested, a RestSolution.");
   bind_steps(joints);
   m.def("step", &step_together, py::arg("joints"), py::arg("reaction"),
         py::arg("angular_velocity"), py::arg("free"), py::arg("inertia"),
         py::kw_only(), py::arg("axis") = py::none(),
-        py::arg("last") = py::none(), step_together_doc);
+        py::arg("last") = py::none(), py::arg("from_seat") = py::none(),
+        step_together_doc);
 }
 
 }  // namespace contact_python

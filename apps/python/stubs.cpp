@@ -93,15 +93,19 @@ std::string laws(const char* name, const Entries& entries) {
 }
 
 // Names of quantities, of which `fields` are some.
-template <class Row>
-std::string fields(const char* name, std::span<const Quantity<Row>> table) {
+template <class... Table>
+std::string fields(const std::string& name, const Table&... tables) {
   std::vector<std::string> keys;
-  for (const auto& q : table) keys.emplace_back(q.key);
-  return literal("_" + std::string(name) + "Field", keys);
+  const auto add = [&](const auto& table) {
+    for (const auto& q : table) keys.emplace_back(q.key);
+  };
+  (add(tables), ...);
+  return literal("_" + name + "Field", keys);
 }
 
 std::string all_fields() {
-  return fields("Solution", contact::solution_quantities()) +
+  return fields("Solution", contact::solution_quantities(),
+                contact::rim_quantities()) +
          fields("RestSolution", contact::rest_quantities()) +
          fields("Rating", contact::rating_quantities()) +
          fields("Step", contact::step_quantities()) +
@@ -221,7 +225,8 @@ class RowsFunction {
 
 int main() {
   const std::map<std::string, std::string> of = {
-      {"@Solution@", arrays(contact::solution_quantities())},
+      {"@Solution@", arrays(contact::solution_quantities()) +
+                         arrays(contact::rim_quantities())},
       {"@RestSolution@", arrays(contact::rest_quantities())},
       {"@Rating@", arrays(contact::rating_quantities())},
       {"@WearIn@", arrays(contact::worn_quantities())},
@@ -237,7 +242,6 @@ int main() {
       {"@PlayForce@", arrays(contact::play_force_quantities())},
       {"@SeatSolution@", arrays(contact::seat_joint_quantities())},
       {"@SeatRating@", arrays(contact::seat_pv_quantities())},
-      {"@SeatRestSolution@", arrays(contact::seat_rest_quantities())},
       {"@FinitePinSolution@", arrays(contact::finite_pin_quantities())},
       {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
                      laws("_Pressure", contact::detail::pressure_entries())},

@@ -34,9 +34,7 @@ from ._core import (
     Prox,
     Rating,
     RestSolution,
-    Seat,
     SeatRating,
-    SeatRestSolution,
     SeatSolution,
     Solution,
     Step,
@@ -106,6 +104,19 @@ class State(enum.IntEnum):
     UNLOADED = 2
 
 
+if not TYPE_CHECKING:
+    # Names that are gone, and what to write instead.
+    _gone = {
+        "Seat": "a Joint with a [seat] is in it; Joint.tabulated() for tables",
+        "SeatRestSolution": "RestSolution, whose slip has the seat's quantities",
+    }
+
+    def __getattr__(name):
+        if name in _gone:
+            raise AttributeError(f"libcontact.{name} is gone: {_gone[name]}")
+        raise AttributeError(f"module 'libcontact' has no attribute '{name}'")
+
+
 __all__ = [
     "Case",
     "Coefficients",
@@ -133,9 +144,7 @@ __all__ = [
     "Rating",
     "RestSolution",
     "Run",
-    "Seat",
     "SeatRating",
-    "SeatRestSolution",
     "SeatSolution",
     "SeatStatus",
     "Solution",

@@ -159,25 +159,38 @@ def _frozen(value: Any) -> Any:
 
 
 class FileText:
-    """Mixed into a class of _core that is made of these four."""
+    """Mixed into a class of _core that is made of these four and more."""
 
     _text: str
     _source: str
     _folder: str
     _settings: type_of_settings
+    _more: tuple[Any, ...] = ()  # of one class alone
 
     # Members of the class of _core.
     _toml: str
     _canonical: str
 
     def _read(
-        self, text: str, source: str, folder: str, settings: type_of_settings
-    ) -> None:
-        super().__init__(text, source, folder, settings)  # type: ignore
+        self, text: str, source: str, folder: str, settings: type_of_settings,
+        *more: Any,
+    ) -> None:  # fmt: skip
+        more = more or self._more
+        super().__init__(text, source, folder, settings, *more)  # type: ignore
         self._text = text
         self._source = source
         self._folder = folder
         self._settings = settings
+        self._more = more
+
+    def _with(self, *more: Any) -> Self:
+        """The same with more."""
+        state = self._text, self._source, self._folder, self._settings
+        return self._of(*state, *more)
+
+    def _kept(self) -> tuple[Any, ...]:
+        """More that another one has, whose keys are replaced."""
+        return self._more
 
     @classmethod
     def _of(cls, *state: Any) -> Self:
@@ -205,8 +218,9 @@ class FileText:
             settings.pop(key, None)
             settings[key] = value_text(value)
         return self._of(
-            self._text, self._source, self._folder, tuple(settings.items())
-        )
+            self._text, self._source, self._folder, tuple(settings.items()),
+            *self._kept(),
+        )  # fmt: skip
 
     def _here(self, key: str) -> str:
         """A key of a pair's friction, which is the joint's where to_dict() has
@@ -276,7 +290,7 @@ class FileText:
             state = self._text, self._source, self._folder, self._settings
         else:
             state = self.to_toml(), "", "", ()
-        return type(self)._of, state
+        return type(self)._of, (*state, *self._more)
 
     # Nothing of it changes.
     def __copy__(self) -> Self:

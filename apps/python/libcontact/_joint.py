@@ -110,7 +110,12 @@ class Joint(FileText, _core.Joint):
 
     Nothing of a joint changes: replace() makes another, vary() many. Joints compare by what
     they say, may be pickled and shared by threads, and go through fork.
+
+    A ball with a [seat] or a designation is in its seat wherever the direction
+    of its load is known; without_seat() lets the contact go on beyond the rims.
     """
+
+    _more = (False, None)  # without_seat, table
 
     if not TYPE_CHECKING:  # the stub of _core has all keys
 
@@ -129,6 +134,40 @@ class Joint(FileText, _core.Joint):
 
     def __hash__(self) -> int:
         return hash(self._canonical)
+
+    @property
+    def _without_seat(self) -> bool:
+        return bool(self._more[0])
+
+    def _kept(self) -> tuple[Any, ...]:
+        return self._without_seat, None
+
+    def without_seat(self) -> "Joint":
+        """The joint in a seat without end, for comparison and where a seat has
+        no answer. replace() keeps to it; to_toml() still has the seat.
+        """
+        return self._with(True, None)
+
+    @with_known_keywords
+    def tabulated(
+        self,
+        loads: tuple[float, float] | None = None,
+        table: bytes | None = None,
+    ) -> "Joint":
+        """The joint with a table of the contacts that reach a rim of its seat,
+        which are then read in some 20 us, to 1e-3 of the load. It goes through
+        pickle; replace() leaves it out.
+
+        loads: the least and the largest, N, of a table that is made in 7 to
+            20 s.
+        table: `table` of another Joint with the same seat, instead.
+        """
+        if (loads is None) == (table is None):
+            raise _core.Error("tabulated() requires loads or table")
+        if loads is not None:
+            least, most = loads
+            table = self._make_table(least, most)
+        return self._with(self._without_seat, table)
 
     @property
     def _friction(self) -> dict[str, Any]:

@@ -22,6 +22,7 @@ class Joints(_core.Joints):
 
     Functions are those of a Joint; their arguments broadcast against the
     joints. A ContactWarning is about the first joint that leaves its limits.
+    Each joint with a [seat] is in its own, without a table.
     """
 
     def __init__(self, joint: "Joint", keys: Mapping[str, ArrayLike]) -> None:
@@ -32,7 +33,7 @@ class Joints(_core.Joints):
         settings = tuple(s for s in joint._settings if s[0] not in names)
         super().__init__(
             joint._text, joint._source, joint._folder, settings, names,
-            np.stack(arrays, axis=-1),
+            np.stack(arrays, axis=-1), joint._without_seat,
         )  # fmt: skip
         self._joint = joint
         self._keys = dict(zip(keys, arrays))

@@ -41,13 +41,17 @@ def columns_of(
 
 
 def _table(self: Any) -> tuple[list[str], list[list[str]]]:
-    """Headings and lines, a quantity each: key, unit, values."""
+    """Headings and lines, a quantity each: key, unit, values; those that are
+    NaN in all rows are left out."""
     heads, places, rest = columns_of(self.shape)
     digits = 4 if self.shape else 6
     lines = []
     for key, _, unit, _, words in self._quantities:
         values = getattr(self, key)
-        line = [_text(values[p] if p else values, words, digits) for p in places]
+        shown = [values[p] if p else values for p in places]
+        if shown and np.isnan(shown).all():
+            continue
+        line = [_text(value, words, digits) for value in shown]
         lines.append([key, unit, *line, *rest])
     return ["", "", *heads, *rest], lines
 
