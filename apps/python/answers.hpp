@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -65,15 +66,16 @@ void add(Table<Row>& to, std::span<const Quantity<Part>> quantities,
   }
 }
 
-/// A table whose quantities are those of a Row.
+/// Those of a Row itself, kept; with Python's lock.
 template <class Row>
 const Table<Row>& table_of(std::span<const Quantity<Row>> quantities) {
-  static const auto& all = *new Table<Row>([&] {
-    Table<Row> fields;
-    add(fields, quantities, [](const Row& row) -> const Row& { return row; });
-    return fields;
-  }());
-  return all;
+  static auto& all = *new std::map<const Quantity<Row>*, Table<Row>>();
+  const auto [kept, is_new] = all.try_emplace(quantities.data());
+  Table<Row>& table = kept->second;
+  if (is_new) {
+    add(table, quantities, [](const Row& row) -> const Row& { return row; });
+  }
+  return table;
 }
 
 /// Return type of a quantity's getter, as NumPy has it.
@@ -252,7 +254,6 @@ Answers<Row> taken(const Answers<Row>& a, const Table<Row>& fields,
 template <class Row, class Value>
 const char* words_of(const std::function<Value(const Row&)>&) {
   if (std::is_same_v<Value, contact::Status>) return "Status";
-  if (std::is_same_v<Value, contact::SeatStatus>) return "SeatStatus";
   return std::is_same_v<Value, contact::JointState> ? "State" : "";
 }
 

@@ -17,6 +17,7 @@
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
+#include "python/solved.hpp"
 
 namespace contact_python {
 namespace {
@@ -312,8 +313,9 @@ void bind_duty(py::module_& m) {
   type.def_property_readonly(
       "solution",
       [](const Cycle& c) {
-        return of_rows<contact::JointSolution>(
-            c, [](const Instant& i) { return i.solution.without_grid(); });
+        return of_rows<Solved>(c, [&](const Instant& i) {
+          return Solved(c.on().joint(), i.solution);
+        });
       },
       "Friction at the rows, axes of the carrier: a Solution.");
   type.def_property_readonly(
@@ -339,8 +341,6 @@ The largest value in the cycle and its time, s; to 1e-8. At rims it is that of
 the rows, and NaN where a row has none: half-angles and heat fluxes.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
-  bind_answers(m, "SeatRating", contact::seat_pv_quantities(),
-               "What Seat.pv() returns.");
   bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");

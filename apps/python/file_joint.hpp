@@ -22,12 +22,12 @@ contact::KeySettings key_settings(const Settings& settings);
 /// A joint from the text of a joint file.
 class FileJoint : public JointSet {
  public:
-  /// @param without_seat  whether it is as JointSpec::without_seat()
+  /// @param left_out  what it is without
   /// @param table  Joint::table() of this joint
   /// @throws contact::Error as read_joint() and Joint::tabulated()
   FileJoint(const std::string& text, const std::string& source,
             const std::filesystem::path& folder,
-            const contact::KeySettings& settings, bool without_seat,
+            const contact::KeySettings& settings, LeftOut left_out,
             const std::optional<std::string>& table);
 
   const contact::JointSpec& spec() const { return spec_; }
@@ -62,8 +62,6 @@ void bind_step(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_moment_set(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_joints(pybind11::module_& m);
 void bind_play(pybind11::module_& m);
-void bind_seat(pybind11::module_& m);
-void bind_finite_pin(pybind11::module_& m);
 void bind_duty(pybind11::module_& m);
 void bind_identify(pybind11::module_& m);
 void bind_case(pybind11::module_& m);

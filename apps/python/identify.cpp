@@ -63,7 +63,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
   if (!finds_coefficient) joint.require_friction();
   contact::SharedLaws laws;
   const contact::JointContact contact =
-      any_joint(joint.spec().without_seat(), laws).joint.contact();
+      any_joint(LeftOut{true, true}.of(joint.spec()), laws).joint.contact();
   std::unique_ptr<FrictionFit> fit;
   {
     const Unlocked unlocked;

@@ -46,21 +46,16 @@ AnyJoint joint_of(const JointSpec& spec,
   return made;
 }
 
-JointSpec spec_of(const TomlTable& file, bool without_seat) {
-  JointSpec spec = contact::joint_of_file(file);
-  return without_seat ? spec.without_seat() : spec;
-}
-
 }  // namespace
 
 FileJoint::FileJoint(const std::string& text, const std::string& source,
                      const std::filesystem::path& folder,
-                     const contact::KeySettings& settings, bool without_seat,
+                     const contact::KeySettings& settings, LeftOut left_out,
                      const std::optional<std::string>& table)
     : FileJoint([&] {
         const TomlTable file = TomlTable::from_text(
             text, source, contact::joint_keys(), folder, settings);
-        JointSpec spec = spec_of(file, without_seat);
+        JointSpec spec = left_out.of(contact::joint_of_file(file));
         AnyJoint joint = joint_of(spec, table);
         return FileJoint(file.toml_text(), std::move(spec), std::move(joint));
       }()) {}
@@ -122,8 +117,10 @@ std::string kernel(const FileJoint& self, const std::string& language,
                    const std::optional<std::pair<double, double>>& reaction) {
   const contact::Joint& joint = self.joint();
   if (!joint.is_endless()) {
-    throw contact::Error(contact::detail::needs(
-        "kernel()", "a joint without a [seat], or without_seat()"));
+    throw contact::Error(
+        contact::detail::needs("kernel()",
+                               "a joint without a [seat] and a [relief], or "
+                               "without_seat() and without_relief()"));
   }
   const Unlocked unlocked;
   return load_law_text(joint, {.language = language,
@@ -202,13 +199,16 @@ void bind_joint(py::module_& m) {
   type.def(
       py::init([](const std::string& text, const std::string& source,
                   const std::filesystem::path& folder, const Settings& settings,
-                  bool without_seat, const std::optional<std::string>& table) {
+                  bool without_seat, bool without_relief,
+                  const std::optional<std::string>& table) {
         const Unlocked unlocked;
         return std::make_unique<FileJoint>(
-            text, source, folder, key_settings(settings), without_seat, table);
+            text, source, folder, key_settings(settings),
+            LeftOut{without_seat, without_relief}, table);
       }),
       py::arg("text"), py::arg("source"), py::arg("folder"),
-      py::arg("settings"), py::arg("without_seat"), py::arg("table"));
+      py::arg("settings"), py::arg("without_seat"), py::arg("without_relief"),
+      py::arg("table"));
   type.def("kernel", &kernel, py::arg("language") = "c", py::kw_only(),
            py::arg("name") = "friction", py::arg("error") = 1e-4,
            py::arg("reaction") = py::none(), kernel_doc);

@@ -78,7 +78,8 @@ void LargestContacts::add(const double* const* at,
   const contact::Joint& joint = joints_(at);
   add(at, s.half_angle, s.peak_pressure,
       contact::rim_overlap(joint.contact(), s));
-  if (joint.is_endless() || s.status != contact::Status::ok) return;
+  const bool ends = !joint.is_endless() || s.work;
+  if (!ends || s.status != contact::Status::ok) return;
   contact::ContactNotes notes;
   notes.add(joint, s);
   const std::lock_guard lock(of_notes_);
@@ -86,16 +87,21 @@ void LargestContacts::add(const double* const* at,
 }
 
 contact::LargestContact LargestContacts::at(std::size_t joint) const {
-  const Largest& largest = largest_[joint];
-  return {largest.half_angle, largest.peak_pressure, largest.rim_overlap};
+  const Largest& of = largest_[joint];
+  contact::LargestContact largest{of.half_angle, of.peak_pressure,
+                                  of.rim_overlap};
+  if (const auto found = notes_.find(joint); found != notes_.end()) {
+    largest.add(found->second.largest());
+  }
+  return largest;
 }
 
 void LargestContacts::warn() const {
   for (std::size_t i = 0; i < largest_.size(); ++i) {
     bool any = warn_of(joints_.limits(i), at(i));
-    if (!notes_.empty()) {
-      for (const std::string& note : notes_[i].of_seat()) warn_of(note);
-      any |= !notes_[i].of_seat().empty();
+    if (const auto found = notes_.find(i); found != notes_.end()) {
+      for (const std::string& note : found->second.of_seat()) warn_of(note);
+      any |= !found->second.of_seat().empty();
     }
     if (any) return;
   }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <map>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -38,7 +39,6 @@ class JointSet {
   void require_friction() const;
   /// So many rows as nobody waits for: at rims some 30 ms each.
   std::size_t at_once() const { return any_ends_ ? 16 : Rows::block; }
-  bool any_ends() const { return any_ends_; }
   /// Limits of a joint's contact; with Python's lock.
   const contact::ContactLimits& limits(std::size_t i) const;
 
@@ -47,8 +47,20 @@ class JointSet {
   std::vector<contact::Joint> joints_;
   std::vector<double> numbers_;  // 0, 1, ...
   std::string refusal_;
-  bool any_ends_;  // whether any of them is in a seat that ends
+  bool any_ends_;  // whether the contact of any of them does
   mutable std::vector<std::optional<contact::ContactLimits>> limits_;
+};
+
+/// Ends of a joint that it is without, as JointSpec::without_seat() and
+/// without_relief().
+struct LeftOut {
+  bool seat;
+  bool relief;
+
+  contact::JointSpec of(const contact::JointSpec& spec) const {
+    const contact::JointSpec some = seat ? spec.without_seat() : spec;
+    return relief ? some.without_relief() : some;
+  }
 };
 
 /// A joint that can be asked of its contact, whether there is friction in its
@@ -64,9 +76,7 @@ AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws);
 class LargestContacts {
  public:
   explicit LargestContacts(const JointSet& joints)
-      : joints_(joints),
-        largest_(joints.size()),
-        notes_(joints.any_ends() ? joints.size() : 0) {}
+      : joints_(joints), largest_(joints.size()) {}
 
   void add(const double* const* at, double half_angle, double peak_pressure,
            double rim_overlap = 0);
@@ -89,7 +99,7 @@ class LargestContacts {
   const JointSet& joints_;
   std::vector<Largest> largest_;
   std::mutex of_notes_;
-  std::vector<contact::ContactNotes> notes_;  // of joints whose contacts end
+  std::map<std::size_t, contact::ContactNotes> notes_;  // of contacts that end
 };
 
 /// The same of a solution of a single joint.

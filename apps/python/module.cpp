@@ -32,8 +32,6 @@ PYBIND11_MODULE(_core, m) {
   contact_python::bind_warning(m);
   contact_python::bind_joint(m);
   contact_python::bind_play(m);
-  contact_python::bind_seat(m);
-  contact_python::bind_finite_pin(m);
   contact_python::bind_duty(m);
   contact_python::bind_identify(m);
   contact_python::bind_case(m);

@@ -18,7 +18,7 @@ using contact::JointSolution;
 using contact::SlidingContact;
 using Eigen::Vector3d;
 
-// At a rim of its seat.
+// At a rim of its seat, or of a pin by slices.
 bool has_no_axis(const JointSolution& s) {
   return s.status == contact::Status::ok && std::isnan(s.half_angle);
 }
@@ -41,27 +41,25 @@ SlidingContact::Rating rating(const contact::Joint& joint,
 }
 
 py::object pv(const JointSet& self, const Numbers& reaction,
-              const Numbers& angular_velocity,
-              const std::optional<Numbers>& from_seat,
+              const Numbers& angular_velocity, const Lies& lies,
               const WantedRows& wanted) {
   self.require_friction();
-  const Rows rows({self.argument(),
-                   {"reaction", reaction, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   seat_argument(from_seat)});
+  const Rows rows(
+      lies.behind(self, {self.argument(),
+                         {"reaction", reaction, 3},
+                         {"angular_velocity", angular_velocity, 3}}));
   LargestContacts largest(self);
   py::object all = answered(
       rows, contact::rating_quantities(), wanted,
       [&] {
-        return [&, placements = Placements(from_seat), near = NearRim()](
+        return [&, placements = Placements(lies, 3), near = NearRim()](
                    const double* const* at, std::size_t i) mutable {
           const Vector3d rate = vector_at(at[2]);
           const contact::Joint& joint = self(at);
-          const JointSolution s =
-              joint.solve({.reaction = vector_at(at[1]),
-                           .angular_velocity = rate,
-                           .placement = placements(at[3], i)},
-                          near.begin(joint, nullptr));
+          const JointSolution s = joint.solve({.reaction = vector_at(at[1]),
+                                               .angular_velocity = rate,
+                                               .placement = placements(at, i)},
+                                              near.begin(joint, nullptr));
           near.keep(joint, s);
           largest.add(at, s);
           return rating(joint, s, rate);
@@ -93,7 +91,7 @@ py::object pressures(const FileJoint& self, const Answers<Solved>& solution,
       "solution", "a single row that has not been pickled"));
 }
 
-// At a rim: friction of the pressures.
+// Friction of the pressures.
 py::dict pv_at_rim(const contact::Joint& joint, const JointSolution& s,
                    const Vector3d& rate, const Numbers& places) {
   const JointSolution whole = joint.with_grid(s);
@@ -101,12 +99,14 @@ py::dict pv_at_rim(const contact::Joint& joint, const JointSolution& s,
   py::dict result;
   const py::object pressure = pressures_of(joint, whole, places);
   const auto of_pressure = [&](auto value) {
-    return evaluate({{"places", places, 3}, {"pressure", Numbers(pressure), 0}},
-                    [&](const double* const* at) {
-                      const double speed =
-                          radius * rate.cross(vector_at(at[0])).norm();
-                      return value(*at[1], speed);
-                    });
+    return evaluate(
+        {{"places", places, 3}, {"pressure", Numbers(pressure), 0}},
+        [&](const double* const* at) {
+          const double speed =
+              radius *
+              (joint.is_pin() ? rate : rate.cross(vector_at(at[0]))).norm();
+          return value(*at[1], speed);
+        });
   };
   result["pressure"] = pressure;
   result["pv"] = of_pressure([](double p, double v) { return p * v; });
@@ -124,15 +124,17 @@ py::dict pv_at(const FileJoint& self, const Vector3d& reaction,
                const Vector3d& rate, const Numbers& places,
                const std::optional<Numbers>& from_seat) {
   const contact::Joint& joint = self.joint();
-  const Argument turn = seat_argument(from_seat);
-  if (!turn.shape.empty()) {
+  const Lies lies{from_seat};
+  const std::vector<Argument> turn = lies.behind(self, {});
+  if (!turn.empty() && !turn[0].shape.empty()) {
     throw contact::Error(
         contact::detail::must_be("from_seat", "a single matrix"));
   }
-  Placements placements(from_seat);
+  Placements placements(lies, 0);
+  const double* const at = turn.empty() ? nullptr : turn[0].data;
   const JointSolution s = joint.solve({.reaction = reaction,
                                        .angular_velocity = rate,
-                                       .placement = placements(turn.data, 0)});
+                                       .placement = placements(&at, 0)});
   warn_of(self, s);
   if (has_no_axis(s)) return pv_at_rim(joint, s, rate, places);
   const SlidingContact sliding(joint.contact(), s, rate);
@@ -150,7 +152,7 @@ py::dict pv_at(const FileJoint& self, const Vector3d& reaction,
 }
 
 constexpr const char* pv_doc =
-    R"(pv(self, reaction, angular_velocity, *, from_seat=None, fields=None, out=None, threads=1)
+    R"(pv(self, reaction, angular_velocity, *, from_seat=None, tilt=None, place=None, axial_velocity=None, fields=None, out=None, threads=1)
 --
 
 p v and heat over the contact while the halves turn: their largest values with
@@ -164,13 +166,19 @@ void bind_pv(py::class_<JointSet>& type) {
   type.def(
       "pv",
       [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
-         const std::optional<Numbers>& from_seat, const Fields& fields,
+         const std::optional<Numbers>& from_seat,
+         const std::optional<Numbers>& tilt,
+         const std::optional<Numbers>& place,
+         const std::optional<Numbers>& velocity, const Fields& fields,
          const Out& out, int threads) {
-        return pv(self, reaction, rate, from_seat, {fields, out, threads});
+        return pv(self, reaction, rate, {from_seat, tilt, place, velocity},
+                  {fields, out, threads});
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::kw_only(),
-      py::arg("from_seat") = py::none(), py::arg("fields") = py::none(),
-      py::arg("out") = py::none(), py::arg("threads") = 1, pv_doc);
+      py::arg("from_seat") = py::none(), py::arg("tilt") = py::none(),
+      py::arg("place") = py::none(), py::arg("axial_velocity") = py::none(),
+      py::arg("fields") = py::none(), py::arg("out") = py::none(),
+      py::arg("threads") = 1, pv_doc);
 }
 
 void bind_places(py::class_<FileJoint, JointSet>& type) {

@@ -106,7 +106,7 @@ Argument Argument::matrix(const char* name, const Numbers& array) {
   return {array.data(), 9, std::move(shape)};
 }
 
-Rows::Rows(std::initializer_list<Argument> arguments) {
+Rows::Rows(const std::vector<Argument>& arguments) {
   for (const Argument& argument : arguments) {
     if (argument.shape.size() > shape_.size()) {
       shape_.insert(shape_.begin(), argument.shape.size() - shape_.size(), 1);

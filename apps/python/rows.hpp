@@ -59,7 +59,9 @@ struct Argument {
 class Rows {
  public:
   /// @throws contact::Error if the shapes do not go together
-  Rows(std::initializer_list<Argument> arguments);
+  explicit Rows(const std::vector<Argument>& arguments);
+  Rows(std::initializer_list<Argument> arguments)
+      : Rows(std::vector<Argument>(arguments)) {}
 
   const Shape& shape() const { return shape_; }
   std::size_t size() const { return size_; }

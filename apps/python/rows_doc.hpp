@@ -11,6 +11,10 @@
   "from_seat: of a joint with a [seat]: rotation from the axes of the body\n"  \
   "    that has it to those of the vectors, (..., 3, 3); None: they are the\n" \
   "    same.\n"
+#define CONTACT_PIN_DOC                                                        \
+  "tilt: slope of a pin's axis in its hole, (..., 3).\n"                       \
+  "place: of the reaction along a pin, m from its middle, (...), instead of\n" \
+  "    a tilt, which is then found.\n"
 #define CONTACT_NUMBERS_DOC                            \
   "out: an array for the result, which is returned.\n" \
   "threads: how many share the rows."

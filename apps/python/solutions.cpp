@@ -26,7 +26,7 @@ class Solver {
 
   Solved operator()(const double* const* at, std::size_t i) {
     const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
-                                    vector_at(at[3]), placements_(at[4], i)};
+                                    vector_at(at[3]), placements_(at, i)};
     const contact::Joint& joint = (*joints_)(at);
     const JointSolution* start = (*start_)(i);
     if (warm_ && has_last_) start = &last_;
@@ -56,22 +56,18 @@ class Solver {
 py::object solve(const JointSet& self, const Numbers& reaction,
                  const Numbers& angular_velocity,
                  const std::optional<Numbers>& axis, bool warm,
-                 const Answers<Solved>* last,
-                 const std::optional<Numbers>& from_seat,
+                 const Answers<Solved>* last, const Lies& lies,
                  const WantedRows& wanted) {
   self.require_friction();
-  const Rows rows({self.argument(),
-                   {"reaction", reaction, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  const Rows rows(lies.behind(self, {self.argument(),
+                                     {"reaction", reaction, 3},
+                                     {"angular_velocity", angular_velocity, 3},
+                                     axis_argument(axis)}));
   const Starts starts(last, rows);
   LargestContacts largest(self);
   py::object all = answered(
       rows, solved_table(), wanted,
-      [&] {
-        return Solver(self, starts, warm, Placements(from_seat), largest);
-      },
+      [&] { return Solver(self, starts, warm, Placements(lies, 4), largest); },
       self.at_once());
   largest.warn();
   return all;
@@ -79,24 +75,22 @@ py::object solve(const JointSet& self, const Numbers& reaction,
 
 py::object solve_contact(const JointSet& self, const Numbers& normal_force,
                          const Numbers& angular_velocity,
-                         const std::optional<Numbers>& axis,
-                         const std::optional<Numbers>& from_seat,
+                         const std::optional<Numbers>& axis, const Lies& lies,
                          const WantedRows& wanted) {
   self.require_friction();
-  const Rows rows({self.argument(),
-                   {"normal_force", normal_force, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  const Rows rows(lies.behind(self, {self.argument(),
+                                     {"normal_force", normal_force, 3},
+                                     {"angular_velocity", angular_velocity, 3},
+                                     axis_argument(axis)}));
   LargestContacts largest(self);
   py::object all = answered(
       rows, solved_table(), wanted,
       [&] {
-        return [&, placements = Placements(from_seat)](const double* const* at,
-                                                       std::size_t i) mutable {
+        return [&, placements = Placements(lies, 4)](const double* const* at,
+                                                     std::size_t i) mutable {
           const JointSolution s =
               self(at).solve_contact({vector_at(at[1]), vector_at(at[2]),
-                                      vector_at(at[3]), placements(at[4], i)});
+                                      vector_at(at[3]), placements(at, i)});
           largest.add(at, s);
           return Solved(self(at), s);
         };
@@ -108,26 +102,23 @@ py::object solve_contact(const JointSet& self, const Numbers& normal_force,
 
 py::object at_rest(const JointSet& self, const Numbers& reaction,
                    const Numbers& moment, const std::optional<Numbers>& axis,
-                   const Answers<Held>* last,
-                   const std::optional<Numbers>& from_seat,
+                   const Answers<Held>* last, const Lies& lies,
                    const WantedRows& wanted) {
   self.require_friction();
-  const Rows rows({self.argument(),
-                   {"reaction", reaction, 3},
-                   {"moment", moment, 3},
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  const Rows rows(lies.behind(self, {self.argument(),
+                                     {"reaction", reaction, 3},
+                                     {"moment", moment, 3},
+                                     axis_argument(axis)}));
   const Starts starts(last, rows);
   LargestContacts largest(self);
   py::object all = answered(
       rows, held_table(), wanted,
       [&] {
-        return [&, placements = Placements(from_seat), near = NearRim()](
+        return [&, placements = Placements(lies, 4), near = NearRim()](
                    const double* const* at, std::size_t i) mutable {
           const contact::Joint& joint = self(at);
           const contact::Joint::Hold hold{vector_at(at[1]), vector_at(at[2]),
-                                          vector_at(at[3]),
-                                          placements(at[4], i)};
+                                          vector_at(at[3]), placements(at, i)};
           RestSolution s;
           if (const RestSolution* const start = starts(i)) s = *start;
           near.put(joint, s.slip);
@@ -143,12 +134,14 @@ py::object at_rest(const JointSet& self, const Numbers& reaction,
 }
 
 constexpr const char* solve_doc =
-    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, from_seat=None, fields=None, out=None, threads=1)
+    R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, from_seat=None, tilt=None, place=None, axial_velocity=None, fields=None, out=None, threads=1)
 --
 
 Friction of the joint while its halves turn, under a known reaction. A ball whose
 joint has a [seat] is in it: libcontact's docs/seat_joint.md. Its rows at rims
-take some 30 ms, and begin from the row before, which leaves 1e-7.
+take some 30 ms, and begin from the row before, which leaves 1e-7. A pin that
+is tilted, relieved or loaded at a place is one by slices, to 1e-8: docs/
+finite_pin.md.
 
 reaction: R on the body, N, (..., 3).
 angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
@@ -157,7 +150,9 @@ warm: begin each row from the solution of the row before. Rows that are near
     each other take 0.2 to 0.7 of the time; the last digits differ.
 last: a Solution of this joint for similar rows, from which each row begins,
     of their shape or a single one; an unpickled one has nothing to begin from.
-)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
+)" CONTACT_SEAT_DOC CONTACT_PIN_DOC
+    R"(axial_velocity: of the body along a pin's axis, m/s, (...).
+)" CONTACT_ROWS_DOC R"(
 Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
 the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE. Warm rows
 begin anew every 1024 where several threads share them.)";
@@ -174,7 +169,7 @@ angular_velocity, axis: as in solve().
 )" CONTACT_SEAT_DOC CONTACT_ROWS_DOC;
 
 constexpr const char* at_rest_doc =
-    R"(at_rest(self, reaction, moment, *, axis=None, last=None, from_seat=None, fields=None, out=None, threads=1)
+    R"(at_rest(self, reaction, moment, *, axis=None, last=None, from_seat=None, tilt=None, place=None, fields=None, out=None, threads=1)
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
@@ -183,7 +178,7 @@ how near it is to sliding.
 reaction: R on the body, N, (..., 3).
 moment: M on the body that friction has to supply, N m, (..., 3).
 last: a RestSolution for similar rows, as in solve(): a fifth of the time.
-)" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
+)" CONTACT_SEAT_DOC CONTACT_PIN_DOC CONTACT_ROWS_DOC R"(
 Returns a RestSolution, whose `slip` is the sliding at the limit.)";
 
 void bind_sliding(py::class_<JointSet>& type) {
@@ -192,22 +187,27 @@ void bind_sliding(py::class_<JointSet>& type) {
       [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
          const std::optional<Numbers>& axis, bool warm,
          const Answers<Solved>* last, const std::optional<Numbers>& from_seat,
-         const Fields& fields, const Out& out, int threads) {
-        return solve(self, reaction, rate, axis, warm, last, from_seat,
+         const std::optional<Numbers>& tilt,
+         const std::optional<Numbers>& place,
+         const std::optional<Numbers>& velocity, const Fields& fields,
+         const Out& out, int threads) {
+        return solve(self, reaction, rate, axis, warm, last,
+                     {from_seat, tilt, place, velocity},
                      {fields, out, threads});
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::kw_only(),
       py::arg("axis") = py::none(), py::arg("warm") = false,
       py::arg("last") = py::none(), py::arg("from_seat") = py::none(),
-      py::arg("fields") = py::none(), py::arg("out") = py::none(),
-      py::arg("threads") = 1, solve_doc);
+      py::arg("tilt") = py::none(), py::arg("place") = py::none(),
+      py::arg("axial_velocity") = py::none(), py::arg("fields") = py::none(),
+      py::arg("out") = py::none(), py::arg("threads") = 1, solve_doc);
   type.def(
       "solve_contact",
       [](const JointSet& self, const Numbers& normal_force, const Numbers& rate,
          const std::optional<Numbers>& axis,
          const std::optional<Numbers>& from_seat, const Fields& fields,
          const Out& out, int threads) {
-        return solve_contact(self, normal_force, rate, axis, from_seat,
+        return solve_contact(self, normal_force, rate, axis, {from_seat},
                              {fields, out, threads});
       },
       py::arg("normal_force"), py::arg("angular_velocity"), py::kw_only(),
@@ -221,14 +221,17 @@ void bind_rest(py::class_<JointSet>& type) {
       "at_rest",
       [](const JointSet& self, const Numbers& reaction, const Numbers& moment,
          const std::optional<Numbers>& axis, const Answers<Held>* last,
-         const std::optional<Numbers>& from_seat, const Fields& fields,
+         const std::optional<Numbers>& from_seat,
+         const std::optional<Numbers>& tilt,
+         const std::optional<Numbers>& place, const Fields& fields,
          const Out& out, int threads) {
-        return at_rest(self, reaction, moment, axis, last, from_seat,
-                       {fields, out, threads});
+        return at_rest(self, reaction, moment, axis, last,
+                       {from_seat, tilt, place}, {fields, out, threads});
       },
       py::arg("reaction"), py::arg("moment"), py::kw_only(),
       py::arg("axis") = py::none(), py::arg("last") = py::none(),
-      py::arg("from_seat") = py::none(), py::arg("fields") = py::none(),
+      py::arg("from_seat") = py::none(), py::arg("tilt") = py::none(),
+      py::arg("place") = py::none(), py::arg("fields") = py::none(),
       py::arg("out") = py::none(), py::arg("threads") = 1, at_rest_doc);
 }
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
@@ -11,6 +12,7 @@ namespace {
 
 using contact::Joint;
 using contact::JointSolution;
+using contact::PinLie;
 using contact::RimContact;
 
 const RimContact& no_rims() {
@@ -22,13 +24,32 @@ const RimContact& no_rims() {
   return none;
 }
 
+const PinLie& no_lie() {
+  static const auto& none = *new PinLie([] {
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    PinLie lie;
+    for (auto* v : {&lie.tilt, &lie.shift, &lie.tilting_moment, &lie.moment}) {
+      v->setConstant(nan);
+    }
+    lie.end_pressure = lie.end_half_angle = {nan, nan};
+    lie.axial_friction_force = nan;
+    return lie;
+  }());
+  return none;
+}
+
 const RimContact& rims_of(const Solved& s) {
   return s.ends ? s.ends->rims : no_rims();
 }
 
+const PinLie& lie_of(const Solved& s) {
+  return s.ends ? s.ends->lie : no_lie();
+}
+
 EndsOf ends_of(const Joint& joint, const JointSolution& s) {
-  if (joint.is_endless()) return nullptr;
-  return std::make_shared<const Ends>(Ends{joint.rims(s).value_or(no_rims())});
+  if (joint.is_endless() && !s.work) return nullptr;
+  return std::make_shared<const Ends>(
+      Ends{joint.rims(s).value_or(no_rims()), joint.lie(s).value_or(no_lie())});
 }
 
 }  // namespace
@@ -55,6 +76,7 @@ const Table<Solved>& solved_table() {
     add(table, contact::solution_quantities(),
         [](const Solved& s) -> const JointSolution& { return s; });
     add(table, contact::rim_quantities(), rims_of);
+    add(table, contact::lie_quantities(), lie_of);
     return table;
   }());
   return all;

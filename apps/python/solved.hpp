@@ -15,6 +15,7 @@ namespace contact_python {
 /// What a joint says of a solution beside it; NaN where there is nothing.
 struct Ends {
   contact::RimContact rims;
+  contact::PinLie lie;
 };
 /// Null of a contact without end.
 using EndsOf = std::shared_ptr<const Ends>;
@@ -45,7 +46,7 @@ struct Stepped : contact::JointStep {
   EndsOf rest_ends;  ///< of the slip of the rest
 };
 
-/// The quantities of solutions, those of their rims last.
+/// The quantities of solutions, those of their ends last.
 const Table<Solved>& solved_table();
 const Table<Held>& held_table();
 const Table<Stepped>& stepped_table();
@@ -71,7 +72,7 @@ auto part_of(const Answers<Whole>& all, const char* name, const Get& get) {
   return parts;
 }
 
-/// The grid of the last contact at a rim, from which that of the next row is
+/// The grid of the last contact that ends, from which that of the next row is
 /// found faster.
 class NearRim {
  public:

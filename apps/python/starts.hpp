@@ -1,12 +1,10 @@
 #pragma once
 
-#include <Eigen/LU>
-
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/base/text.hpp"
 #include "libcontact/joint/placement.hpp"
 #include "python/answers.hpp"
+#include "python/joint_set.hpp"
 
 namespace contact_python {
 
@@ -44,34 +42,37 @@ inline Eigen::Matrix3d matrix_at(const double* numbers) {
   return Eigen::Map<const RowMajor>(numbers);
 }
 
-/// Rotations from the seat's body; none is no rotation.
-inline Argument seat_argument(const std::optional<Numbers>& from_seat) {
-  static const RowMajor none = RowMajor::Identity();
-  return from_seat ? Argument::matrix("from_seat", *from_seat)
-                   : Argument(none.data(), 9, {});
-}
+/// Arguments that say how the halves of rows lie, as Placement does.
+struct Lies {
+  std::optional<Numbers> from_seat = {};
+  std::optional<Numbers> tilt = {};
+  std::optional<Numbers> place = {};
+  std::optional<Numbers> axial_velocity = {};
 
-/// Places of the seats of rows.
+  /// Those that are given, behind other arguments.
+  /// @throws contact::Error for a tilt beside a place, and for any of a ball
+  std::vector<Argument> behind(const JointSet& joints,
+                               std::initializer_list<Argument> others) const;
+};
+
+/// How the halves of rows lie.
 class Placements {
  public:
-  explicit Placements(const std::optional<Numbers>& from_seat)
-      : is_given_(from_seat.has_value()) {}
+  /// @param first  the number of the first argument of Lies
+  Placements(const Lies& lies, std::size_t first)
+      : has_seat_(lies.from_seat),
+        has_tilt_(lies.tilt),
+        has_place_(lies.place),
+        slides_(lies.axial_velocity),
+        first_(first) {}
   /// That of a row, until the next; null where nothing is given.
-  /// @param from_seat  its seat_argument()
-  /// @throws contact::Error unless it is a rotation, to the 1e-6 of hosts that
-  ///   compute in single precision
-  const contact::Placement* operator()(const double* from_seat, std::size_t i) {
-    if (!is_given_) return nullptr;
-    placement_.from_seat = matrix_at(from_seat);
-    const Eigen::Matrix3d& turn = placement_.from_seat;
-    if (turn.isUnitary(1e-6) && turn.determinant() > 0) return &placement_;
-    throw contact::Error(contact::detail::must_be(
-        contact::detail::message("from_seat of row {}", i),
-        "a rotation matrix"));
-  }
+  /// @throws contact::Error unless from_seat is a rotation, to the 1e-6 of
+  ///   hosts that compute in single precision
+  const contact::Placement* operator()(const double* const* at, std::size_t i);
 
  private:
-  bool is_given_;
+  bool has_seat_, has_tilt_, has_place_, slides_;
+  std::size_t first_;
   contact::Placement placement_;
 };
 

@@ -22,28 +22,26 @@ using Eigen::Vector3d;
 py::object step(const JointSet& self, const Numbers& reaction,
                 const Numbers& angular_velocity, const Numbers& free,
                 const Numbers& inertia, const std::optional<Numbers>& axis,
-                const Answers<Stepped>* last,
-                const std::optional<Numbers>& from_seat,
+                const Answers<Stepped>* last, const Lies& lies,
                 const WantedRows& wanted) {
   self.require_friction();
-  const Rows rows({self.argument(),
-                   {"reaction", reaction, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   {"free", free, 3},
-                   Argument::matrix("inertia", inertia),
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  const Rows rows(lies.behind(self, {self.argument(),
+                                     {"reaction", reaction, 3},
+                                     {"angular_velocity", angular_velocity, 3},
+                                     {"free", free, 3},
+                                     Argument::matrix("inertia", inertia),
+                                     axis_argument(axis)}));
   const Starts starts(last, rows);
   LargestContacts largest(self);
   py::object all = answered(
       rows, stepped_table(), wanted,
       [&] {
-        return [&, placements = Placements(from_seat), near = NearRim()](
+        return [&, placements = Placements(lies, 6), near = NearRim()](
                    const double* const* at, std::size_t i) mutable {
           const contact::Joint& joint = self(at);
           const contact::StepStart start{vector_at(at[1]), vector_at(at[2]),
                                          vector_at(at[3]), vector_at(at[5]),
-                                         placements(at[6], i)};
+                                         placements(at, i)};
           const Eigen::Matrix3d w = matrix_at(at[4]);
           if (!contact::is_inertia(joint, start, w)) {
             throw contact::Error(contact::detail::must_be(
@@ -71,8 +69,7 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
                         const Numbers& angular_velocity, const Numbers& free,
                         const Numbers& inertia,
                         const std::optional<Numbers>& axis,
-                        const Answers<Stepped>* last,
-                        const std::optional<Numbers>& from_seat) {
+                        const Answers<Stepped>* last, const Lies& lies) {
   std::vector<const contact::Joint*> all;
   for (const FileJoint* joint : joints) {  // null: None
     if (!joint) {
@@ -80,11 +77,14 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
     }
     all.push_back(&joint->joint());
   }
-  const Rows rows({{"reaction", reaction, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   {"free", free, 3},
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  if (joints.empty()) {
+    throw contact::Error(contact::detail::must_be("joints", "one or more"));
+  }
+  const Rows rows(
+      lies.behind(*joints[0], {{"reaction", reaction, 3},
+                               {"angular_velocity", angular_velocity, 3},
+                               {"free", free, 3},
+                               axis_argument(axis)}));
   Answers<Stepped> result{{static_cast<py::ssize_t>(all.size())}};
   if (rows.shape() != result.shape) {
     throw contact::Error(contact::detail::must_be(
@@ -95,14 +95,14 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
   }
   const Starts starts(last, rows);
   std::vector<contact::StepStart> begin;
-  std::vector<Placements> placements(all.size(), Placements(from_seat));
+  std::vector<Placements> placements(all.size(), Placements(lies, 4));
   std::vector<JointStep> steps;
   rows.for_each([&](const double* const* at) {
     const std::size_t i = begin.size();
     const JointStep* const start = starts(i);
     steps.push_back(start ? *start : JointStep());
     begin.push_back({vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
-                     vector_at(at[3]), placements[i](at[4], i)});
+                     vector_at(at[3]), placements[i](at, i)});
   });
   // Symmetric, so that the order of its numbers does not matter.
   const contact::StepSweeps sweeps =
@@ -123,15 +123,14 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
 
 py::dict derivatives(const JointSet& self, const Numbers& reaction,
                      const Numbers& angular_velocity,
-                     const std::optional<Numbers>& axis,
-                     const std::optional<Numbers>& from_seat, int threads) {
+                     const std::optional<Numbers>& axis, const Lies& lies,
+                     int threads) {
   self.require_friction();
   Wanted{.threads = threads}.check();
-  const Rows rows({self.argument(),
-                   {"reaction", reaction, 3},
-                   {"angular_velocity", angular_velocity, 3},
-                   axis_argument(axis),
-                   seat_argument(from_seat)});
+  const Rows rows(lies.behind(self, {self.argument(),
+                                     {"reaction", reaction, 3},
+                                     {"angular_velocity", angular_velocity, 3},
+                                     axis_argument(axis)}));
   Shape shape = rows.shape();
   shape.insert(shape.end(), {3, 3});
   py::dict all;
@@ -144,11 +143,10 @@ py::dict derivatives(const JointSet& self, const Numbers& reaction,
   rows.for_each(
       threads,
       [&] {
-        return [&, placements = Placements(from_seat)](const double* const* at,
-                                                       std::size_t i) mutable {
+        return [&, placements = Placements(lies, 4)](const double* const* at,
+                                                     std::size_t i) mutable {
           const contact::Joint::Slip slip{vector_at(at[1]), vector_at(at[2]),
-                                          vector_at(at[3]),
-                                          placements(at[4], i)};
+                                          vector_at(at[3]), placements(at, i)};
           const contact::SlipDerivatives d =
               contact::derivatives(self(at), slip, self(at).solve(slip));
           to[0][i] = d.over_rate;
@@ -206,8 +204,8 @@ void bind_steps(py::class_<JointSet>& joints) {
          const std::optional<Numbers>& axis, const Answers<Stepped>* last,
          const std::optional<Numbers>& from_seat, const Fields& fields,
          const Out& out, int threads) {
-        return step(self, reaction, rate, free, inertia, axis, last, from_seat,
-                    {fields, out, threads});
+        return step(self, reaction, rate, free, inertia, axis, last,
+                    {from_seat}, {fields, out, threads});
       },
       py::arg("reaction"), py::arg("angular_velocity"), py::arg("free"),
       py::arg("inertia"), py::kw_only(), py::arg("axis") = py::none(),
@@ -215,9 +213,15 @@ void bind_steps(py::class_<JointSet>& joints) {
       py::arg("fields") = py::none(), py::arg("out") = py::none(),
       py::arg("threads") = 1, step_doc);
   joints.def(
-      "derivatives", &derivatives, py::arg("reaction"),
-      py::arg("angular_velocity"), py::kw_only(), py::arg("axis") = py::none(),
-      py::arg("from_seat") = py::none(), py::arg("threads") = 1,
+      "derivatives",
+      [](const JointSet& self, const Numbers& reaction, const Numbers& rate,
+         const std::optional<Numbers>& axis,
+         const std::optional<Numbers>& from_seat, int threads) {
+        return derivatives(self, reaction, rate, axis, {from_seat}, threads);
+      },
+      py::arg("reaction"), py::arg("angular_velocity"), py::kw_only(),
+      py::arg("axis") = py::none(), py::arg("from_seat") = py::none(),
+      py::arg("threads") = 1,
       R"(derivatives(self, reaction, angular_velocity, *, axis=None, from_seat=None, threads=1)
 --
 
@@ -251,11 +255,19 @@ void bind_step(py::module_& m, py::class_<JointSet>& joints) {
       },
       "What a joint had to hold that rested, a RestSolution.");
   bind_steps(joints);
-  m.def("step", &step_together, py::arg("joints"), py::arg("reaction"),
-        py::arg("angular_velocity"), py::arg("free"), py::arg("inertia"),
-        py::kw_only(), py::arg("axis") = py::none(),
-        py::arg("last") = py::none(), py::arg("from_seat") = py::none(),
-        step_together_doc);
+  m.def(
+      "step",
+      [](const std::vector<const FileJoint*>& of, const Numbers& reaction,
+         const Numbers& rate, const Numbers& free, const Numbers& inertia,
+         const std::optional<Numbers>& axis, const Answers<Stepped>* last,
+         const std::optional<Numbers>& from_seat) {
+        return step_together(of, reaction, rate, free, inertia, axis, last,
+                             {from_seat});
+      },
+      py::arg("joints"), py::arg("reaction"), py::arg("angular_velocity"),
+      py::arg("free"), py::arg("inertia"), py::kw_only(),
+      py::arg("axis") = py::none(), py::arg("last") = py::none(),
+      py::arg("from_seat") = py::none(), step_together_doc);
 }
 
 }  // namespace contact_python

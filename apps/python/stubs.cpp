@@ -105,7 +105,7 @@ std::string fields(const std::string& name, const Table&... tables) {
 
 std::string all_fields() {
   return fields("Solution", contact::solution_quantities(),
-                contact::rim_quantities()) +
+                contact::rim_quantities(), contact::lie_quantities()) +
          fields("RestSolution", contact::rest_quantities()) +
          fields("Rating", contact::rating_quantities()) +
          fields("Step", contact::step_quantities()) +
@@ -226,7 +226,8 @@ class RowsFunction {
 int main() {
   const std::map<std::string, std::string> of = {
       {"@Solution@", arrays(contact::solution_quantities()) +
-                         arrays(contact::rim_quantities())},
+                         arrays(contact::rim_quantities()) +
+                         arrays(contact::lie_quantities())},
       {"@RestSolution@", arrays(contact::rest_quantities())},
       {"@Rating@", arrays(contact::rating_quantities())},
       {"@WearIn@", arrays(contact::worn_quantities())},
@@ -240,9 +241,6 @@ int main() {
       {"@ForceState@", arrays(contact::force_state_quantities())},
       {"@Impact@", arrays(contact::impact_quantities())},
       {"@PlayForce@", arrays(contact::play_force_quantities())},
-      {"@SeatSolution@", arrays(contact::seat_joint_quantities())},
-      {"@SeatRating@", arrays(contact::seat_pv_quantities())},
-      {"@FinitePinSolution@", arrays(contact::finite_pin_quantities())},
       {"@Laws@", laws("_HalfAngle", contact::detail::half_angle_entries()) +
                      laws("_Pressure", contact::detail::pressure_entries())},
       {"@Cycle@", numbers(contact::cycle_quantities())},

@@ -17,6 +17,7 @@ cup_file = source / "data/joints/hip_cup.toml"
 bush_file = source / "data/joints/relieved_bush.toml"
 ring = libcontact.Joint.from_file(ring_file)
 cup = libcontact.Joint.from_file(cup_file)
+bush = libcontact.Joint.from_file(bush_file)
 
 
 def number(row, name):
@@ -367,21 +368,22 @@ class Seats(unittest.TestCase):
         with self.assertRaisesRegex(
                 AttributeError, "Seat is gone: a Joint with a"):
             libcontact.Seat
+        with self.assertRaisesRegex(AttributeError, "write Joint.solve"):
+            libcontact.FinitePin
         with self.assertRaisesRegex(AttributeError, "no attribute 'Seta'"):
             libcontact.Seta
 
 
 class Pins(unittest.TestCase):
     def test_are_those_of_the_program(self):
-        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
         for option, values, keywords in [
             ("--tilt", "0.01,0.02",
-             {"tilt": np.radians([[0.01, 0], [0.02, 0]])}),
+             {"tilt": np.radians([[0.01, 0, 0], [0.02, 0, 0]])}),
             ("--load-at", "1mm,2mm", {"place": [1e-3, 2e-3]}),
         ]:  # fmt: skip
             rows = table("hinge-joint", "--joint", bush_file,
                          "--reaction", "1e4", option, values)
-            s = bush.solve([1e4, 0], 1, **keywords)
+            s = bush.solve([1e4, 0, 0], [0, 0, 1], **keywords)
             self.assertEqual(s.shape, (2,))
             for i, row in enumerate(rows):
                 self.assertEqual(s.status[i], libcontact.Status.OK)
@@ -389,41 +391,88 @@ class Pins(unittest.TestCase):
                     (s.peak_pressure, "p_peak_Pa"),
                     (s.low, "z_low_m"),
                     (s.moment[:, 2], "M_z_N_m"),
-                    (s.tilting_moment_x, "G_x_N_m"),
+                    (s.tilting_moment[:, 0], "G_x_N_m"),
                 ]:
                     np.testing.assert_allclose(
                         mine[i], number(row, name), rtol=1e-12)
 
+    def test_are_the_same_in_any_frame(self):
+        z = np.array([1, 2, -2]) / 3
+        x = np.array([2, 1, 2]) / 3
+        s = bush.solve([1e4, 0, 0], [0, 0, 1], tilt=[2e-4, 1e-4, 0])
+        y = np.cross(z, x)
+        t = bush.solve(1e4 * x, z, tilt=2e-4 * x + 1e-4 * y)
+        turn = np.stack([x, y, z], axis=-1)
+        for name in "tilting_moment", "moment", "friction_force", "tilt":
+            np.testing.assert_allclose(
+                getattr(t, name), turn @ getattr(s, name), rtol=1e-9,
+                atol=1e-9 * np.linalg.norm(getattr(s, name)), err_msg=name)
+        again = pickle.loads(pickle.dumps(s))
+        self.assertEqual(again.low_pressure, s.low_pressure)
+        self.assertTrue(math.isnan(s.half_angle))
+        self.assertGreater(s.largest_half_angle, 0)
+
     def test_pressures_are_those_of_the_program(self):
-        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
         # Without a rate there is no friction: the reaction is the load.
-        s = bush.solve([1e5, 0], 0, tilt=np.radians([0.05, 0.02]))
+        s = bush.solve([1e5, 0, 0], [0, 0, 0], axis=[0, 0, 1],
+                       tilt=np.radians([0.05, 0.02, 0]))
         rows = table("hinge-pressure", "--joint", bush_file, "--load", "1e5",
                      "--tilt", "0.05", "--twist", "0.02", "--points", "5")
-        p = bush.pressure(
-            s,
-            [number(row, "z_m") for row in rows],
-            np.radians([number(row, "theta_deg") for row in rows]))
+        theta = np.radians([number(row, "theta_deg") for row in rows])
+        at = np.stack(
+            [bush.radius * np.cos(theta), bush.radius * np.sin(theta),
+             [number(row, "z_m") for row in rows]], axis=-1)
+        at /= np.linalg.norm(at, axis=-1, keepdims=True)
         np.testing.assert_allclose(
-            p, [number(row, "p_Pa") for row in rows], rtol=1e-9, atol=1)
-        self.assertEqual(bush.pressure(s, [[0], [0.01]], [0, 0.1]).shape, (2, 2))
+            bush.pressures(s, at), [number(row, "p_Pa") for row in rows],
+            rtol=1e-7, atol=1)
 
-    def test_slides_along_its_axis(self):
-        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
-        s = bush.solve([1e5, 0], 0, axial_velocity=[0.1, 0, -0.1])
+    def test_have_their_relief_unless_they_are_without(self):
+        load = [1e5, 0, 0], [0, 0, 1]
+        s = bush.solve(*load)
+        straight = bush.without_relief()
+        t = straight.solve(*load)
+        self.assertGreater(s.peak_pressure, 1.01 * t.peak_pressure)
+        self.assertGreater(s.pieces, 0)
+        self.assertTrue(math.isnan(t.low))
+        self.assertGreater(t.half_angle, 0)
+        self.assertNotEqual(straight, bush)
+        self.assertEqual(pickle.loads(pickle.dumps(straight)), straight)
+
+    def test_slide_along_their_axes(self):
+        s = bush.solve([1e5, 0, 0], [0, 0, 0], axis=[0, 0, 1],
+                       axial_velocity=[0.1, 0, -0.1])
         self.assertLess(s.axial_friction_force[0], -1e4)
         self.assertEqual(s.axial_friction_force[1], 0)
         self.assertEqual(
             s.axial_friction_force[2], -s.axial_friction_force[0])
 
+    def test_rest_and_are_rated_as_they_lie(self):
+        tilt = [3e-4, 0, 0]
+        load = [1e4, 0, 0], [0, 0, 1]
+        s = bush.solve(*load, tilt=tilt)
+        rest = bush.at_rest(load[0], [0, 0, 1], tilt=tilt)
+        np.testing.assert_allclose(
+            rest.utilisation, 1 / abs(s.friction_moment[2]), rtol=1e-12)
+        self.assertEqual(rest.slip.low_pressure, s.low_pressure)
+        (row,) = table("hinge-joint", "--joint", bush_file, "--reaction",
+                       "1e4", "--tilt", repr(math.degrees(3e-4)), "--pv")
+        rated = bush.pv(*load, tilt=tilt)
+        np.testing.assert_allclose(
+            rated.pv_max, number(row, "pv_max_W_per_m2"), rtol=1e-9)
+        self.assertEqual(rated.heat, -s.power)
+
     def test_refuse_what_does_not_fit(self):
-        bush = libcontact.FinitePin(libcontact.Joint.from_file(bush_file))
+        load = [1e4, 0, 0], [0, 0, 1]
         with self.assertRaisesRegex(libcontact.Error, "left out beside place"):
-            bush.solve([1e4, 0], 1, tilt=[0, 0], place=0)
+            bush.solve(*load, tilt=[0, 0, 0], place=0)
         with self.assertRaisesRegex(libcontact.Error, "shape"):
-            bush.solve([1e4, 0, 0], 1)
-        with self.assertRaisesRegex(libcontact.Error, "requires"):
-            libcontact.FinitePin(ring)
+            bush.solve(*load, tilt=[0, 0])
+        with self.assertRaisesRegex(libcontact.Error, "those of a pin"):
+            ring.solve(*load, place=0)
+        s = bush.solve(*load, place=[math.nan, 0])
+        np.testing.assert_array_equal(
+            s.status, [libcontact.Status.OUT_OF_RANGE, libcontact.Status.OK])
 
 
 if __name__ == "__main__":

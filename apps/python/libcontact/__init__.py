@@ -24,8 +24,6 @@ from ._core import (
     ContactWarning,
     Error,
     Estimate,
-    FinitePin,
-    FinitePinSolution,
     ForceState,
     Impact,
     MomentSet,
@@ -34,8 +32,6 @@ from ._core import (
     Prox,
     Rating,
     RestSolution,
-    SeatRating,
-    SeatSolution,
     Solution,
     Step,
     WearIn,
@@ -87,15 +83,6 @@ class Status(enum.IntEnum):
     OUT_OF_SEAT = 3
 
 
-class SeatStatus(enum.IntEnum):
-    """How a contact in a seat ended: what SeatSolution.status has."""
-
-    OK = 0
-    NOT_CONVERGED = 1
-    OUT_OF_SEAT = 2
-    NO_LOAD = 3
-
-
 class State(enum.IntEnum):
     """Motion of a joint's two halves: the values of Solution.state."""
 
@@ -107,8 +94,14 @@ class State(enum.IntEnum):
 if not TYPE_CHECKING:
     # Names that are gone, and what to write instead.
     _gone = {
+        "FinitePin": "write Joint.solve() with tilt, place or axial_velocity",
+        "FinitePinSolution": "Solution has its quantities",
         "Seat": "a Joint with a [seat] is in it; Joint.tabulated() for tables",
+        "SeatCycle": "Cycle has its quantities",
+        "SeatRating": "Joint.pv() and Cycle.rating are a Rating",
         "SeatRestSolution": "RestSolution, whose slip has the seat's quantities",
+        "SeatSolution": "Solution has its quantities",
+        "SeatStatus": "Status has OUT_OF_SEAT, State UNLOADED",
     }
 
     def __getattr__(name):
@@ -125,8 +118,6 @@ __all__ = [
     "Error",
     "Estimate",
     "Event",
-    "FinitePin",
-    "FinitePinSolution",
     "Fit",
     "ForceState",
     "HalfAngleLaw",
@@ -144,9 +135,6 @@ __all__ = [
     "Rating",
     "RestSolution",
     "Run",
-    "SeatRating",
-    "SeatSolution",
-    "SeatStatus",
     "Solution",
     "State",
     "Status",

@@ -112,10 +112,11 @@ class Joint(FileText, _core.Joint):
     they say, may be pickled and shared by threads, and go through fork.
 
     A ball with a [seat] or a designation is in its seat wherever the direction
-    of its load is known; without_seat() lets the contact go on beyond the rims.
+    of its load is known, and a pin has its [relief]; without_seat() and
+    without_relief() let the contact go on.
     """
 
-    _more = (False, None)  # without_seat, table
+    _more = (False, False, None)  # without_seat, without_relief, table
 
     if not TYPE_CHECKING:  # the stub of _core has all keys
 
@@ -135,18 +136,20 @@ class Joint(FileText, _core.Joint):
     def __hash__(self) -> int:
         return hash(self._canonical)
 
-    @property
-    def _without_seat(self) -> bool:
-        return bool(self._more[0])
-
     def _kept(self) -> tuple[Any, ...]:
-        return self._without_seat, None
+        return *self._more[:2], None
 
     def without_seat(self) -> "Joint":
         """The joint in a seat without end, for comparison and where a seat has
         no answer. replace() keeps to it; to_toml() still has the seat.
         """
-        return self._with(True, None)
+        return self._with(True, self._more[1], None)
+
+    def without_relief(self) -> "Joint":
+        """The joint with a straight pin in a straight hole. replace() keeps to
+        it; to_toml() still has the relief.
+        """
+        return self._with(self._more[0], True, None)
 
     @with_known_keywords
     def tabulated(
@@ -167,7 +170,7 @@ class Joint(FileText, _core.Joint):
         if loads is not None:
             least, most = loads
             table = self._make_table(least, most)
-        return self._with(self._without_seat, table)
+        return self._with(*self._more[:2], table)
 
     @property
     def _friction(self) -> dict[str, Any]:

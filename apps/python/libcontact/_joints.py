@@ -33,7 +33,7 @@ class Joints(_core.Joints):
         settings = tuple(s for s in joint._settings if s[0] not in names)
         super().__init__(
             joint._text, joint._source, joint._folder, settings, names,
-            np.stack(arrays, axis=-1), joint._without_seat,
+            np.stack(arrays, axis=-1), *joint._more[:2],
         )  # fmt: skip
         self._joint = joint
         self._keys = dict(zip(keys, arrays))
