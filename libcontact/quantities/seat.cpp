@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <iterator>
-#include <limits>
 #include <vector>
 
 #include "libcontact/quantities/lifted.hpp"

@@ -47,7 +47,7 @@ double number(const JointCycle& cycle, std::string_view key) {
   return value_of(*find_quantity(worst_quantities(), key), cycle);
 }
 
-TEST(SeatCycle, AnswersAsTheJointAtEachTime) {
+TEST(CycleInSeat, AnswersAsTheJointAtEachTime) {
   for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
     const double side = inner == JointBody::carrier ? 1 : -1;
     const JointSpec spec = bearing(inner);
@@ -125,7 +125,7 @@ std::vector<Vector3d> arc() {
 }
 
 // The seat wears by what Joint::pressures() says at each time.
-TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
+TEST(CycleInSeat, WearMapIsTheSumOverTheRows) {
   const JointSpec spec = bearing(JointBody::body);
   const Joint joint(spec);
   const JointCycle in_seat(cycle(-1), joint);
@@ -171,7 +171,7 @@ TEST(SeatCycle, WearMapIsTheSumOverTheRows) {
 
 // Peaks that are looked for far from the rim are below the mean of contacts at
 // it: such rows have none, nor has the cycle where their mean is the larger.
-TEST(SeatCycle, HasNoPeakThatMayBeExceeded) {
+TEST(CycleInSeat, HasNoPeakThatMayBeExceeded) {
   for (const double report_distance : {0.02, 0.7}) {
     JointSpec spec = bearing(JointBody::body);
     spec.geometry = spec.geometry.with_seat(
@@ -202,7 +202,7 @@ TEST(SeatCycle, HasNoPeakThatMayBeExceeded) {
 
 // A cycle whose contacts reach no rim is that of the seat without end under the
 // laws exact, Gauss points and maxima between the rows too.
-TEST(SeatCycle, FreeContactsAreThoseWithoutRims) {
+TEST(CycleInSeat, FreeContactsAreThoseWithoutRims) {
   for (const JointBody inner : {JointBody::carrier, JointBody::body}) {
     JointSpec spec = bearing(inner);
     spec.geometry = spec.geometry.with_seat(SeatZone::cup(120 * degree));
@@ -233,7 +233,7 @@ TEST(SeatCycle, FreeContactsAreThoseWithoutRims) {
 
 // A ball that leaves its seat for a while: sums over that time are not known,
 // nor is the largest value of anything.
-TEST(SeatCycle, WithoutASeatThereAreNoNumbers) {
+TEST(CycleInSeat, WithoutASeatThereAreNoNumbers) {
   const JointCycle out(cycle(-1, 70 * degree), Joint(bearing(JointBody::body)));
   const auto rows = out.rows();
   EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) {
