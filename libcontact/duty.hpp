@@ -5,6 +5,7 @@
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
+#include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "libcontact/duty/seat_pv.hpp"

@@ -1,32 +1,10 @@
 #include "libcontact/c/quantity.h"
 
-#include <cmath>
-
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/quantity.hpp"
 #include "libcontact/c/slip.hpp"
+#include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/quantities/tables.hpp"
-
-namespace contact::c {
-namespace {
-
-// A contact at a rim has no axis of symmetry: of it the numbers that need none.
-SlidingContact::Rating rating_of(const Joint& joint, const JointSolution& s,
-                                 const Eigen::Vector3d& rate) {
-  SlidingContact::Rating rating =
-      SlidingContact(joint.contact(), s, rate).rating();
-  if (joint.is_endless() || !std::isnan(s.half_angle)) return rating;
-  const ContactPv pv = joint.pv(s, rate);
-  rating.pv = {pv.largest, s.half_angle, pv.place};
-  rating.pv_total = pv.total;
-  rating.pv_mean = pv.total / s.contact_area;
-  rating.heat = -s.power;
-  rating.slides = pv.largest > 0;
-  return rating;
-}
-
-}  // namespace
-}  // namespace contact::c
 
 using contact::c::call_for;
 using contact::c::get;
@@ -93,8 +71,8 @@ contact_status contact_rating_get(const contact_joint* joint,
         const auto& q = row_of(contact::rating_quantities(),
                                &given(key, "contact_rating_get: key"));
         return get(q,
-                   contact::c::rating_of(j, contact::c::whole(j, s),
-                                         Eigen::Vector3d(rate)),
+                   contact::rating_of(j, contact::c::whole(j, s),
+                                      Eigen::Vector3d(rate)),
                    &given(value, "contact_rating_get: value"));
       },
       value);

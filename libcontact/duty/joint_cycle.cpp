@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <set>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/duty/over_cycle.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 
@@ -57,7 +58,7 @@ void JointCycle::tabulate(const std::function<void(double)>& progress) {
   if (!joint_.table().empty()) return;
   const SeatZone& zone = *contact().geometry().seat();
   const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
-  double least = std::numeric_limits<double>::infinity(), most = 0;
+  double least = detail::infinity, most = 0;
   int count = 0;
   for (const double time : cycle_.times()) {
     const Instant row{time, 0, cycle_.at(time), {}};
@@ -184,21 +185,8 @@ ContactPv JointCycle::pv(const Instant& instant) const {
 }
 
 SlidingContact::Rating JointCycle::rating(const Instant& instant) const {
-  SlidingContact::Rating rating = sliding(instant).rating();
-  const JointSolution& s = instant.solution;
-  if (is_round(s)) return rating;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const ContactPv& pv = instant.at_rim;
-  rating.pv = {pv.largest, nan, pv.place};
-  rating.heat_flux.value = rating.heat_flux.theta = nan;
-  rating.pv_total = pv.total;
-  rating.pv_mean = pv.total / s.contact_area;
-  rating.heat = -s.power;
-  rating.slip_coefficient =
-      pv.total / (s.normal_force * contact().geometry().radius() *
-                  instant.state.angular_velocity.norm());
-  rating.slides = pv.total > 0;
-  return rating;
+  return rating_of(joint_, instant.solution, instant.state.angular_velocity,
+                   instant.at_rim);
 }
 
 double JointCycle::integral(const Quantity& quantity) const {
@@ -244,7 +232,7 @@ JointCycle::Quantity JointCycle::of_rims(double (RimContact::*of)()
                                              const) const {
   return [this, of](const Instant& i) {
     const auto rims = joint_.rims(i.solution);
-    return rims ? ((*rims).*of)() : std::numeric_limits<double>::quiet_NaN();
+    return rims ? ((*rims).*of)() : detail::nan;
   };
 }
 
@@ -305,7 +293,7 @@ Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {
 }
 
 double JointCycle::contact_spread() const {
-  if (at_rims_) return std::numeric_limits<double>::quiet_NaN();
+  if (at_rims_) return detail::nan;
   if (!(sums_.pv > 0)) return 0;
   // A contact that goes round has no middle: any place serves.
   constexpr double rounding = 1e-12;

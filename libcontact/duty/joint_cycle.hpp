@@ -118,8 +118,7 @@ class JointCycle {
   SlidingContact sliding(const Instant&) const&& = delete;
   /// p v over the contact of an instant, of a rim too if it is a row.
   ContactPv pv(const Instant& instant) const;
-  /// SlidingContact::rating(), of a row at a rim with p v of its contact; the
-  /// heat flux is not known there.
+  /// rating_of() an instant; of a rim if it is a row.
   SlidingContact::Rating rating(const Instant& instant) const;
 
   /// Integrals over one period, made with the cycle; those by integral() are

@@ -6,6 +6,7 @@
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
+#include "libcontact/duty/joint_rating.hpp"
 
 namespace hinge_joint {
 namespace {
@@ -120,16 +121,6 @@ double AnswerColumn::operator()(const Answer& a) const {
 
 namespace {
 
-// p v of a contact without an axis of symmetry.
-void add_pv(const NamedJoint& named, Answer& a) {
-  if (!named.pv) return;
-  const contact::JointSolution& s = a.solution();
-  const contact::ContactPv pv = named.joint.pv(s, a.rate);
-  a.rating.pv = {pv.largest, nan, pv.place};
-  a.rating.pv_mean = pv.total / s.contact_area;
-  a.rating.slides = pv.largest > 0;
-}
-
 // The numbers that a contact has without an axis of symmetry, at a rim or along
 // a pin that ends.
 void add_ends(const NamedJoint& named, Answer& a) {
@@ -141,14 +132,11 @@ void add_ends(const NamedJoint& named, Answer& a) {
         s, a.rate.isZero(0) ? Vector3d(Vector3d::UnitZ()) : a.rate);
     a.mean_pressure =
         about.total / s.contact_area * s.peak_pressure / about.largest;
-    add_pv(named, a);
   }
   const auto rims = named.joint.rims(s);
   if (!rims) return;
   a.rims = *rims;
-  if (rims->is_free) return;
-  a.mean_pressure = rims->mean_pressure();
-  add_pv(named, a);
+  if (!rims->is_free) a.mean_pressure = rims->mean_pressure();
 }
 
 }  // namespace
@@ -205,7 +193,7 @@ Answer answer(const NamedJoint& named, Question question, const Input& input) {
     a.coefficient = dry->coefficient();
   }
   if (named.pv) {
-    a.rating = contact::SlidingContact(joint.contact(), s, a.rate).rating();
+    a.rating = contact::rating_of(joint, s, a.rate);
   }
   add_ends(named, a);
   return a;
