@@ -40,7 +40,7 @@ missing() {
 check_format() {
   clang-format --version 2>/dev/null | grep -q 'version 14\.' ||
     missing "clang-format 14"
-  find libcontact apps tools tests -regex '.*\.[ch]\(pp\)?' -print0 |
+  find libcontact apps tests -regex '.*\.[ch]\(pp\)?' -print0 |
     xargs -0 clang-format --dry-run --Werror
 }
 

@@ -16,7 +16,7 @@ fi
 
 # Rooms of the library, of their tests and of most others are folders in these;
 # those of separation, multibody and programs lie one deeper.
-find libcontact apps tools tests scripts cmake -name node_modules -prune -o \
+find libcontact apps tests scripts cmake -name node_modules -prune -o \
   -name __pycache__ -prune -o -type f \
   -print | grep -E '\.(cpp|hpp|h|c|py|pyi|in|js|sh|cmake)$|CMakeLists\.txt$' |
   LC_ALL=C sort | xargs awk '

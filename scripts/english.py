@@ -17,7 +17,7 @@ import sys
 import tokenize
 
 OPENINGS = "what whoever who whose whether of where that those".split()
-FOLDERS = ["libcontact", "apps", "tools", "tests", "scripts", "plots"]
+FOLDERS = ["libcontact", "apps", "tests", "scripts", "plots"]
 SUFFIXES = (".hpp", ".cpp", ".h", ".c", ".py")
 
 # First line of a block: why it may stay.

@@ -26,8 +26,8 @@ double pressure_contrast(JointKind kind, const ElasticPair& pair);
 ///
 /// k = 1 to 5, m = 2 (ball) or 3 (pin), with D = pressure_contrast(); the c_k
 /// and d_k are fitted to S of the exact pressures of 85 pairs
-/// (tools/reference/fit_pressure_mixture.cpp). One weight serves all: S,
-/// the peak and the friction coefficients.
+/// (libcontact/tools/reference/fit_pressure_mixture.cpp). One weight serves
+/// all: S, the peak and the friction coefficients.
 ///
 /// Accuracy against ExactPressure (pressure/family_test.cpp), on pairs not used
 /// in the fit, Ebar 0 to infinity, nu 0 to 0.5, theta0 up to the limit

@@ -20,10 +20,10 @@
 #include "libcontact/identify/identify.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/random_slip.hpp"
 #include "support/reference_table.hpp"
 #include "timing.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::bench {
 namespace {

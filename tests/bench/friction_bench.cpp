@@ -16,9 +16,9 @@
 
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace {
 

@@ -17,7 +17,7 @@
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
-#include "tools/reference/quadrature.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 
 namespace {
 

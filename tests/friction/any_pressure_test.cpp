@@ -18,13 +18,13 @@
 #include "libcontact/pressure/factory.hpp"
 #include "libcontact/pressure/mixture.hpp"
 #include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::test {
 namespace {

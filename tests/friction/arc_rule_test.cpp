@@ -10,8 +10,8 @@
 #include <string>
 #include <tuple>
 
+#include "libcontact/tools/reference/friction_rules.hpp"
 #include "support/accuracy_report.hpp"
-#include "tools/reference/friction_rules.hpp"
 
 namespace contact::test {
 namespace {

@@ -12,10 +12,10 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/friction/elliptic/integrals_real.hpp"
 #include "libcontact/friction/elliptic/log_coefficients.hpp"
+#include "libcontact/tools/reference/elliptic_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
-#include "tools/reference/elliptic_fit.hpp"
 
 namespace contact::test {
 namespace {

@@ -13,9 +13,9 @@
 #include "libcontact/friction/models.hpp"
 #include "libcontact/friction/special.hpp"
 #include "libcontact/pressure/cosine.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::test {
 namespace {

@@ -10,10 +10,10 @@
 #include <memory>
 
 #include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/tools/reference/gsl.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
-#include "tools/reference/gsl.hpp"
 
 namespace contact::test {
 namespace {

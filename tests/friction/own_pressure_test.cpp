@@ -19,12 +19,12 @@
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/shaped.hpp"
 #include "libcontact/pressure/sqrt.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::test {
 namespace {

@@ -9,10 +9,10 @@
 #include "libcontact/friction/elliptic/friction_real.hpp"
 #include "libcontact/friction/elliptic/integrals_real.hpp"
 #include "libcontact/friction/special.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::test {
 namespace {

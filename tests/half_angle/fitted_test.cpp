@@ -15,10 +15,10 @@
 #include "libcontact/half_angle/coefficients.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/half_angle/fitted_relation.hpp"
+#include "libcontact/tools/reference/half_angle_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/elastic_cases.hpp"
 #include "support/numbers.hpp"
-#include "tools/reference/half_angle_fit.hpp"
 
 namespace contact::test {
 namespace {

@@ -30,12 +30,12 @@
 #include "libcontact/pressure/sqrt.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/pressure/worn.hpp"
+#include "libcontact/tools/reference/pressure_mixture_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/allocation_count.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
-#include "tools/reference/pressure_mixture_fit.hpp"
 
 namespace contact::test {
 namespace {

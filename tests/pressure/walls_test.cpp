@@ -13,9 +13,9 @@
 #include "libcontact/conforming/pin.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/exact.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/wall.hpp"
-#include "tools/reference/quadrature.hpp"
 
 // ExactPressure of joints with walls: against the solvers, and the friction
 // under it against quadrature of the definition.

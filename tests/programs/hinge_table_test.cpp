@@ -14,11 +14,11 @@
 #include "libcontact/friction/models.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/factory.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #include "programs/table/run.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/friction_reference.hpp"
 #include "support/program.hpp"
-#include "tools/reference/quadrature.hpp"
 
 namespace contact::test {
 namespace {

@@ -25,7 +25,7 @@ const std::vector<std::string> rooms = {
     "libcontact/half_angle",
     "libcontact/pressure",
     "libcontact/friction",
-    "tools/friction_rules",
+    "libcontact/tools/friction_rules",
     "libcontact/joint",
     "libcontact/seat",
     "libcontact/play",
@@ -36,7 +36,7 @@ const std::vector<std::string> rooms = {
     "libcontact/load_law",
     "libcontact/quantities",
     "libcontact/files",
-    "tools/reference",
+    "libcontact/tools/reference",
     "libcontact/c",
     "apps/cli",
     "apps/multibody/system",
@@ -86,7 +86,7 @@ const std::vector<std::string> for_programs = {
     "libcontact/joint/slip",
     "libcontact/files",
     "libcontact/c",
-    "tools/reference",
+    "libcontact/tools/reference",
     "libcontact/quantities"};
 
 const fs::path root = CONTACT_SOURCE_DIR;
@@ -124,7 +124,7 @@ std::vector<std::string> sources(const std::string& folder) {
 std::vector<Include> includes() {
   static const std::regex line_of("^#include [<\"]([^>\"]+)[>\"]");
   std::vector<Include> all;
-  for (const std::string folder : {"libcontact", "apps", "tools"}) {
+  for (const std::string folder : {"libcontact", "apps"}) {
     for (const std::string& file : sources(folder)) {
       std::ifstream stream(root / file);
       std::smatch match;
@@ -293,7 +293,7 @@ TEST(Rooms, NoFileHasANameThatIsGone) {
   const std::set<std::string> may = {"apps/cli/gone.cpp",
                                      "tests/rooms/gone_names.txt"};
   for (const std::string folder :
-       {"libcontact", "apps", "tools", "tests", "scripts", "data", "plots"}) {
+       {"libcontact", "apps", "tests", "scripts", "data", "plots"}) {
     for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
       const std::string file = fs::relative(entry.path(), root).string();
       if (!entry.is_regular_file() || may.contains(file)) continue;
@@ -309,7 +309,7 @@ TEST(Rooms, NoFileHasANameThatIsGone) {
 // More and a folder no longer shows what is in it.
 TEST(Rooms, FoldersHaveAtMostThirtySources) {
   std::map<std::string, int> count;
-  for (const std::string folder : {"libcontact", "apps", "tools", "tests"}) {
+  for (const std::string folder : {"libcontact", "apps", "tests"}) {
     for (const std::string& file : sources(folder)) {
       ++count[fs::path(file).parent_path().string()];
     }

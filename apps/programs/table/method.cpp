@@ -12,7 +12,7 @@
 #include "libcontact/friction/integrals.hpp"
 #include "libcontact/friction/models.hpp"
 #ifdef CONTACT_WITH_REFERENCE
-#include "tools/reference/quadrature.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 #endif
 
 namespace hinge_table {

@@ -1,4 +1,4 @@
-#include "tools/reference/elliptic_fit.hpp"
+#include "libcontact/tools/reference/elliptic_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "tools/reference/pressure_mixture_fit.hpp"
+#include "libcontact/tools/reference/pressure_mixture_fit.hpp"
 
 /// Prints libcontact/pressure/mixture_coefficients.hpp.
 int main() {

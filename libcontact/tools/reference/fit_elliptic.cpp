@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "tools/reference/elliptic_fit.hpp"
+#include "libcontact/tools/reference/elliptic_fit.hpp"
 
 /// Prints libcontact/friction/elliptic/log_coefficients.hpp.
 int main() {

@@ -1,6 +1,6 @@
 #include <cstdio>
 
-#include "tools/reference/half_angle_fit.hpp"
+#include "libcontact/tools/reference/half_angle_fit.hpp"
 
 /// Prints libcontact/half_angle/coefficients.hpp.
 int main() {

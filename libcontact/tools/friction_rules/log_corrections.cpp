@@ -1,4 +1,4 @@
-#include "tools/friction_rules/log_corrections.hpp"
+#include "libcontact/tools/friction_rules/log_corrections.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

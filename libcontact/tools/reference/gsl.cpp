@@ -1,4 +1,4 @@
-#include "tools/reference/gsl.hpp"
+#include "libcontact/tools/reference/gsl.hpp"
 
 #include <gsl/gsl_errno.h>
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tools/friction_rules/modulus.hpp"
+#include "libcontact/tools/friction_rules/modulus.hpp"
 
 /// The rules of kernel/cap_rule.hpp and kernel/arc_rule.hpp, by the names they
 /// have there, one for each range of the modulus.

@@ -1,4 +1,4 @@
-#include "tools/reference/friction_rules.hpp"
+#include "libcontact/tools/reference/friction_rules.hpp"
 
 #include <Eigen/LU>
 #include <algorithm>

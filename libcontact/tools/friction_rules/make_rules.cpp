@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "libcontact/friction/kernel/cap_rule.hpp"
-#include "tools/friction_rules/families.hpp"
+#include "libcontact/tools/friction_rules/families.hpp"
 
 namespace {
 

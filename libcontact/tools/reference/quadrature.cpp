@@ -1,4 +1,4 @@
-#include "tools/reference/quadrature.hpp"
+#include "libcontact/tools/reference/quadrature.hpp"
 
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_integration.h>
@@ -10,7 +10,7 @@
 #include <memory>
 #include <numbers>
 
-#include "tools/reference/gsl.hpp"
+#include "libcontact/tools/reference/gsl.hpp"
 
 namespace contact::reference {
 namespace {

@@ -1,4 +1,4 @@
-#include "tools/reference/half_angle_fit.hpp"
+#include "libcontact/tools/reference/half_angle_fit.hpp"
 
 #include <fmt/format.h>
 

@@ -1,4 +1,4 @@
-#include "tools/reference/pressure_mixture_fit.hpp"
+#include "libcontact/tools/reference/pressure_mixture_fit.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

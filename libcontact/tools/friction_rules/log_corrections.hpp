@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "tools/friction_rules/modulus.hpp"
+#include "libcontact/tools/friction_rules/modulus.hpp"
 
 /// For integrands f + g ln T, f and g smooth, g ~ T^2, T = 0 at the end behind
 /// the last node: what to add to ln T at the nodes so that a rule has T^2 ln T,

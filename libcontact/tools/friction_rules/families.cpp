@@ -1,11 +1,11 @@
-#include "tools/friction_rules/families.hpp"
+#include "libcontact/tools/friction_rules/families.hpp"
 
 #include <algorithm>
 #include <span>
 
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/friction/kernel/cap_rule.hpp"
-#include "tools/friction_rules/log_corrections.hpp"
+#include "libcontact/tools/friction_rules/log_corrections.hpp"
 
 // All sizes were found by measurement (friction/any_pressure_test.cpp).
 namespace contact::detail::rules {
