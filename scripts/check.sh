@@ -19,6 +19,7 @@
 #   libcxx_quick  the library by clang++ 19 with libc++, its quickest tests
 #   libcxx_apps  programs are compiled by clang++ 19 with libc++, not linked
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
+#   long      the tests that take some of many rows pass with all of them
 #   page      the page to calculate on has the programs' numbers and manners
 #   all       all of them
 # Format, symbols and libcxx_quick are in the gate too.
@@ -27,7 +28,7 @@ unset CDPATH
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,23s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,24s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -42,6 +43,11 @@ check_format() {
     missing "clang-format 14"
   find libcontact apps tests -regex '.*\.[ch]\(pp\)?' -print0 |
     xargs -0 clang-format --dry-run --Werror
+}
+
+check_long() {
+  CONTACT_LONG=1 ctest --test-dir "${CONTACT_BUILD:-build}" \
+    --output-on-failure -R '^(Quarter/EllipticForm|Seat\.)'
 }
 
 check_english() {
@@ -262,7 +268,7 @@ check_page() {
 
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize threads fuzz packages hosts fmu libcxx aarch64 page)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize threads fuzz packages hosts fmu libcxx aarch64 long page)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done
