@@ -9,7 +9,7 @@ extern "C" {
 
 /* Version of these headers, and that of the library. Until 1.0 they have to be
  * the same up to the last number. */
-#define CONTACT_VERSION "0.2.0"
+#define CONTACT_VERSION "0.3.0"
 const char* contact_version(void);
 
 typedef enum contact_status {

@@ -170,7 +170,13 @@ TEST(Pages, HaveOneVersion) {
   const std::string ours =
       version("CMakeLists.txt", R"(libcontact VERSION ([\d.]+))");
   EXPECT_EQ(version("CITATION.cff", R"(\nversion: ([\d.]+))"), ours);
-  EXPECT_EQ(version("CHANGELOG.md", R"(\n## (\d[\d.]*) - )"), ours);
+  // Above the last version stands the one that is being made.
+  const std::string newest = version("CHANGELOG.md", R"(\n## ([\w.]+))");
+  if (newest == "Unreleased") {
+    EXPECT_NE(version("CHANGELOG.md", R"(\n## (\d[\d.]*) - )"), ours);
+  } else {
+    EXPECT_EQ(newest, ours);
+  }
   EXPECT_EQ(version("libcontact/c/status.h", R"(VERSION "([\d.]+))"), ours);
 }
 
