@@ -56,7 +56,7 @@ class HalfAngleTable {
   double largest_;
   bool is_limit_;
   HalfAngleVariable variable_;
-  ChebyshevTable series_;  // of G or ln G
+  ChebyshevTable series_;  // G or ln G
   std::optional<HalfAngleStart> start_;
 };
 
