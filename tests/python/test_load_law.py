@@ -26,7 +26,8 @@ sticky = libcontact.Joint(
 
 def joint_of(name):
     place = "duty" if name == "stribeck_pin" else "joints"
-    return libcontact.Joint.from_file(source / f"data/{place}/{name}.toml")
+    joint = libcontact.Joint.from_file(source / f"data/{place}/{name}.toml")
+    return joint.without_seat().without_relief()
 
 
 @functools.cache
