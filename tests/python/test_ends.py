@@ -390,7 +390,7 @@ class Pins(unittest.TestCase):
                 for mine, name in [
                     (s.peak_pressure, "p_peak_Pa"),
                     (s.low, "z_low_m"),
-                    (s.moment[:, 2], "M_z_N_m"),
+                    (s.friction_moment[:, 2], "M_t_z_N_m"),
                     (s.tilting_moment[:, 0], "G_x_N_m"),
                 ]:
                     np.testing.assert_allclose(
