@@ -313,6 +313,11 @@ TEST(DutyCycle, SaysWhatTheRowsDoNotHold) {
   const auto said = DutyCycle(jumps, {}, z).notes(true);
   ASSERT_EQ(said.size(), 1u);
   EXPECT_EQ(said[0].substr(0, 39), "between the rows the force goes 10.8 % ");
+  // A load in one row alone: below the others only.
+  for (int i = 0; i < 20; ++i) jumps.forces[i].x() = i == 3 ? 100 : 0;
+  const auto below = DutyCycle(jumps, {}, z).notes(true);
+  ASSERT_EQ(below.size(), 1u);
+  EXPECT_EQ(below[0].substr(0, 39), "between the rows the force goes 13.7 % ");
   DutyCycle::Rows axial = rows;
   axial.forces[3].z() = 7;
   EXPECT_EQ(DutyCycle(axial, {}, z).notes(false).size(), 0u);
@@ -495,6 +500,33 @@ TEST(PeriodicSpline, IsSmoothAndPeriodic) {
               1e-11);
   }
   EXPECT_NEAR(spline.slope(3.3).y(), 0, 1e-14);
+}
+
+// The load stands across the axis of a ring, of half-angle asin(14/33). Where
+// the carrier has the ball, the body's ring turns under it by 20 deg.
+TEST(JointCycle, RimsTurnWithTheirBody) {
+  DutyCycle::Rows rows{{}, {}, {}, 1.0};
+  for (int i = 0; i < 20; ++i) {
+    rows.times.push_back(i / 20.0);
+    rows.forces.emplace_back(1e5, 0, 0);
+    rows.motion.emplace_back(
+        20 * degree * std::sin(2 * std::numbers::pi * i / 20), 0, 0);
+  }
+  for (const JointBody ball : {JointBody::carrier, JointBody::body}) {
+    const JointSpec spec{
+        .geometry = JointGeometry::ball(0.033, 1e-5, ball)
+                        .with_seat(SeatZone::ring(0.028, 0.033)),
+        .inner = Material{2e11, 0.3},
+        .outer = Material{1e11, 0.3},
+        .friction = FrictionLaw(1e-9)};
+    const JointCycle cycle(DutyCycle(rows, {}, DutyCycle::TurnSequence("y")),
+                           Joint(spec.without_seat()));
+    const LargestContact largest = cycle.largest_contact();
+    const double turn = ball == JointBody::carrier ? 20 * degree : 0;
+    // Row 5 is the sine's largest.
+    EXPECT_NEAR(largest.rim_overlap,
+                largest.half_angle + turn - std::asin(0.014 / 0.033), 1e-6);
+  }
 }
 
 }  // namespace
