@@ -57,6 +57,13 @@ struct RestSolution {
 /// contact of the seat is found, in 20 to 60 ms, and R_n n is the sum of its
 /// pressures.
 ///
+/// A pin that is made from a spec with a relief ends, slice by slice by the
+/// exact law: docs/finite_pin.md; so does any pin whose Placement tilts it,
+/// loads it at a place or slides it along its axis. Without dry friction, a
+/// clearance, loading = centre and a wall with an end there are no slices: the
+/// relief is left out, as a note of contact() says, and such a Placement has no
+/// answer.
+///
 /// Frame: any, the same for all vectors; of a joint in a seat that ends the
 /// axes of the body with the seat, or those of a Placement. R, R_t, M_t act on
 /// the body; Dw is the angular velocity of the body relative to the carrier. If
@@ -69,7 +76,7 @@ struct RestSolution {
 /// vector `axis`, with Dw along it, or, where that is 0, the direction of Dw
 /// or M; if these are 0 too nothing is left out. A ball has no axis.
 ///
-/// Solving does not throw, and does not allocate but in a seat that ends. NaN
+/// Solving does not throw, and does not allocate but where a contact ends. NaN
 /// or infinity in R or Dw: NaN with out_of_range.
 class Joint {
  public:
@@ -85,7 +92,7 @@ class Joint {
 
   const JointContact& contact() const { return contact_; }
   bool is_pin() const { return contact_.geometry().kind() == JointKind::pin; }
-  /// Not in a seat that ends.
+  /// Not in a seat that ends, and no pin with a relief.
   bool is_endless() const { return !model_; }
 
   struct Slip {
@@ -183,7 +190,8 @@ class Joint {
     reported   ///< nearer than SeatEdge::report_distance that of this distance
   };
   /// p at places, Pa: unit vectors from the joint's centre, of a pin normal to
-  /// its axis, in the frame of the solution. 0 outside of the contact.
+  /// its axis, or of one that ends those to places of its surface, in the frame
+  /// of the solution. 0 outside of the contact.
   std::vector<double> pressures(
       const JointSolution& solution, std::span<const Eigen::Vector3d> places,
       RimPressure at_rims = RimPressure::infinite) const;

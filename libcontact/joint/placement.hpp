@@ -12,8 +12,8 @@ struct Placement {
   /// Rotation from the axes of the body that has the seat, in which
   /// JointGeometry::seat() gives its axis, to those of the vectors.
   Eigen::Matrix3d from_seat = Eigen::Matrix3d::Identity();
-  /// Known slope of a pin's axis in its hole; what is along the axis is left
-  /// out.
+  /// Known slope of a pin's axis in its hole, along the direction of the axis
+  /// that the call gives (else of Dw or M); what is along the axis is left out.
   Eigen::Vector3d tilt = Eigen::Vector3d::Zero();
   /// Place of the reaction along the pin, m from the middle of the contact: the
   /// tilt is then found. NaN: the tilt is known.

@@ -69,7 +69,7 @@ struct JointSpec {
   LayeredBody outer;
   std::optional<FrictionModel> friction = {};
   InnerLoading loading = InnerLoading::centre();
-  /// Relief of the ends of a pin or its hole; FinitePin alone uses it.
+  /// Relief of the ends of a pin or its hole.
   Relief relief = Relief::none();
   /// For make_half_angle_law(); "": exact with layers, with interference and in
   /// a seat that ends, else fitted.
@@ -113,8 +113,8 @@ struct JointSpec {
   /// Origin of a clearance that is not given itself, a sentence each: fit and
   /// temperatures.
   std::vector<std::string> clearance_notes() const;
-  /// Notes of the description alone: of its growth, and of a relief, which no
-  /// joint knows.
+  /// Notes of the description alone: of its growth, and of a relief, which a
+  /// contact without end leaves out.
   std::vector<std::string> own_notes() const;
   /// Notes of the geometry, own_notes(), and those of the half-angle law.
   std::vector<std::string> validity_notes() const;
