@@ -8,6 +8,5 @@
 #include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/duty/wear_in.hpp"
-#include "libcontact/duty/seat_pv.hpp"
 #include "libcontact/duty/pin_cycle.hpp"
 // clang-format on

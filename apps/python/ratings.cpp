@@ -3,8 +3,8 @@
 
 #include <array>
 #include <cmath>
-#include <limits>
 
+#include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows_doc.hpp"
@@ -21,23 +21,6 @@ using Eigen::Vector3d;
 // At a rim of its seat, or of a pin by slices.
 bool has_no_axis(const JointSolution& s) {
   return s.status == contact::Status::ok && std::isnan(s.half_angle);
-}
-
-SlidingContact::Rating rating(const contact::Joint& joint,
-                              const JointSolution& s, const Vector3d& rate) {
-  SlidingContact::Rating all =
-      SlidingContact(joint.contact(), s, rate).rating();
-  if (!has_no_axis(s)) return all;
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-  const contact::ContactPv pv = joint.pv(s, rate);
-  const double speed = joint.contact().geometry().radius() * rate.norm();
-  all.pv = {pv.largest, nan, pv.place};
-  all.heat_flux = {nan, nan, Vector3d::Constant(nan)};
-  all.pv_mean = pv.total / s.contact_area;
-  all.pv_total = pv.total;
-  all.heat = -s.power;
-  all.slip_coefficient = pv.total / (speed * s.normal_force);
-  return all;
 }
 
 py::object pv(const JointSet& self, const Numbers& reaction,
@@ -62,7 +45,7 @@ py::object pv(const JointSet& self, const Numbers& reaction,
                                               near.begin(joint, nullptr));
           near.keep(joint, s);
           largest.add(at, s);
-          return rating(joint, s, rate);
+          return contact::rating_of(joint, s, rate);
         };
       },
       self.at_once());

@@ -4,7 +4,6 @@
 #include <iterator>
 #include <vector>
 
-#include "libcontact/quantities/lifted.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace contact {
@@ -82,79 +81,7 @@ constexpr Quantity<S> of_rims[] = {
      [](const S& s) { return s.nominal_area; }},
 };
 
-using J = SeatJointSolution;
-
-constexpr auto of_friction = std::to_array<Quantity<J>>({
-    {"status", "", Dimension::number, "how the solver ended",
-     [](const J& s) { return s.contact.status; }},
-    {"reaction", "R", Dimension::force, "reaction on the body",
-     [](const J& s) -> const Eigen::Vector3d& { return s.reaction; },
-     "reaction"},
-    {"seat_force", "F", Dimension::force,
-     "force on the seat, sum of its pressures",
-     [](const J& s) -> const Eigen::Vector3d& { return s.contact.force; },
-     "force on the seat"},
-    {"friction_force", "R_t", Dimension::force, "friction force on the body",
-     [](const J& s) -> const Eigen::Vector3d& { return s.friction_force; },
-     "friction force"},
-    {"friction_moment", "M_t", Dimension::moment,
-     "friction moment on the body about the joint's centre",
-     [](const J& s) -> const Eigen::Vector3d& { return s.friction_moment; },
-     "friction moment"},
-    {"power", "", Dimension::power, "power of friction, never positive",
-     [](const J& s) { return s.power; }},
-    {"moment_coefficient", "f_M", Dimension::number,
-     "M_t/(rho R), the coefficient of friction of catalogues",
-     [](const J& s) { return s.moment_coefficient; }},
-    {"nominal_area", "", Dimension::area,
-     "the area of catalogues: diameter times width, of cups and thrust "
-     "bearings the projection along the axis",
-     [](const J& s) { return s.nominal_area; }},
-    {"nominal_pressure", "p_nominal", Dimension::stress, "R over nominal_area",
-     [](const J& s) { return s.reaction.norm() / s.nominal_area; }},
-    {"evaluations", "", Dimension::number, "contacts that the solver found",
-     [](const J& s) { return s.evaluations; }},
-});
-
-constexpr auto of_joint =
-    detail::joined(of_friction, detail::lifted<J, &J::contact, of_seat>());
-
-constexpr Quantity<SeatPv> of_pv[] = {
-    {"pv_total", "", Dimension::power, "integral of p v over the contact",
-     [](const SeatPv& pv) { return pv.total; }},
-    {"pv_max", "", Dimension::power_density,
-     "largest p v report_distance (0.02 radii) or more from every rim",
-     [](const SeatPv& pv) { return pv.largest; }},
-    {"pv_max_place", "pv_max", Dimension::number,
-     "unit vector from the ball's centre to it",
-     [](const SeatPv& pv) -> const Eigen::Vector3d& { return pv.place; }},
-};
-
-using Rest = SeatRestSolution;
-
-constexpr auto of_limit = std::to_array<Quantity<Rest>>({
-    {"utilisation", "", Dimension::number,
-     "tau, the share of M_t that M needs: holds if <= 1",
-     [](const Rest& s) { return s.utilisation; }},
-    {"direction", "u", Dimension::number,
-     "direction in which the joint would begin to slide",
-     [](const Rest& s) -> const Eigen::Vector3d& { return s.direction; }},
-});
-
-constexpr auto of_rest =
-    detail::joined(detail::lifted<Rest, &Rest::slip, of_joint>(), of_limit);
-
 }  // namespace
-
-std::span<const Quantity<SeatJointSolution>> seat_joint_quantities() {
-  return of_joint;
-}
-
-std::span<const Quantity<SeatRestSolution>> seat_rest_quantities() {
-  return of_rest;
-}
-
-std::span<const Quantity<SeatPv>> seat_pv_quantities() { return of_pv; }
 
 std::span<const Quantity<RimContact>> seat_quantities() { return of_seat; }
 

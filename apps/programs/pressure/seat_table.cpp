@@ -13,6 +13,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/validity.hpp"
 #include "libcontact/quantities/seat.hpp"
+#include "libcontact/seat/contact.hpp"
 
 namespace hinge_pressure {
 namespace {
