@@ -49,7 +49,7 @@ class Cycle {
  public:
   Cycle(const FileJoint& joint, DutyCycle cycle)
       : spec_(joint.spec()),
-        on_(std::move(cycle), in_seat(joint),
+        on_(std::move(cycle), level(joint),
             [](double /*share*/) { Rows::heed_signals(); }) {}
 
   const JointCycle& on() const { return on_; }
@@ -71,10 +71,11 @@ class Cycle {
   }
 
  private:
-  static contact::Joint in_seat(const FileJoint& joint) {
-    const bool ends =
-        joint.spec().geometry.seat() && joint.joint().is_endless();
-    return ends ? contact::Joint(joint.spec()) : joint.joint();
+  // Cycles of pins leave their relief out.
+  static contact::Joint level(const FileJoint& joint) {
+    const contact::Joint& whole = joint.joint();
+    if (whole.is_endless() || !whole.is_pin()) return whole;
+    return contact::Joint(joint.spec().without_relief());
   }
 
   contact::JointSpec spec_;

@@ -32,6 +32,10 @@ bool is_round(const JointSolution& s) { return !std::isnan(s.half_angle); }
 JointCycle::JointCycle(DutyCycle cycle, Joint joint,
                        const std::function<void(double)>& progress)
     : cycle_(std::move(cycle)), joint_(std::move(joint)) {
+  if (!joint_.is_endless() && joint_.is_pin()) {
+    throw Error(detail::needs("a cycle of a pin with a relief",
+                              "JointSpec::without_relief() or PinCycle"));
+  }
   std::vector<DutyCycle::GaussPoint> rows;
   rows.reserve(cycle_.times().size());
   for (const double time : cycle_.times()) rows.push_back({time, 0});

@@ -85,9 +85,10 @@ class JointCycle {
   /// @param joint  a pin turns about Z; without a table it gets one where
   ///               `many` rows or more reach a rim
   /// @param progress  as of RimTableOptions
-  /// @throws Error if the laws of the contact have no value at some time, and
-  ///         as Joint::tabulated(). Rows that leave their seat have no numbers,
-  ///         nor have integrals over them, which notes() says.
+  /// @throws Error for a pin with a relief, if the laws of the contact have no
+  ///         value at some time, and as Joint::tabulated(). Rows that leave
+  ///         their seat have no numbers, nor have integrals over them, which
+  ///         notes() says.
   JointCycle(DutyCycle cycle, Joint joint,
              const std::function<void(double)>& progress = {});
 

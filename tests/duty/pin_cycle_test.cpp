@@ -110,6 +110,14 @@ TEST(PinCycle, LevelIsTheEndlessPin) {
   }
 }
 
+TEST(PinCycle, OfAReliefIsNoJointCycle) {
+  EXPECT_TRUE(has_text(error_message([] {
+                         JointCycle(swinging(),
+                                    Joint(bush(Relief::barrel(1e-5))));
+                       }),
+                       "requires JointSpec::without_relief() or PinCycle"));
+}
+
 // Tilted and relieved: the pressures over angle, length and time.
 TEST(PinCycle, SumsOverThePinAreThoseOfItsPlaces) {
   const PinCycle pin(swinging(), bush(Relief::barrel(1e-5)),

@@ -147,6 +147,17 @@ class Cycles(unittest.TestCase):
         energy = summary("cycle_pin")["energy_J"]["value"]
         self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
 
+    def test_of_a_pin_leave_its_relief_out(self):
+        bush = source / "data/joints/relieved_bush.toml"
+        c = columns(source / "data/duty/pin_cycle.csv")
+        cycle = libcontact.Joint.from_file(bush).cycle(
+            c["time_s"], force(c), angles=np.radians(c["angle_deg"]))
+        rows = table("hinge-duty", "--joint", bush, "--cycle",
+                     source / "data/duty/pin_cycle.csv")
+        (energy,) = (
+            r["value"] for r in rows if r["quantity"] == "energy_J")
+        self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
+
     def test_of_a_hip_that_wears_are_those_of_hinge_duty(self):
         with tempfile.TemporaryDirectory() as work:
             blocks = work + "/blocks.csv"
