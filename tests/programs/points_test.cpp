@@ -256,7 +256,8 @@ TEST(Points, FilesOfOtherPrograms) {
         "sep=|\nR_N|b_deg\n1000.5|90\n1250|60\n"s,
         "% rig 7\n% June\n\nr_n,B_DEG\n" + rows, "# R_N,b_deg\n" + rows,
         "R_N\tb_deg\n1000,5\t90\n1250\t60\n"s,
-        "R_N;b_deg\n\"1000,5\";90\n1,250e3;60\n"s}) {
+        "R_N;b_deg\n\"1000,5\";90\n1,250e3;60\n"s,
+        "\"left, old, of 7\";R_N;b_deg\na;1000,5;90\nb;1250;60\n"s}) {
     folder.write("other.csv", text);
     EXPECT_EQ(folder.run_well(points + "other.csv").out, expected) << text;
   }
@@ -265,6 +266,12 @@ TEST(Points, FilesOfOtherPrograms) {
   EXPECT_EQ(CsvTable(folder.run_well(joint + "--points cycle.csv").out)
                 .texts("%cycle"),
             Texts{"0"});
+  // Each row keeps its own.
+  folder.write("rows.csv",
+               "R_N,run,b_deg,place\n1,a,90,x\n2,b,60,y\n3,c,90,z\n");
+  const CsvTable kept(folder.run_well(joint + "--points rows.csv").out);
+  EXPECT_EQ(kept.texts("run"), (Texts{"a", "b", "c"}));
+  EXPECT_EQ(kept.texts("place"), (Texts{"x", "y", "z"}));
 }
 
 // A comma that may be of thousands is not guessed, nor is a decimal comma
@@ -281,6 +288,8 @@ TEST(Points, OpenCommasAreRefused) {
             "--decimal-comma: it may be 1250\n");
   EXPECT_EQ(said("R_N;b_deg\n1,250;90\n", " --decimal-comma"), "");
   EXPECT_EQ(said("R_N;b_deg\n1,250;90\n2,5;90\n"), "");
+  EXPECT_EQ(said("R_N;b_deg\n1,2500;90\n"), "");
+  EXPECT_EQ(said("R_N;b_deg\n0,250;90\n"), "");
   EXPECT_EQ(said("R_N;b_deg\n1.250;90\n2,5;90\n"),
             "ERROR: line 2: R_N = 1.250 requires a decimal comma, which this "
             "file has: it may be 1250\n");
