@@ -125,7 +125,7 @@ void check_sizes(const JointContact& joint,
         "those that turn the joint, above 0, and all are below: is it the "
         "other sign?");
   if (joint.has_interference()) return;
-  constexpr double error = 1.1;  // of a measurement that is not wrong
+  constexpr double error = 1.1;  // error of a measurement that is not wrong
   for (std::size_t i = 0; i < data.size(); ++i) {
     const double unit = joint.geometry().radius() * magnitude(data[i].reaction);
     const double ratio = std::abs(torque_of(data[i])) / unit;

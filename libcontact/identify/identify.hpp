@@ -60,8 +60,8 @@ struct IdentifyOptions {
   double level = 0.95;
   /// Direction of the reactions, for FrictionFit::largest_contact.
   LoadDirection direction = LoadDirection::vector;
-  /// What messages call the data, as "rig.csv, line 3"; empty: "measured moment
-  /// 3".
+  /// Names of the data in messages, as "rig.csv, line 3"; empty: "measured
+  /// moment 3".
   std::vector<std::string> names = {};
 };
 

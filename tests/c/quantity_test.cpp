@@ -290,7 +290,7 @@ TEST(Quantities, OfGroupsAreNumbersWhereTheStatusIsOk) {
   EXPECT_GT(without, 100);
 }
 
-// Those of pins that end, and the forces of joints with play, which have notes
+// Pins that end, and the forces of joints with play, which have notes
 // in the place of a status.
 TEST(Quantities, OfPinsThatEndAndOfPlayAreNumbersUnlessTheySayWhy) {
   using contact::Status;

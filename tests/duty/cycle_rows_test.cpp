@@ -56,7 +56,7 @@ TEST(CycleRows, ReturnIsLeftOut) {
 TEST(CycleRows, RowsBesideTheFirstOneStay) {
   for (const auto& [share, stays] :
        {std::pair{1e-10, false}, {1e-8, true}, {1e-6, true}, {0.9e-3, true}}) {
-    // Of the ranges 200 N and 2.
+    // Relative to the ranges 200 N and 2.
     DutyCycle::Rows force = swing(20, 1);
     force.forces.back().z() -= 200 * share;
     DutyCycle::Rows motion = swing(20, 1);

@@ -419,7 +419,7 @@ TEST(JointCycle, ReversalsOfABall) {
   }
 }
 
-// Of 17,000 rows no instant is kept, of 2100 the rows alone, of 100 all.
+// No instant of 17,000 rows is kept, of 2100 the rows alone, of 100 all.
 TEST(JointCycle, LongCyclesHaveTheSameNumbers) {
   for (const int rows : {100, 2100, 17'000}) {
     EXPECT_NEAR(swing_error(rows, 0), 0, 1e-9) << rows;

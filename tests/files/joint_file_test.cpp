@@ -1013,7 +1013,7 @@ TEST(JointFile, OtherEncodings) {
   }
 }
 
-// That of its file, without the ending.
+// The name of its file, without the ending.
 TEST(JointFile, NameOfAJointWithoutOne) {
   EditedFile file("ball.toml");
   const std::string text = file.text();

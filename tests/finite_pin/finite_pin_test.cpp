@@ -193,7 +193,7 @@ TEST(FinitePin, LevelIsTheJoint) {
       EXPECT_NEAR(
           at.pressure_moment / (0.02 * joint.sum_of_pressures(force, theta0)),
           1, 1e-8);
-      // Of a liner that cannot be compressed 5e-8.
+      // 5e-8 of a liner that cannot be compressed.
       EXPECT_NEAR(at.shift.y() / joint.shift(force, theta0), 1, 1e-7);
       EXPECT_NEAR(at.low, -0.025, 1e-15);
       EXPECT_NEAR(at.high, 0.025, 1e-15);

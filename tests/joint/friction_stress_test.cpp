@@ -91,8 +91,8 @@ TEST(FrictionStress, IntegralsOfReference) {
   }
 }
 
-// Where friction falls steeply the fast parts of a contact rub less than its
-// slow ones, and the moment about n drives the spin. By an independent
+// Under friction that falls steeply the fast parts of a contact rub less than
+// its slow ones, and the moment about n drives the spin. By an independent
 // program's sum of tau over 300 x 720 pieces of the contact, right to its six
 // digits.
 TEST(FrictionStress, MayDriveTheSpin) {
@@ -110,7 +110,7 @@ stribeck_velocity_mm_per_s = 10
 )",
                                "ball")
                        .contact());
-  for (const double side : {1.0, -1.0}) {  // of the spin
+  for (const double side : {1.0, -1.0}) {  // rate of the spin
     const JointSolution s =
         ball.solve_contact({{0, 0, 2e4}, {0, std::sqrt(3), side}});
     EXPECT_NEAR(s.friction_moment.y(), -13.88499, 2e-5);

@@ -253,7 +253,7 @@ TEST(JointPressure, HalfAnglesBeyondTheTableAreThoseOfInterference) {
   EXPECT_TRUE(same.contact().validity_notes().empty());
 }
 
-// Where the ball or pin of the one body is pressed into the other one's seat,
+// The ball or pin of the one body is pressed into the other one's seat there:
 // pressures add up to the normal force and p v to its integral.
 TEST(JointAnswers, PressuresAndPvAreThoseOfTheContact) {
   constexpr double radius = 0.05;
@@ -297,7 +297,7 @@ TEST(JointAnswers, PressuresAndPvAreThoseOfTheContact) {
       pv += pressures[i] * areas[i] * speed(places[i]);
       largest = std::max(largest, pressures[i] * speed(places[i]));
     }
-    // Of the sum over the root at the edge.
+    // Error of the sum over the root at the edge.
     EXPECT_LT((force / s.normal_force - to_contact).norm(), 3e-4);
     const ContactPv found = joint.pv(s, rate);
     EXPECT_NEAR(found.total / pv, 1, 3e-4);

@@ -739,7 +739,7 @@ TEST(ContactNotes, SayWhereTheSeatEnds) {
   EXPECT_TRUE(notes(whole.with_seat(SeatZone(0, std::numbers::pi)), 1).empty());
   // Other clearances leave the seat as it is.
   EXPECT_EQ(ring.with_clearance(2e-5).seat(), ring.seat());
-  // Who leaves the seat out is told the same.
+  // A joint that leaves the seat out says the same.
   const auto endless = ring.without_seat().with_clearance(2e-5);
   EXPECT_FALSE(endless.seat());
   EXPECT_EQ(notes(endless, 0.5), notes(ring, 0.5));

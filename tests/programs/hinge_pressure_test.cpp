@@ -375,7 +375,7 @@ TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
   }
 }
 
-// Of the 0.3 mm that it is, a liner has a peak of 56 MPa; taken without
+// A liner has a peak of 56 MPa with the 0.3 mm that it is; taken without
 // end, 32.
 TEST(HingePressure, WarnsOfALinerWithoutAWall) {
   const ProgramFolder folder;

@@ -201,7 +201,7 @@ TEST(Points, AreDrawn) {
       has_text(bad.err, "no picture bad.svg: no state has a solution\n"));
 }
 
-// What programs write is read to the same numbers, whichever form it has, with
+// Tables of programs are read to the same numbers, whichever form it has, with
 // the options that wrote it and without: states, cycles and measurements.
 class OwnOutput : public testing::TestWithParam<const char*> {};
 

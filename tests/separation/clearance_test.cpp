@@ -601,7 +601,7 @@ TEST(Clearance, BoundsKnowWhatTurnsBetweenTwoLooks) {
                          Matrix3d::Identity(), Vector3d::Zero()};
   struct Pass {
     Shape a, b;
-    double place;  // of b, m
+    double place;  // place of b, m
     double turn_of_a, turn_of_b;
   };
   for (const Pass& pass : {Pass{ball, arm, 1.5, 0, 2 * pi},

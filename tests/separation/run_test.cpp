@@ -287,7 +287,7 @@ reference_area_m2 = 1
     const double work = least * width * degree / 2;
     const double rate = std::sqrt(900 * degree * degree + 2 * work / 15);
     const Rows& rows = outcome.memory.rows;
-    // Of the steps' tolerances.
+    // By the steps' tolerances.
     EXPECT_NEAR(value(rows, rows.size() - 1, "dart.wz_rad_per_s"), rate, 1e-7)
         << width;
   }
@@ -315,7 +315,7 @@ angle_deg = [0, 180]
     // The integral of q c over q is 40/2 by its symmetry; at 10 and 20 Pa/s.
     const double impulse = 20 / 10. + 20 / 20.;
     const Rows& rows = outcome.memory.rows;
-    // Of the steps' tolerances.
+    // By the steps' tolerances.
     EXPECT_NEAR(value(rows, rows.size() - 1, "dart.vx_m_per_s"), -impulse / 10,
                 1e-7)
         << width;
@@ -381,7 +381,7 @@ shape = [{ kind = "capsule", from_m = [0, 0, -0.1], to_m = [0, 0, 0.1], radius_m
             row, -speed * passes_at, beside, speed, speed < 200 ? 0.5 : 0);
     const auto pair =
         run_case(parse_case(text, "fly-by.toml"), {}).memory.pairs[0];
-    // Of the distances, and of places some 1e4 m away.
+    // Accuracy of the distances, and of places some 1e4 m away.
     constexpr double accuracy = 1e-8;
     if (beside > 0.5) {
       EXPECT_NEAR(pair.smallest, beside - 0.5, accuracy) << beside;
