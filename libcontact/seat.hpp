@@ -5,6 +5,4 @@
 #include "libcontact/pair/seat_zone.hpp"
 #include "libcontact/seat/contact.hpp"
 #include "libcontact/seat/table.hpp"
-#include "libcontact/seat/moment_set.hpp"
-#include "libcontact/seat/joint.hpp"
 // clang-format on

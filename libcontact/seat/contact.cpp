@@ -235,8 +235,8 @@ double SeatContact::pressure(const SeatState& state,
          read.pressure(v, place.longitude);
 }
 
-SeatPv SeatContact::pv(const SeatState& state,
-                       const Eigen::Vector3d& rate) const {
+ContactPv SeatContact::pv(const SeatState& state,
+                          const Eigen::Vector3d& rate) const {
   if (!state.solution) return {};
   const double speed = rate.norm();
   const Eigen::Matrix3d axes = detail::plane_axes(state.force);

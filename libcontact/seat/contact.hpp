@@ -64,8 +64,6 @@ struct SeatState : RimContact {
   std::shared_ptr<const detail::SeatSolution> solution = {};
 };
 
-using SeatPv = ContactPv;
-
 /// Pressure on a rim that is rounded (Hertz' shape of a punch's edge).
 struct RoundedRim {
   double peak_pressure;  ///< Pa
@@ -123,7 +121,7 @@ class SeatContact {
   /// SlidingContact has, and of states of a SeatTable. At the rim itself the
   /// model's p v is infinite, and what wears there is beyond it.
   /// @param rate  Dw, rad/s, in the axes of the force
-  SeatPv pv(const SeatState& state, const Eigen::Vector3d& rate) const;
+  ContactPv pv(const SeatState& state, const Eigen::Vector3d& rate) const;
 
   /// dF/dD at a state, N/m: symmetric. By central differences of fourth order
   /// (a set of cells has a stiffness of its own): eight solutions. NaN without
@@ -153,7 +151,6 @@ class SeatContact {
 
  private:
   friend class SeatTable;
-  friend class SeatJoint;
   friend class detail::SeatModel;
 
   // Whether a contact about a force reaches no rim.

@@ -60,7 +60,7 @@ class SeatTable {
   bool find(const Eigen::Vector3d& force, SeatState& state) const {
     return find(force, state, nullptr, false);
   }
-  /// The same with its harmonics, which SeatJoint takes.
+  /// The same with its harmonics, which Joint takes.
   /// @param has_area  whether those of the area are wanted
   bool find(const Eigen::Vector3d& force, SeatState& state,
             detail::SeatHarmonics* harmonics, bool has_area) const;

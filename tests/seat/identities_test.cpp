@@ -257,7 +257,7 @@ TEST(Seat, PeaksAreAboveTheMeanOrThereIsNone) {
     EXPECT_GT(state.intensity(), 0);
     EXPECT_TRUE(has_text(seat.notes(state).at(0),
                          "no largest pressure: 0.66 mm or more from the rims"));
-    const SeatPv pv = seat.pv(state, {0.2, 0.1, 0.3});
+    const ContactPv pv = seat.pv(state, {0.2, 0.1, 0.3});
     EXPECT_GT(pv.total, 0);
     EXPECT_TRUE(std::isnan(pv.largest));
     EXPECT_TRUE(std::isnan(pv.place.x()));

@@ -35,7 +35,7 @@ SeatZone tilted_cup() {
 const Vector3d rates[] = {
     {0.2, 0, 0}, {0, 0.3, 0}, {0, 0, -0.1}, {0.1, 0.2, 0.3}};
 
-TEST(SeatPv, TotalTimesFrictionIsThePower) {
+TEST(SeatContactPv, TotalTimesFrictionIsThePower) {
   for (const SeatZone& zone : {tilted_cup(), SeatZone::ring(0.02, radius)}) {
     const Joint joint(bearing(zone));
     for (const Vector3d& rate : rates) {
@@ -52,7 +52,7 @@ TEST(SeatPv, TotalTimesFrictionIsThePower) {
 
 // Against places 1 deg apart: never above the largest by more than pressures
 // between longitudes are off, and reached at its place.
-TEST(SeatPv, LargestIsThatOfPlaces) {
+TEST(SeatContactPv, LargestIsThatOfPlaces) {
   const Joint joint(bearing(tilted_cup()));
   const Vector3d axis(0.6, 0, 0.8);
   const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis);
@@ -84,7 +84,7 @@ TEST(SeatPv, LargestIsThatOfPlaces) {
   }
 }
 
-TEST(SeatPv, RestAndNoContact) {
+TEST(SeatContactPv, RestAndNoContact) {
   const Joint joint(bearing(tilted_cup()));
   const JointSolution s = joint.solve(
       {.reaction = {4e4, 2e4, 3e4}, .angular_velocity = Vector3d::Zero()});
