@@ -78,8 +78,9 @@ std::string parse_problem(std::string_view line, std::string_view parser) {
     rule = number_rule(detail::trimmed(value.substr(equals + 1)));
   return rule.empty()
              ? detail::printable(parser, longest_line)
-             : detail::must_be(detail::printable(trimmed(value), longest_line),
-                               rule);
+             : detail::must_be(
+                   detail::printable(detail::trimmed(value), longest_line),
+                   rule);
 }
 
 const toml::table& as_table(const void* table) {
