@@ -61,8 +61,8 @@ inline JointHandle read_joint(const std::string& file, const std::string& where,
   return joint;
 }
 
-/// Whether the contact is confined to a [seat], and which half has it: a joint
-/// is asked in the axes of that one.
+/// The half of the joint that has the [seat], if there is one: vectors are in
+/// the axes of that half.
 enum class Seat { none, on_body, on_carrier };
 inline Seat seat_of(const contact_joint* joint) {
   contact_joint_size size;

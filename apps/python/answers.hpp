@@ -66,7 +66,7 @@ void add(Table<Row>& to, std::span<const Quantity<Part>> quantities,
   }
 }
 
-/// Those of a Row itself, kept; with Python's lock.
+/// The quantities of a Row itself, kept; to call with Python's lock.
 template <class Row>
 const Table<Row>& table_of(std::span<const Quantity<Row>> quantities) {
   static auto& all = *new std::map<const Quantity<Row>*, Table<Row>>();

@@ -67,7 +67,7 @@ struct LeftOut {
 /// seat or not.
 struct AnyJoint {
   contact::Joint joint;
-  std::string refusal;  ///< of functions of friction; "" if there are none
+  std::string refusal;  ///< error of functions of friction; "" if they work
 };
 AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws);
 
@@ -99,7 +99,7 @@ class LargestContacts {
   const JointSet& joints_;
   std::vector<Largest> largest_;
   std::mutex of_notes_;
-  std::map<std::size_t, contact::ContactNotes> notes_;  // of contacts that end
+  std::map<std::size_t, contact::ContactNotes> notes_;  // on contacts that end
 };
 
 /// The same of a solution of a single joint.

@@ -40,14 +40,14 @@ class MomentSets {
 
   Argument argument() const { return {numbers_.data(), 0, shape_}; }
   const Shape& shape() const { return shape_; }
-  // at[0] is it.
+  // The set whose number is at[0].
   const MomentSet& operator()(const double* const* at) const {
     return sets_[static_cast<std::size_t>(*at[0])];
   }
 
  private:
   Shape shape_;
-  std::vector<MomentSet> sets_;  // of joints that Python keeps alive
+  std::vector<MomentSet> sets_;  // their joints are kept by Python
   std::vector<double> numbers_;
 };
 

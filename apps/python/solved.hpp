@@ -12,7 +12,7 @@
 /// the grids of contacts at rims.
 namespace contact_python {
 
-/// What a joint says of a solution beside it; NaN where there is nothing.
+/// How the contact of a solution ends; NaN where it has no such end.
 struct Ends {
   contact::RimContact rims;
   contact::PinLie lie;
@@ -35,15 +35,15 @@ struct Held : contact::RestSolution {
   Held(const contact::RestSolution& rest, EndsOf of)
       : RestSolution(rest), ends(std::move(of)) {}
 
-  EndsOf ends;  ///< of the slip
+  EndsOf ends;  ///< ends of the slip
 };
 
 struct Stepped : contact::JointStep {
   Stepped() = default;
   Stepped(const contact::Joint& joint, const contact::JointStep& step);
 
-  EndsOf ends;       ///< of the solution
-  EndsOf rest_ends;  ///< of the slip of the rest
+  EndsOf ends;       ///< ends of the solution
+  EndsOf rest_ends;  ///< ends of the slip of the rest
 };
 
 /// The quantities of solutions, those of their ends last.

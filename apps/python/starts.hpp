@@ -49,7 +49,7 @@ struct Lies {
   std::optional<Numbers> place = {};
   std::optional<Numbers> axial_velocity = {};
 
-  /// Those that are given, behind other arguments.
+  /// The arguments `others`, and behind them those of these that are given.
   /// @throws contact::Error for a tilt beside a place, and for any of a ball
   std::vector<Argument> behind(const JointSet& joints,
                                std::initializer_list<Argument> others) const;
@@ -65,7 +65,7 @@ class Placements {
         has_place_(lies.place),
         slides_(lies.axial_velocity),
         first_(first) {}
-  /// That of a row, until the next; null where nothing is given.
+  /// The placement of a row, valid until the next; null if none is given.
   /// @throws contact::Error unless from_seat is a rotation, to the 1e-6 of
   ///   hosts that compute in single precision
   const contact::Placement* operator()(const double* const* at, std::size_t i);

@@ -23,7 +23,7 @@ typedef struct contact_placement {
   double tilt[3]; /* known slope of a pin's axis in its hole */
   int is_placed;  /* the reaction acts at `place`, and the tilt is found */
   double place;   /* along the pin from its middle, m */
-  double axial_velocity; /* of the body along a pin's axis, m/s */
+  double axial_velocity; /* velocity of the body along a pin's axis, m/s */
 } contact_placement;
 
 /* The solution that was found last, of one joint and one thread at a time. */

@@ -168,7 +168,7 @@ JointCycle::Instant JointCycle::at(const DutyCycle::GaussPoint& point,
                                    const JointSolution& last) const noexcept {
   Instant instant{point.time, point.weight, cycle_.at(point.time), {}};
   const DutyCycle::State& state = instant.state;
-  Placement seat;  // that turns with the body
+  Placement seat;  // turns with the body
   const bool turns = !joint_.is_endless() && side() > 0;
   if (turns) seat.from_seat = state.turn.toRotationMatrix();
   instant.solution = joint_.solve({.reaction = state.reaction,

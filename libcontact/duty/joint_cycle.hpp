@@ -180,7 +180,7 @@ class JointCycle {
   Series rows_at_rims();
   void tabulate(const std::function<void(double)>& progress);
   Instant largest(const Quantity& quantity, const Quantity& mean) const;
-  double side() const;  // of the force on the seat: 1 along the reaction
+  double side() const;  // 1: the force on the seat is along the reaction
   Quantity of_rims(double (RimContact::*of)() const) const;
 
   void add(const Instant& instant);

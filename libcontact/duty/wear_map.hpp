@@ -76,7 +76,7 @@ class WearMap {
   JointGeometry geometry_;
   double total_;  // J
   std::shared_ptr<const std::vector<Instant>> instants_;
-  // Of rows at rims.
+  // Joint and rows of a cycle at rims.
   Joint joint_;
   std::shared_ptr<const std::vector<AtRim>> at_rims_;
 };

@@ -40,7 +40,7 @@ std::shared_ptr<const ContactWork> SlicesFound::without_grid() const {
   return std::make_shared<SlicesFound>(*this);
 }
 
-// What a call asks, in the axes of the slices.
+// Question of a call, in the axes of the slices.
 struct SlicesModel::Asked {
   Vector3d force;  // across the axis
   Vector3d rate;

@@ -245,7 +245,7 @@ class JointContact {
   std::shared_ptr<const PressureLaw> pressure_law_;
   std::vector<std::string> notes_;
   double unit_force_;   // R_n at load parameter 1, of eps' sign
-  double load_factor_;  // of the half-angle law
+  double load_factor_;  // factor of the half-angle law
   double lift_off_force_ = 0;
   double unit_pressure_area_;  // rho^2 or rho l
 };

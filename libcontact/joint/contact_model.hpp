@@ -21,7 +21,7 @@ struct ContactWork {
   double moment_coefficient = 0;  ///< |M_t|/(rho R)
 };
 
-/// Of a solution whose Placement asks for what its joint has no model of.
+/// Work of a solution whose Placement asks for what its joint cannot model.
 struct PlacementRefused final : ContactWork {
   std::shared_ptr<const ContactWork> without_grid() const override {
     return std::make_shared<PlacementRefused>();
@@ -46,7 +46,7 @@ class ContactModel {
                               const SolveOptions& options) const = 0;
   virtual JointSolution solve_contact(
       const Joint::KnownContact& known) const = 0;
-  /// Of a ball: a pin rests by solve().
+  /// Rest of a ball; a pin rests by solve().
   virtual RestSolution at_rest(const Joint::Hold& /*hold*/,
                                const RestSolution& /*last*/,
                                const SolveOptions& /*options*/) const {

@@ -12,9 +12,9 @@ namespace contact {
 /// that the call gave, or of Dw or M where it gave none.
 struct PinLie {
   Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< slope of the pin's axis
-  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< of its middle, m
-  int pieces = 0;  ///< of contact along the pin: 0, 1 or more
-  /// Where contact begins and ends along the pin, m; NaN without.
+  Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< shift of the middle, m
+  int pieces = 0;  ///< pieces of contact along the pin: 0, 1 or more
+  /// Ends of the contact along the pin, m; NaN without contact.
   double low = std::numeric_limits<double>::quiet_NaN();
   double high = std::numeric_limits<double>::quiet_NaN();
   double peak_pressure = std::numeric_limits<double>::quiet_NaN();  ///< Pa

@@ -104,7 +104,7 @@ struct SeatModel::Turning {
   Vector3d given;  // R as it was given
   Vector3d reaction;
   Vector3d rate;
-  JointSolution::Memory memory;  // of the seat without end
+  JointSolution::Memory memory;  // memory of the seat without end
 
   Turning(const Matrix3d& to_solution, const Vector3d& force,
           const Vector3d& angular_velocity, const JointSolution::Memory& last)
@@ -280,7 +280,7 @@ Vector3d SeatModel::start(const Vector3d& force) const {
   const SeatZone& zone = grids_->contact.zone();
   const double direction = polar_angle(force);
   const double pi = std::numbers::pi;
-  constexpr double share = 0.98;  // of the way to the last that it carries
+  constexpr double share = 0.98;  // share of the way to the last one carried
   double inside = direction;
   if (zone.to() <= pi / 2) inside = std::min(inside, share * zone.to());
   if (zone.from() >= pi / 2) {
@@ -423,7 +423,7 @@ bool SeatModel::find_rest(const Joint::Hold& hold, const Vector3d& direction,
   return false;
 }
 
-// Of the friction across M over y, at one contact: by central differences.
+// Slope of friction across M over y, at one contact: by central differences.
 Eigen::Matrix2d SeatModel::slope(const SeatFound& found, const Against& against,
                                  const Vector2d& y) const {
   constexpr double h = 1e-4;

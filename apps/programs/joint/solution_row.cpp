@@ -127,7 +127,7 @@ void add_ends(const NamedJoint& named, Answer& a) {
   const contact::JointSolution& s = a.solution();
   a.lie = named.joint.lie(s);
   if (a.lie && a.lie->pieces > 0) {
-    // Of any speed, which both have.
+    // Any speed will do: the ratio is free of it.
     const contact::ContactPv about = named.joint.pv(
         s, a.rate.isZero(0) ? Vector3d(Vector3d::UnitZ()) : a.rate);
     a.mean_pressure =

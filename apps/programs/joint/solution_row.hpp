@@ -39,7 +39,7 @@ struct Answer {
   contact::RimContact rims = {};
   /// None of a pin that is level and endless.
   std::optional<contact::PinLie> lie = {};
-  double load_place;  ///< of Input::placement, m
+  double load_place;  ///< place of Input::placement, m
 
   const contact::JointSolution& solution() const { return rest.slip; }
 };
@@ -75,14 +75,14 @@ struct AnswerColumn {
 
 /// Which columns there are beside those of every solution.
 struct ColumnSets {
-  bool rest = false;      ///< those of Question::rest
-  bool approach = false;  ///< of the half-angle law exact
-  bool preload = false;   ///< of joints without clearance
+  bool rest = false;      ///< columns of Question::rest
+  bool approach = false;  ///< approach by the half-angle law exact
+  bool preload = false;   ///< contact of joints without clearance
   bool friction = false;  ///< f0
-  bool pv = false;        ///< of NamedJoint::pv
-  bool rims = false;      ///< of seats that end
-  bool lie = false;       ///< of pins that end
-  bool place = false;     ///< where along the pin the load is
+  bool pv = false;        ///< p v, NamedJoint::pv
+  bool rims = false;      ///< rims of seats that end
+  bool lie = false;       ///< tilt and ends of pins that end
+  bool place = false;     ///< place of the load along the pin
 };
 
 /// All of them in the order of the columns.

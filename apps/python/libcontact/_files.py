@@ -165,7 +165,7 @@ class FileText:
     _source: str
     _folder: str
     _settings: type_of_settings
-    _more: tuple[Any, ...] = ()  # of one class alone
+    _more: tuple[Any, ...] = ()  # arguments of one class alone
 
     # Members of the class of _core.
     _toml: str

@@ -256,7 +256,7 @@ class Joint(FileText, _core.Joint):
 def _in_radians(
     angles: NDArray[np.float64], given: object
 ) -> NDArray[np.float64]:
-    """Those of a DataFrame's columns, or a Series, whose names end in _deg."""
+    """Turns columns of a DataFrame, or a Series, named ..._deg to radians."""
     names = getattr(given, "columns", [getattr(given, "name", None)])
     is_degree = [str(name).endswith("_deg") for name in names]
     if not any(is_degree):

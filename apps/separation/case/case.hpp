@@ -44,7 +44,7 @@ struct RigidBody {
 struct HingeJoint {
   contact::JointSpec joint;
   double position;  ///< along the axis from the hinge's centre, m
-  /// What answers for it. Joints of the case that are alike have the same laws.
+  /// The joint that is solved. Joints of the case that are alike share laws.
   contact::Joint model;
 
   const contact::JointContact& contact() const { return model.contact(); }

@@ -39,7 +39,7 @@ std::vector<std::string> history_columns(const Case& c, bool clearance);
 struct JointPeaks {
   double reaction = 0;       ///< N
   double reaction_time = 0;  ///< s
-  double pressure = 0;       ///< of contacts that have a peak, Pa
+  double pressure = 0;       ///< peak of contacts that have one, Pa
   double hidden = 0;         ///< mean of contacts that have none, Pa
   double half_angle = 0;     ///< theta0 of contacts at no rim, rad
   double moment = 0;         ///< friction moment, N m

@@ -7,7 +7,7 @@
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 
-/// What [load] of the study of a joint says.
+/// The table [load] of the study of a joint.
 namespace study {
 
 /// A reaction on a body that turns about z.

@@ -39,8 +39,8 @@ struct JointModel::Form {
 
 /// Contacts at the rims of a seat, as the first draws have them.
 struct JointModel::Rims {
-  double share = 0;           ///< of the runs that reach one
-  std::vector<double> draws;  ///< of one of them
+  double share = 0;           ///< share of the runs that reach a rim
+  std::vector<double> draws;  ///< draws of a run that reaches one
   double least_load = std::numeric_limits<double>::infinity();  ///< N
   double most_load = 0;                                         ///< N
   bool are_tabulated = false;  ///< read from a table

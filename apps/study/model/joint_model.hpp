@@ -51,7 +51,7 @@ class JointModel : public Model {
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
-  std::optional<contact::Joint> joint_;  ///< of all runs: if the load scatters
+  std::optional<contact::Joint> joint_;  ///< one, if only the load scatters
   std::unique_ptr<Rims> rims_;           ///< null where no contact is at a rim
   mutable Pool<Form> forms_;
 };
