@@ -122,7 +122,7 @@ TEST(CEnds, HasThePressureOnARoundedRim) {
             contact.rounded_rim(intensity, 0.5e-3).peak_pressure);
 }
 
-// What hinge-joint --reaction-xyz prints of these loads.
+// The numbers are those that hinge-joint --reaction-xyz prints.
 TEST(CEnds, SolutionsAreInTheSeat) {
   const CJoint hip = c_joint(cup);
   contact_joint_size size;
@@ -207,7 +207,7 @@ TEST(CEnds, PlacementTurnsTheSeat) {
             "sizeof(contact_placement)");
 }
 
-// Those of FinitePin, whose z is the hole's axis.
+// Numbers are those of FinitePin, whose z is the hole's axis.
 TEST(CEnds, PinsTiltAndSlide) {
   const CJoint c = c_joint(bush);
   const contact::FinitePin pin(contact::read_joint(bush));
@@ -237,7 +237,7 @@ TEST(CEnds, PinsTiltAndSlide) {
   placement.place = 1e-3;
   placement.axial_velocity = 0.01;
   expect(-2, placement, pin.solve_at({1e4, 200}, 1e-3, {-2, 0.01}));
-  // Of a joint without slices.
+  // A joint without slices refuses.
   const CJoint ball = c_joint(cup);
   const char* const key = "power";
   double power = 0;
@@ -279,8 +279,8 @@ TEST(CEnds, GoesOnFromItsMemory) {
   contact_memory_free(nullptr);
 }
 
-// What is asked of a solution that C keeps: the contact at its rims is found
-// from another start.
+// Functions of a solution that C keeps find the contact at its rims again, from
+// another start.
 TEST(CEnds, SolutionsAreFoundAnew) {
   const contact_slip level = {{3e5, 0, 0}, {0, 0, 0.5}, {}};
   const CJoint c = c_joint(ring);

@@ -158,7 +158,7 @@ TEST(Slices, LevelAreTheEndlessJoint) {
     const JointSolution slices = joint.solve({r, w, Vector3d::Zero(), &level});
     EXPECT_FALSE(std::isnan(endless.half_angle));
     EXPECT_TRUE(std::isnan(slices.half_angle));
-    // Those of finite_pin_test.
+    // Tolerances are those of finite_pin_test.
     expect_near(slices.friction_moment, endless.friction_moment,
                 1e-8 * endless.friction_moment.norm(), "M_t");
     expect_near(slices.normal, endless.normal, 1e-8, "n");
@@ -388,7 +388,7 @@ TEST(Slices, NumbersThatAreNoneHaveNoAnswer) {
   }
 }
 
-// Where there are no slices the endless joint stays, and says why.
+// A joint without slices stays the endless one, and says why.
 TEST(Slices, AreLeftOutWhereTheyCannotBe) {
   struct Case {
     JointSpec spec;

@@ -402,7 +402,7 @@ TEST(HostSimbody, SeatsTurnWithTheirBody) {
     link.setUToFitAngularVelocity(w.state, Vec3(0.3, 0.1, 0.5));
     w.friction.settle(w.state);
     w.system.realize(w.state, Stage::Acceleration);
-    // Of the reactions to which friction fits.
+    // Moment of the reactions to which friction fits.
     const Eigen::Vector3d rate = vector(link.getBodyAngularVelocity(w.state));
     const Eigen::Matrix3d axes =
         columns((on_parent ? MobilizedBody(parent) : MobilizedBody(link))

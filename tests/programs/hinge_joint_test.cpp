@@ -790,8 +790,8 @@ TEST(HingeJoint, IsInItsSeatUnlessToldOtherwise) {
   EXPECT_EQ(std::ranges::count(pressed.names(), "K_high"), 0);
 }
 
-// Where a load points is not known of a normal force, and of an angle from the
-// angular velocity in seats about another axis.
+// The direction of a load is unknown of a normal force, and of an angle from
+// the angular velocity in seats about another axis.
 TEST(HingeJoint, SaysHowFarAContactGoesBeyondARimWhereItsLoadPoints) {
   const ProgramFolder folder;
   const std::string ring = "spherical_plain_bearing_ge50.toml ";

@@ -343,8 +343,8 @@ TEST(JointInSeat, TurnsTheLoadWithoutAJump) {
   }
 }
 
-// Whoever answers without the seat of the file can say where that is wrong: as
-// far as the contact of the seat is not free.
+// A joint without the seat of its file can say where that is wrong: as far as
+// the contact of the seat is not free.
 TEST(JointInSeat, WithoutItAnOverlapIsKnown) {
   for (const char* name : {"hip_cup", "ball_stud"}) {
     JointSpec spec =
@@ -466,7 +466,7 @@ TEST(JointInSeat, KeepsItsContactOrNot) {
   // A copy of the joint answers for it.
   const auto copy = std::make_unique<const Joint>(joint);
   EXPECT_EQ(copy->pv(s, rate).total, joint.pv(s, rate).total);
-  // Of a warm start.
+  // A warm start finds the same.
   const JointSolution warm = joint.solve(
       {.reaction = {6e4, 1e4, 8e4}, .angular_velocity = rate}, bare);
   EXPECT_LT((warm.friction_moment - s.friction_moment).norm(),

@@ -713,7 +713,7 @@ TEST_F(StudyFolder, PinsThatEndHaveTheirNumbers) {
   for (const auto& [load, s] : loads) {
     const auto numbers = study(load).nominal();
     EXPECT_NEAR(numbers.at("p_peak_Pa") / s.contact.peak_pressure, 1, 1e-9);
-    // Of 300 N m at 3 mm.
+    // Tolerance against the 300 N m of a load at 3 mm.
     EXPECT_NEAR(numbers.at("G_x_N_m"), s.contact.force_moment.x(), 1e-6);
     EXPECT_NEAR(numbers.at("M_t_z_N_m") / s.moment.z(), 1, 1e-9);
     EXPECT_GT(numbers.at("p_peak_over_limit"), 0);

@@ -141,7 +141,7 @@ TEST(SeparationSeat, RefusesWhatIsNoSeat) {
   folder.run_well("hinge-separation c.toml --friction ideal");
 }
 
-// Where every contact hides its peak there is none, not 0: of 120 N on the
+// There is no peak, not 0, if every contact hides its own: of 120 N on the
 // lined ring, 20 deg from its axis, in a contact of 1 deg.
 TEST(SeparationSeat, HiddenPeaksAreNoNumber) {
   const ProgramFolder folder;
