@@ -71,9 +71,9 @@ inline Seat seat_of(const contact_joint* joint) {
   return size.body_has_inner ? Seat::on_carrier : Seat::on_body;
 }
 
-/// Whether there is a moment at all that the joint holds: none of viscous ones.
+/// Whether the joint holds any moment at rest, as no viscous joint does.
 inline bool can_rest(const contact_joint* joint) {
-  // Whatever its seat carries.
+  // The seat, which might not carry this force, does not matter.
   contact_joint* made = nullptr;
   must(contact_joint_without_seat(joint, &made));
   const JointHandle endless(made, contact_joint_free);
@@ -83,7 +83,7 @@ inline bool can_rest(const contact_joint* joint) {
   return !std::isinf(rest.utilisation);
 }
 
-/// A joint of dry friction from its file: of hosts whose solver holds by a
+/// A joint of dry friction from its file, for hosts whose solver holds up to a
 /// largest moment.
 /// @throws std::runtime_error for a joint that holds nothing, too
 inline JointHandle read_dry_joint(const std::string& file,

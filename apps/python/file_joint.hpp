@@ -22,7 +22,7 @@ contact::KeySettings key_settings(const Settings& settings);
 /// A joint from the text of a joint file.
 class FileJoint : public JointSet {
  public:
-  /// @param left_out  what it is without
+  /// @param left_out  ends that the joint is without
   /// @param table  Joint::table() of this joint
   /// @throws contact::Error as read_joint() and Joint::tabulated()
   FileJoint(const std::string& text, const std::string& source,

@@ -14,8 +14,8 @@
 
 namespace contact_python {
 
-/// The joints that functions of rows are over: an array of any shape, that of a
-/// single one ().
+/// The joints that functions of rows are over: an array of any shape; () is
+/// that of a single joint.
 class JointSet {
  public:
   /// @param refusal  what functions of friction say if the joints have none, or
@@ -37,7 +37,7 @@ class JointSet {
   const contact::Joint& operator[](std::size_t i) const { return joints_[i]; }
   /// @throws contact::Error if they have no friction, or none in their seats
   void require_friction() const;
-  /// So many rows as nobody waits for: at rims some 30 ms each.
+  /// Rows between two looks at Ctrl-C: few if rims may take some 30 ms each.
   std::size_t at_once() const { return any_ends_ ? 16 : Rows::block; }
   /// Limits of a joint's contact; with Python's lock.
   const contact::ContactLimits& limits(std::size_t i) const;
@@ -47,11 +47,11 @@ class JointSet {
   std::vector<contact::Joint> joints_;
   std::vector<double> numbers_;  // 0, 1, ...
   std::string refusal_;
-  bool any_ends_;  // whether the contact of any of them does
+  bool any_ends_;  // the contact of one of the joints ends
   mutable std::vector<std::optional<contact::ContactLimits>> limits_;
 };
 
-/// Ends of a joint that it is without, as JointSpec::without_seat() and
+/// Ends that are left out of a joint, as by JointSpec::without_seat() and
 /// without_relief().
 struct LeftOut {
   bool seat;
@@ -102,7 +102,7 @@ class LargestContacts {
   std::map<std::size_t, contact::ContactNotes> notes_;  // on contacts that end
 };
 
-/// The same of a solution of a single joint.
+/// Gives the warnings of a solution of a single joint.
 void warn_of(const JointSet& joint, const contact::JointSolution& s);
 
 }  // namespace contact_python

@@ -18,7 +18,7 @@ using contact::JointSolution;
 using contact::SlidingContact;
 using Eigen::Vector3d;
 
-// At a rim of its seat, or of a pin by slices.
+// Whether the contact is at a rim of its seat, or of a pin by slices.
 bool has_no_axis(const JointSolution& s) {
   return s.status == contact::Status::ok && std::isnan(s.half_angle);
 }
@@ -74,7 +74,7 @@ py::object pressures(const FileJoint& self, const Answers<Solved>& solution,
       "solution", "a single row that has not been pickled"));
 }
 
-// Friction of the pressures.
+// Pressure, p v and heat flux at places of a contact at a rim.
 py::dict pv_at_rim(const contact::Joint& joint, const JointSolution& s,
                    const Vector3d& rate, const Numbers& places) {
   const JointSolution whole = joint.with_grid(s);
@@ -102,7 +102,7 @@ py::dict pv_at_rim(const contact::Joint& joint, const JointSolution& s,
   return result;
 }
 
-// Over places of the contact of one state.
+// Pressure, p v and heat flux at places of the contact of one state.
 py::dict pv_at(const FileJoint& self, const Vector3d& reaction,
                const Vector3d& rate, const Numbers& places,
                const std::optional<Numbers>& from_seat) {

@@ -65,12 +65,12 @@ class Rows {
 
   const Shape& shape() const { return shape_; }
   std::size_t size() const { return size_; }
-  /// As many rows as nobody waits for.
+  /// Rows between two looks at Ctrl-C, for which nobody waits.
   static constexpr std::size_t block = 1024;
 
   /// Calls `row(numbers)` for each in turn, numbers[k] those of argument k,
   /// without Python's lock. Ctrl-C ends it.
-  /// @param at_once  so many without looking; fewer than `block` are slow
+  /// @param at_once  rows between two looks; below `block` the rows are slow
   template <class Row>
   void for_each(const Row& row, std::size_t at_once = block) const {
     Cursor cursor(*this);

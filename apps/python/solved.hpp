@@ -8,8 +8,8 @@
 #include "libcontact/joint/step.hpp"
 #include "python/answers.hpp"
 
-/// Solutions with how their contacts end, as Python keeps many of them: without
-/// the grids of contacts at rims.
+/// Solutions as Python keeps many of them: with the ends of their contacts, but
+/// without the grids of those at rims.
 namespace contact_python {
 
 /// How the contact of a solution ends; NaN where it has no such end.
@@ -17,7 +17,7 @@ struct Ends {
   contact::RimContact rims;
   contact::PinLie lie;
 };
-/// Null of a contact without end.
+/// The ends of a contact; null if it has none.
 using EndsOf = std::shared_ptr<const Ends>;
 
 struct Solved : contact::JointSolution {
@@ -76,7 +76,7 @@ auto part_of(const Answers<Whole>& all, const char* name, const Get& get) {
 /// found faster.
 class NearRim {
  public:
-  /// Puts it where a solution of the same joint begins.
+  /// Puts it into the start of a solution of the same joint.
   void put(const contact::Joint& joint, contact::JointSolution& start) const {
     if (of_ == &joint) start.work = work_;
   }

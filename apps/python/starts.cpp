@@ -45,7 +45,7 @@ const contact::Placement* Placements::operator()(const double* const* at,
   if (has_tilt_) placement_.tilt = vector_at(*at++);
   if (has_place_) {
     placement_.place = **at++;
-    // NaN there is a tilt that is known.
+    // Joint takes NaN for no place: a tilt of NaN leaves no solution then.
     const bool is_known = !std::isnan(placement_.place);
     placement_.tilt.setConstant(
         is_known ? 0 : std::numeric_limits<double>::quiet_NaN());

@@ -23,9 +23,9 @@ namespace contact_hosts::dart {
 /// three limits |M_t| where a step would stop it: at rest it holds up to
 /// sqrt(3) |M_t| between the axes. Reactions are those of the step before; in
 /// the first step there are none, and no friction. Hinges rest to rounding, not
-/// exactly. Viscous friction, which depends on |Dw|, is refused. A [seat] has
-/// its axis in the axes of the BodyNode that has it; a load that leaves it ends
-/// update() with an exception.
+/// exactly. Viscous friction, which depends on |Dw|, is refused. The axis
+/// of a [seat] is in the axes of the BodyNode that has it; a load that the seat
+/// does not carry makes update() throw.
 class HingeFriction {
  public:
   /// Friction of a joint file in a joint.

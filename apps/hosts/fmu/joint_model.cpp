@@ -95,7 +95,7 @@ struct State {
   int released;       // let go at the last event, and not yet under way
   int has_started;    // co-simulation: the initialization is over
   double widest = NAN, most = NAN;  // half-angle and pressure so far
-  contact_solution at_rim;          // the last there, of notes; else all 0
+  contact_solution at_rim;          // the last one, for notes; or all 0
 };
 
 class JointModel : public Model {

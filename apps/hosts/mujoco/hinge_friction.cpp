@@ -66,8 +66,8 @@ void HingeFriction::note_reactions(mjData* data) {
   has_reactions_ = true;
 }
 
-// Balls in the axes of their body, or of the one that has their seat; hinges in
-// those of the world.
+// Starts of balls in the axes of their body, or of the one with their seat; of
+// hinges in those of the world.
 void HingeFriction::start(const mjData* data) {
   for (std::size_t i = 0; i < hinges_.size(); ++i) {
     Hinge& h = hinges_[i];

@@ -30,9 +30,9 @@ namespace contact_hosts::mujoco {
 /// limits and equalities are MuJoCo's soft constraints, solved in turn with
 /// friction until both fit to 1e-8 of the moments, in 50 turns at most
 /// (turns()). Their forces count in the reaction as far as
-/// mj_rnePostConstraint() has them: contacts, no equalities. A [seat] has its
-/// axis in the axes of the body that has it; a load
-/// that leaves it ends with an exception.
+/// mj_rnePostConstraint() has them: contacts, no equalities. The axis of a
+/// [seat] is in the axes of the body that has it; a load that the seat does not
+/// carry throws an exception.
 class HingeFriction {
  public:
   /// @param model  stays while this is used
@@ -76,7 +76,7 @@ class HingeFriction {
     int angle;  // in qpos
     JointHandle contact;
     bool on_carrier;  // the seat is on the parent
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // to its axes
+    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // to the seat's axes
     double damping = 0;  // given by add_damping()
   };
   void start(const mjData* data);
@@ -102,7 +102,7 @@ class HingeFriction {
   Eigen::MatrixXd inertia_;             // H
   Eigen::LLT<Eigen::MatrixXd> damped_;  // H where there is damping
   Eigen::MatrixXd weight_;              // W
-  Eigen::MatrixXd turned_;              // the same in the axes of the seats
+  Eigen::MatrixXd turned_;              // W in the axes of the seats
   Eigen::VectorXd force_;               // generalized, of friction
 };
 

@@ -22,8 +22,8 @@ namespace contact_hosts::ode {
 /// a ball at rest holds up to sqrt(3) |M_t| between them. Reactions are those
 /// of the step before; in the first step there are none, and no friction.
 /// Hinges rest to rounding, not exactly. Viscous friction, which depends on
-/// |Dw|, is refused. A [seat] has its axis in the axes of the dBody that has
-/// it; a load that leaves it ends update() with an exception.
+/// |Dw|, is refused. The axis of a [seat] is in the axes of the dBody that
+/// has it; a load that the seat does not carry makes update() throw.
 class HingeFriction {
  public:
   explicit HingeFriction(dWorldID world) : world_(world) {}

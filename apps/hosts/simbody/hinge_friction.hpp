@@ -42,16 +42,15 @@ struct Options {
 /// to rest, whose time events find, is locked: its rate is exactly 0, its
 /// angles do not change by a bit, until the moment that it holds passes the
 /// limit (contact_joint_at_rest()) by 1e-10, of balls 1e-8, which events find
-/// too. Reactions are those of Simbody. A [seat] has its axis in the axes of
-/// the body that has it; a load that leaves it ends with an exception.
+/// too. Reactions are those of Simbody. The axis of a [seat] is in the axes
+/// of the body that has it; a load that it does not carry throws an exception.
 ///
 /// Where it ends: one State at a time; mobilizers are locked and unlocked, so
-/// locks of others on them are lost; in a
-/// loop no more hinges may have friction than it has freedoms: a loop that is
-/// locked twice has no reactions, and is refused; a Gimbal must stay off its
-/// gimbal lock; nothing is known of contacts that open. Constraints, and
-/// subsystems of forces that come after `forces`, cost a copy of the State for
-/// each evaluation.
+/// locks of others on them are lost; in a loop no more hinges may have friction
+/// than it has freedoms: a loop that is locked twice has no reactions, and is
+/// refused; a Gimbal must stay off its gimbal lock; nothing is known of
+/// contacts that open. Constraints, and subsystems of forces that come after
+/// `forces`, cost a copy of the State for each evaluation.
 class HingeFriction {
  public:
   /// Before system.realizeTopology().

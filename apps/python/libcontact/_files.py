@@ -159,7 +159,7 @@ def _frozen(value: Any) -> Any:
 
 
 class FileText:
-    """Mixed into a class of _core that is made of these four and more."""
+    """Base beside a class of _core, which is made of these members."""
 
     _text: str
     _source: str
@@ -184,12 +184,12 @@ class FileText:
         self._more = more
 
     def _with(self, *more: Any) -> Self:
-        """The same with more."""
+        """The same file with other values of _more."""
         state = self._text, self._source, self._folder, self._settings
         return self._of(*state, *more)
 
     def _kept(self) -> tuple[Any, ...]:
-        """More that another one has, whose keys are replaced."""
+        """Values of _more that stay when keys are replaced."""
         return self._more
 
     @classmethod

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr const char* vector_key = "reaction_xyz";
 
-// The reaction and what it turns about.
+// Reads the reaction and the rate of the turning.
 void read_reaction(const TomlTable& load, Load& to) {
   to.rate = load.optional_number("rate", Interval::positive()).value_or(1);
   if (load.has(vector_key)) {
@@ -37,7 +37,7 @@ void read_reaction(const TomlTable& load, Load& to) {
   to.reaction = force * Vector3d(std::sin(beta), 0, std::cos(beta));
 }
 
-// Refuses what the seat of the joint cannot be asked.
+// Refuses loads that the seat of the joint has no answer to.
 void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
                Load& to) {
   if (load.has("in_seat")) {
@@ -74,7 +74,7 @@ void read_placement(const TomlTable& load,
     load.must_be("tilt", "left out beside load_at, which finds it");
   }
   if (load.has("twist") && !load.has("tilt")) load.needs("twist", "tilt");
-  // A pin that bends or jams is another joint long before.
+  // A pin bends or jams long before these slopes.
   const Interval slope{-10 * contact::degree, 10 * contact::degree};
   const double half = geometry.length() / 2;
   contact::Placement& placement = to.placement;

@@ -34,11 +34,11 @@ struct Load {
   Eigen::Vector3d swung(double angle) const;
 };
 
-/// @throws contact::Error of keys that do not go together, or with the joint
+/// @throws contact::Error if keys do not fit each other or the joint
 Load read_load(const contact::TomlTable& load,
                const contact::JointGeometry& geometry);
 
-/// The load in the axes of the seat, which it swings in.
+/// The cycle of a load that swings, in the axes of the seat.
 contact::DutyCycle swinging(const Load& load,
                             const contact::JointGeometry& geometry);
 

@@ -52,7 +52,7 @@ namespace {
 
 bool is_of_load(const std::string& key) { return key.starts_with("load."); }
 
-/// As the joint without its seat has it.
+/// Whether the contact would go beyond a rim if the seat did not end.
 bool reaches_rim(const contact::Joint& endless, const Load& load) {
   for (const double angle : {-load.swing, 0.0, load.swing}) {
     const contact::JointSolution s =
@@ -62,7 +62,7 @@ bool reaches_rim(const contact::Joint& endless, const Load& load) {
   return false;
 }
 
-/// Numbers by their names, but for distances from rims that are not there.
+/// Adds numbers by their names, but no distances from rims that do not exist.
 template <class T>
 void add(const std::vector<contact::Column<T>>& columns, const T& of,
          Result& to) {
@@ -72,7 +72,7 @@ void add(const std::vector<contact::Column<T>>& columns, const T& of,
   }
 }
 
-/// How a contact ends.
+/// Adds the numbers of rims, and of pins that end.
 void add_ends(const contact::Joint& joint, const contact::JointSolution& s,
               Result& to) {
   static const auto of_rims = columns_of(contact::rim_quantities());
@@ -84,7 +84,7 @@ void add_ends(const contact::Joint& joint, const contact::JointSolution& s,
   if (const auto lie = joint.lie(s)) add(of_pin, *lie, to);
 }
 
-/// The worst of a load that swings.
+/// Adds sums and largest values over the cycle of a load that swings.
 void add_swing(const contact::Joint& joint, const Load& load, Result& to) {
   const contact::JointCycle cycle(swinging(load, joint.contact().geometry()),
                                   joint);
@@ -233,7 +233,7 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
 
 void JointModel::prepare(const std::vector<std::vector<double>>& first,
                          std::uint64_t runs) {
-  // Laws of joints that differ may have to be made.
+  // Few, if each joint may need laws of its own, which take time.
   const std::size_t count =
       std::min<std::size_t>(joint_ ? first.size() : 20, first.size());
   contact::SharedLaws laws = laws_;
@@ -254,7 +254,7 @@ void JointModel::prepare(const std::vector<std::vector<double>>& first,
     }
   }
   if (rims->share == 0) return;
-  // So many take as long as the table.
+  // So many contacts take as long as the table.
   constexpr double many = 500;
   rims->are_tabulated =
       joint_ && rims->share * static_cast<double>(runs) >= many;
@@ -292,7 +292,7 @@ std::string JointModel::forecast(std::uint64_t runs, int jobs) const {
   double each = 0;
   double seconds = 0;
   constexpr double long_time = 2;
-  // The first one makes what others share.
+  // The first run makes what the others share.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     run(read(rims_->draws), {});

@@ -15,9 +15,9 @@ namespace study {
 /// hinge-joint's columns, with those of interference where the nominal joint
 /// has no clearance. Files are parsed and keys that are drawn looked up once.
 ///
-/// Contacts at the rims of a seat take 20 to 60 ms. Where only the load
-/// scatters, and many of them are there, they are read from a table, but for
-/// the nominal one; where only friction does too they share their grids.
+/// Contacts at the rims of a seat take 20 to 60 ms. If only the load scatters
+/// and there are many of them, all but the nominal one are read from a table;
+/// if friction scatters too, and nothing else, they share their grids.
 class JointModel : public Model {
  public:
   /// @param plan  has to outlive this object

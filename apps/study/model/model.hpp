@@ -12,7 +12,7 @@
 
 namespace study {
 
-/// Numbers that a run has not.
+/// Numbers that a run does not have.
 struct Unreached {
   std::string name;  ///< or "BODY.at_release." of all that begin so
   std::string why;   ///< "BODY is not released"
@@ -60,11 +60,11 @@ class Model {
   /// @throws contact::Error if they make no case
   virtual Result run(const std::vector<double>& draws, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
-  /// Looks at the first draws before any of so many runs is made; what they
-  /// depend on belongs to the identity.
+  /// Looks at the first draws before any of the runs is made; what it decides
+  /// belongs to the identity.
   virtual void prepare(const std::vector<std::vector<double>>& /*first*/,
                        std::uint64_t /*runs*/) {}
-  /// How so many runs are made, if that takes long: a sentence; else "".
+  /// A sentence on how the runs are made, if that takes long; else "".
   /// @param jobs  threads
   virtual std::string forecast(std::uint64_t /*runs*/, int /*jobs*/) const {
     return {};
