@@ -56,7 +56,7 @@ struct Answer {
   std::optional<PinLie> lie = {};
 };
 
-// Calls use(quantity, what it is of, or null).
+// Calls use(quantity, the part of the answer that has it, or null).
 template <class Use>
 auto with_row(std::string_view key, const Answer* of, const Use& use) {
   if (const auto* q = find_quantity(rim_quantities(), key)) {
@@ -68,7 +68,7 @@ auto with_row(std::string_view key, const Answer* of, const Use& use) {
   return use(row_of(solution_quantities(), key), of ? &of->solution : nullptr);
 }
 
-// Puts a quantity, NaN of what is not there; how many numbers it has.
+// Puts a quantity, NaN if it is not there; returns how many numbers it has.
 std::size_t put_quantity(std::string_view key, const Answer* of, double* to) {
   return with_row(key, of, [to](const auto& q, const auto* from) {
     const std::size_t size = q.is_vector() ? 3 : 1;

@@ -28,20 +28,20 @@ typedef struct contact_placement {
 
 /* The solution that was found last, of one joint and one thread at a time. */
 typedef struct contact_memory contact_memory;
-/* Empty: the first solution begins from nothing. */
+/* Makes an empty one: the first solution begins from nothing. */
 contact_status contact_memory_make(contact_memory** memory);
 void contact_memory_free(contact_memory* memory);
 
-/* Quantities of a slip by their keys: `count` of them, one behind the other,
- * three numbers of a vector. NaN where there is none, as at a rim of an angle
- * about the contact's axis.
+/* `count` quantities of a slip by their keys, one behind the other, a vector as
+ * three numbers. NaN where there is none, as of an angle about the contact's
+ * axis at a rim.
  * placement: NULL: the axes of the seat are those of the vectors, and a pin is
  *     level. Its vectors are those of the call; a pin that is tilted, loaded at
  *     a place or slides along its axis requires slip.axis or a turn, dry
  *     friction, clearance and a wall with an end.
- * memory: NULL, or where it begins from and what then has this solution: a
+ * memory: NULL, or the last solution, to begin from, which this one replaces: a
  *     contact at a rim takes a third to two thirds of the time (13 ms for 24 to
- *     39 ms) where R and Dw have changed by less than 1 %. Both agree within
+ *     39 ms) if R and Dw have changed by less than 1 %. Both agree within
  *     the accuracy of the seat's grid. A call that is not CONTACT_OK leaves
  *     the memory as it was. */
 contact_status contact_joint_get(const contact_joint* joint,
@@ -50,9 +50,8 @@ contact_status contact_joint_get(const contact_joint* joint,
                                  contact_memory* memory,
                                  const char* const* keys, size_t count,
                                  double* values);
-/* Quantity i of these: those of solutions (contact_solution_quantity()), then
- * of the rims of a seat, then of how a pin lies that ends; NULL behind the last
- * one. */
+/* Quantity i of a slip: those of solutions (contact_solution_quantity()), then
+ * of the rims of a seat, then of pins that end; NULL behind the last one. */
 const contact_quantity* contact_joint_quantity(size_t i);
 
 /* Pressures of a solution, Pa, at `count` places: unit vectors from the joint's
@@ -66,7 +65,7 @@ contact_status contact_joint_pressures(const contact_joint* joint,
                                        double* pressures);
 
 /* The joint whose contact goes on beyond the rims of its seat: for comparison,
- * and where nothing is known of directions. */
+ * and where the direction of the load is unknown. */
 contact_status contact_joint_without_seat(const contact_joint* joint,
                                           contact_joint** endless);
 

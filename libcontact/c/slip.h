@@ -73,9 +73,9 @@ contact_status contact_joint_solve_contact(const contact_joint* joint,
                                            const contact_slip* known,
                                            contact_solution* solution);
 
-/* Beside a rim of the seat what the model leaves out of a solution, up to 18 %,
- * and of a joint without its seat how far its contact goes beyond a rim: one
- * sentence per line, cut to `size` with its final 0. None of a solution that is
+/* Reasons to doubt a solution, one sentence per line, cut to `size` with its
+ * final 0: what the model leaves out beside a rim of the seat, up to 18 %; how
+ * far the contact goes beyond a rim in a joint without its seat. None if it is
  * not CONTACT_OK: the message of its call has said why. */
 contact_status contact_joint_solution_notes(const contact_joint* joint,
                                             const contact_solution* solution,

@@ -20,8 +20,8 @@ struct Refused<contact_rest> {
 /// C++ results from those of C, to the last bit.
 JointSolution solution_of(const contact_solution& solution);
 Joint::Slip slip_of(const contact_slip& slip);
-/// The solution of a joint with the contact at a rim of its seat, which C does
-/// not keep, found anew.
+/// A solution with its contact: C does not keep one at a rim of the seat, which
+/// is found anew.
 JointSolution whole(const Joint& joint, const contact_solution& solution);
 RestSolution rest_of(const contact_rest& rest);
 contact_status status_of(Status status);
@@ -34,7 +34,7 @@ void put(contact_rest& to, const RestSolution& rest);
 /// The status, with a message if it is not OK.
 /// @param place  names the function, and the row where there are some
 contact_status reported(contact_status status, std::string_view place);
-/// The same of a solution, whose joint knows why there is none.
+/// The status of a solution; if there is none the joint says why.
 contact_status reported(const Joint& joint, const JointSolution& solution,
                         std::string_view place);
 

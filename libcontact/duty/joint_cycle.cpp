@@ -201,8 +201,8 @@ JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {
   return largest(quantity, {});
 }
 
-// At rims the row with the largest value; one that has none, but a contact,
-// whose mean over it is larger, or is not asked for.
+// At rims the row with the largest value; or a row with a contact but no value,
+// if its mean is larger or no mean is given.
 JointCycle::Instant JointCycle::largest(const Quantity& quantity,
                                         const Quantity& mean) const {
   if (!at_rims_) {

@@ -17,9 +17,9 @@ namespace contact {
 /// Gauss points of its integrals. It has a cycle and a joint of its own; what
 /// sliding() gives refers to the latter. Vectors are in carrier axes.
 ///
-/// Where a contact reaches a rim of its seat nothing is smooth in time: the
-/// cycle is_at_rims(), its integrals are sums over the rows by the trapezoidal
-/// rule, and its largest values are those of the rows.
+/// A cycle whose contact reaches a rim of its seat, is_at_rims(), is not smooth
+/// in time: its integrals are sums over the rows by the trapezoidal rule, and
+/// its largest values are those of the rows.
 ///
 /// Instants are large: those of short cycles are kept, those of long ones are
 /// solved again, to the same bits, whenever they are asked for. Rows of cycles
@@ -35,7 +35,7 @@ class JointCycle {
     double weight;  ///< in integrals over the period, s
     DutyCycle::State state;
     JointSolution solution;
-    /// p v of a contact at a rim, of a row; NaN of others, see pv().
+    /// p v of a row at a rim; NaN of all other instants, see pv().
     ContactPv at_rim = {};
   };
 
@@ -77,7 +77,7 @@ class JointCycle {
     const Series* series_;
   };
 
-  /// Number of contacts at rims from which a table of them is made.
+  /// Least number of rows at rims for which a table of them is made.
   static constexpr int many = 60;
   /// Largest number of grids that are kept.
   static constexpr std::size_t most_grids = 300;
@@ -93,23 +93,23 @@ class JointCycle {
              const std::function<void(double)>& progress = {});
 
   const DutyCycle& cycle() const { return cycle_; }
-  /// With the table that was made.
+  /// The joint, with its table if one was made.
   const Joint& joint() const { return joint_; }
   const JointContact& contact() const { return joint_.contact(); }
   /// Whether an instant reaches a rim of its seat, or leaves the seat.
   bool is_at_rims() const { return at_rims_; }
-  /// Instants at the times of the cycle; their weight is 0, at rims that of
-  /// sums over the rows.
+  /// Instants at the times of the cycle; their weight is 0, in cycles at rims
+  /// that of the trapezoidal rule.
   Instants rows() const& { return {this, &rows_}; }
-  /// Instants of the integrals; at rims the rows.
+  /// Instants of the integrals; the rows of a cycle at rims.
   Instants gauss_points() const& {
     return {this, at_rims_ ? &rows_ : &gauss_points_};
   }
   /// Would refer to a cycle that is gone.
   Instants rows() const&& = delete;
   Instants gauss_points() const&& = delete;
-  /// Its solution has the status out_of_range where the laws have no value, and
-  /// out_of_seat where the ball leaves its seat.
+  /// The instant at any time. Its solution has the status out_of_range where
+  /// the laws have no value, and out_of_seat where the ball leaves its seat.
   Instant at(double time) const noexcept;
   SlidingContact sliding(const Instant& instant) const& {
     return {contact(), instant.solution, instant.state.angular_velocity};
@@ -117,9 +117,9 @@ class JointCycle {
 
   /// Would refer to a joint that is gone.
   SlidingContact sliding(const Instant&) const&& = delete;
-  /// p v over the contact of an instant, of a rim too if it is a row.
+  /// p v over the contact of an instant; at a rim of rows alone.
   ContactPv pv(const Instant& instant) const;
-  /// rating_of() an instant; of a rim if it is a row.
+  /// rating_of() an instant; at a rim of rows alone.
   SlidingContact::Rating rating(const Instant& instant) const;
 
   /// Integrals over one period, made with the cycle; those by integral() are
@@ -137,12 +137,12 @@ class JointCycle {
   /// Integral over one period, within 1e-9 for smooth cycles of 100 times
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
-  /// The largest value, to 1e-8: the largest of the rows, improved between its
-  /// neighbours, but for cycles at rims. Among these a row with a contact but
-  /// without the quantity counts as the largest, for it may be: NaN.
+  /// The instant with the largest value, to 1e-8: the largest of the rows,
+  /// improved between its neighbours. A cycle at rims has the row as it is; one
+  /// with a contact but a value of NaN counts as the largest, for it may be.
   Instant largest(const Quantity& quantity) const;
-  /// Peak pressure and p v: at rims the largest at report_distance or more from
-  /// them, and NaN where a row that has none has a larger mean.
+  /// Instants of the largest peak pressure and p v: at rims those at
+  /// report_distance or more from them, NaN if a row without has a larger mean.
   Instant largest_peak() const;
   Instant largest_pv() const;
   /// Share of the time in which the contact is at a rim.
@@ -158,7 +158,7 @@ class JointCycle {
   /// A sentence for each reason to doubt rows at rims, and each limit that the
   /// largest contact passes.
   std::vector<std::string> notes() const;
-  /// The former alone.
+  /// The sentences on rows at rims alone.
   const std::vector<std::string>& rim_notes() const { return rim_notes_; }
   /// Turn from carrier axes to those of the body that has the seat or hole.
   Eigen::Quaterniond to_seat(const Instant& instant) const;

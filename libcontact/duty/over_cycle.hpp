@@ -15,7 +15,7 @@ double integral_of(const Points& points, const Quantity& quantity) {
   return sum;
 }
 
-/// The row where a quantity is largest; the first if it is NaN of all.
+/// The row where a quantity is largest; the first if it is NaN in all.
 template <class Rows, class Quantity>
 auto largest_row(const Rows& rows, const Quantity& quantity) {
   std::size_t best = 0;

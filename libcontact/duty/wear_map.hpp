@@ -36,8 +36,8 @@ class WearMap {
   Wear at(const Eigen::Vector3d& point) const {
     return at(std::span(&point, 1))[0];
   }
-  /// Wear at points: of a long cycle at rims, whose contacts are solved again,
-  /// the way to have many.
+  /// Wear at many points at once: a long cycle at rims solves its contacts
+  /// again in each call.
   std::vector<Wear> at(std::span<const Eigen::Vector3d> points) const;
 
   /// N points, each of the same area: Fibonacci's sphere, or a circle.
@@ -53,8 +53,8 @@ class WearMap {
     Wear wear;
   };
   /// The largest of a grid, improved between its neighbours; to 1e-5
-  /// (duty/joint_cycle_test.cpp). Of more rows at rims than
-  /// JointCycle::most_grids that of the grid alone.
+  /// (duty/joint_cycle_test.cpp). With more rows at rims than
+  /// JointCycle::most_grids it is that of the grid.
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;
 

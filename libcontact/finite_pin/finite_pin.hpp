@@ -82,7 +82,7 @@ class FinitePin {
   /// @throws Error of a ball, of friction that is not dry, of a relief that
   ///   does not fit, and as ForceLaw does
   explicit FinitePin(const JointSpec& joint);
-  /// The sentence of that Error, but of a relief; "" for a pin that this is.
+  /// The message of that Error, but for a relief; "" if there is none.
   static std::string refusal(const JointSpec& joint);
 
   /// With a shift and a tilt; out_of_range and NaN beyond the force law's end.

@@ -25,8 +25,8 @@ Vector3d in_space(const Matrix3d& axes, const Vector2d& across) {
   return axes.leftCols<2>() * across;
 }
 
-// A unit vector along the axis; of a level pin that rests and has none any
-// across the force, whose size alone counts then.
+// A unit vector along the axis; any one across the force for a level pin that
+// rests and was given no axis: the size of the force alone counts then.
 Vector3d axis_of(const Vector3d& given, const Vector3d& rate,
                  const Vector3d& force) {
   if (!given.isZero(0)) return given.stableNormalized();
@@ -92,7 +92,7 @@ SlicesModel::SlicesModel(const JointSpec& joint, const JointContact& contact)
 
 SlicesModel::~SlicesModel() = default;
 
-// Null where a law that refusal() lets pass cannot be made.
+// The pin; null if its law cannot be made although refusal() has let it pass.
 const FinitePin* SlicesModel::pin() const noexcept {
   std::call_once(numerics_->once, [this] {
     try {
@@ -231,7 +231,7 @@ std::vector<double> SlicesModel::pressures(
     const Vector3d at = found->axes.transpose() * places[i];
     const double across = std::hypot(at.x(), at.y());
     double z = rho * at.z() / across;
-    // An end may round to beyond itself.
+    // Rounding may put a place at an end beyond it.
     if (std::abs(z) <= half * (1 + 1e-14)) z = std::clamp(z, -half, half);
     if (std::isnan(across) || std::isnan(at.z())) continue;
     all[i] = std::isfinite(z) ? of->pressure(found->pin.contact, z,

@@ -114,7 +114,7 @@ struct SeatModel::Turning {
         memory(last) {}
 };
 
-// The slip axes against a moment, and what lies across them.
+// Slip axes near that against a moment, and directions across it.
 struct SeatModel::Against {
   Vector3d against, e1, e2;
 
@@ -124,7 +124,7 @@ struct SeatModel::Against {
   Vector3d axis(const Vector2d& y) const {
     return (against + y.x() * e1 + y.y() * e2).normalized();
   }
-  // Over the part along the moment.
+  // The parts of v across the moment, over that along it.
   Vector2d across(const Vector3d& v) const {
     return Vector2d(v.dot(e1), v.dot(e2)) / v.dot(against);
   }
@@ -156,7 +156,7 @@ bool SeatModel::is_free(const JointSolution& s, const Matrix3d& turn) const {
                                        s.half_angle) >= 0;
 }
 
-// A solution of the seat without end: one in other axes has to know which.
+// A solution of the seat without end, which keeps the axes of a placement.
 JointSolution SeatModel::in_its_axes(JointSolution s,
                                      const Placement* placement) const {
   if (!placement) return s;
@@ -228,7 +228,7 @@ JointSolution SeatModel::no_answer(
 JointSolution SeatModel::answer(const Turning& turning, const Pull& pull,
                                 const std::shared_ptr<SeatFound>& found) const {
   const SeatState& state = found->state;
-  found->is_at_rim = !state.is_free;  // free by friction
+  found->is_at_rim = !state.is_free;  // friction may free it
   JointSolution s =
       state.is_free
           ? endless_.solve_contact(
@@ -273,9 +273,9 @@ JointSolution SeatModel::at_rim_solution(const Turning& turning,
   return s;
 }
 
-// A force that the seat carries, and has a contact for: friction may hold a
-// ball that its reaction alone would drive out, or onto the rim itself, where
-// the shift is without bound.
+// A first force that the seat carries: friction may hold a ball that its
+// reaction alone would drive out, or onto the rim itself, where the shift is
+// unbounded.
 Vector3d SeatModel::start(const Vector3d& force) const {
   const SeatZone& zone = grids_->contact.zone();
   const double direction = polar_angle(force);

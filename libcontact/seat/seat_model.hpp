@@ -25,8 +25,8 @@ struct SeatGrids {
   SeatSums sums;
 };
 
-/// A contact that was found at a rim, with what friction needs of it; of one
-/// that is free the axes alone.
+/// A contact that was found at a rim, with what friction needs of it; or the
+/// axes alone of a contact that is off the rims.
 struct SeatFound final : ContactWork {
   std::shared_ptr<const ContactWork> without_grid() const override;
 
