@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -26,7 +27,7 @@ const RimContact& no_rims() {
 
 const PinLie& no_lie() {
   static const auto& none = *new PinLie([] {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    using detail::nan;
     PinLie lie;
     for (auto* v : {&lie.tilt, &lie.shift, &lie.tilting_moment, &lie.moment}) {
       v->setConstant(nan);

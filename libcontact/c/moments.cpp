@@ -1,7 +1,7 @@
 #include "libcontact/c/moments.h"
+#include "libcontact/base/constants.hpp"
 
 #include <cmath>
-#include <limits>
 #include <string>
 
 #include "libcontact/c/call.hpp"
@@ -51,7 +51,7 @@ contact_status status_if(bool has_results, const char* argument,
 template <>
 struct Refused<contact_prox> {
   static void write(contact_prox* prox, contact_status status) noexcept {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    using detail::nan;
     *prox = {status, 0, nan, {nan, nan, nan}, {nan, nan, nan}};
   }
 };

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <complex>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 
@@ -11,7 +11,6 @@ namespace contact::detail {
 namespace {
 
 using Complex = std::complex<double>;
-constexpr double pi = std::numbers::pi;
 
 // s(N) = sum over its poles of residue/(N - pole): sigma(s) is the sum of
 // residue exp(pole s). Poles: 3/2 and -nu +- i omega.

@@ -4,11 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 #include <optional>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/back_displacement.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
@@ -27,9 +26,9 @@ namespace {
 
 using detail::LegendreGalerkin;
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 
 constexpr int most_unknowns = BallContact::max_walled_unknowns;
 static_assert(most_unknowns == LegendreGalerkin::max_unknowns);

@@ -3,12 +3,12 @@
 #include <Eigen/Dense>
 #include <array>
 #include <cmath>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int fitted = ContactPressure::logarithms - 1;
 
 }  // namespace

@@ -3,16 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 
 // Letters as in docs/walls.md. The state of a harmonic is
 // y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
 namespace contact::detail {
 namespace {
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Balanced for large n: (U, n V, rS/(n G0), rT/G0), G0 that of the surface.
 using System = Eigen::Matrix4d;

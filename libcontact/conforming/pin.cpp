@@ -3,13 +3,13 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 #include <utility>
 #include <vector>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/gap/signed_contact.hpp"
@@ -26,9 +26,9 @@ namespace {
 
 using detail::ChebyshevMoments;
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 
 constexpr int most_unknowns = PinContact::max_walled_unknowns;
 // Terms of the pressure's own series: a_k falls like k^-6 after its leading

@@ -4,18 +4,17 @@
 #include <boost/math/tools/roots.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
-#include <numbers>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 
 // ln(1+B) + 2 B^2
 double outer_part(double b2) { return std::log1p(b2) + 2 * b2 * b2; }

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/text.hpp"
@@ -16,7 +17,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 using Eigen::AngleAxisd;
 using Eigen::Quaterniond;

@@ -2,9 +2,9 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <limits>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/finite_pin/sums.hpp"
 #include "libcontact/finite_pin/zeros.hpp"
@@ -18,7 +18,7 @@ using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector4d;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 // For 1e-9 of the sums, ends of contact included.
 constexpr int nodes = 40;

@@ -2,6 +2,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/finite_pin/sums.hpp"
 
 namespace contact {
@@ -13,7 +14,7 @@ using Eigen::Vector4d;
 
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 }  // namespace
 

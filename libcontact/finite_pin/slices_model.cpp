@@ -3,8 +3,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/slip/taken_force.hpp"
 
@@ -14,8 +14,6 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 const SlicesFound* found_of(const JointSolution& s) {
   return dynamic_cast<const SlicesFound*>(s.work.get());

@@ -3,8 +3,8 @@
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/finite_pin/sums.hpp"
 
 namespace contact {
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector4d;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 // For a table within 1e-8, and 3e-6 where under thin layers the largest
 // pressure begins to leave the middle.

@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/instruction_set.hpp"
@@ -21,7 +21,7 @@ namespace {
 using detail::CapKernel;
 using detail::PressureSums;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 /// Contacts of this size or less are small beside every slip axis angle but
 /// 90 deg itself; the integrals of smaller ones underflow.

@@ -1,12 +1,12 @@
 #include "libcontact/friction/harmonics.hpp"
 
 #include <array>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int size = max_pressure_harmonics;
 
 // Integrals over z in [-1, 1]: W_n of sqrt(1 - z^2) P_n, 0 for odd n, and

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/friction/elliptic/integrals.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/pressure/cosine.hpp"
@@ -13,7 +12,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 bool is_half_angle(double theta0) { return theta0 >= 0 && theta0 <= pi; }
 
@@ -62,7 +61,7 @@ FrictionTriple times(FrictionTriple x, double along, double across) {
 }
 
 FrictionIntegrals all_nan() {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using detail::nan;
   return {nan, {nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}};
 }
 

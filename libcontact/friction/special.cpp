@@ -2,20 +2,19 @@
 
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "libcontact/base/cancellation.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/friction/elliptic/integrals.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 FrictionIntegrals all_nan() {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using detail::nan;
   return {nan, {nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}};
 }
 

@@ -5,10 +5,10 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <optional>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/pressure/profile.hpp"
 
@@ -290,7 +290,7 @@ FrictionTriple by_definition(double half_angle, SlipAxis axis,
 FrictionTriple stress_integrals(const PressureLaw& law,
                                 const StressedContact& contact, SlipAxis axis,
                                 const FrictionStress& stress, int points) {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using detail::nan;
   const double all = contact.half_angle + contact.pressure_unit +
                      contact.rim_speed + axis.sin + axis.cos;
   if (!std::isfinite(all) || !(contact.half_angle > 0)) return {nan, nan, nan};

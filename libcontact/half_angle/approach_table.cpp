@@ -2,14 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Coefficients at the end fall like k^-5.
 constexpr double negligible = 2e-8;

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
@@ -39,7 +38,7 @@ using detail::HalfAngleTable;
 // beta and w_2 are known to 4e-16; what so little of them does is below
 // rounding.
 constexpr double negligible = 1e-15;
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using detail::infinity;
 
 // An incompressible pin in a rigid hole: F = cos^4(theta0/2) has a zero of
 // fourth order at the limit half-angle of 180 deg, which no series of the
@@ -50,7 +49,7 @@ bool closes_up(JointKind kind, const ElasticPair& pair, InnerLoading loading) {
          std::abs(pair.dundurs_beta()) <= negligible;
 }
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 // Below this half-angle the solutions by the pressure serve, above it those by
 // the gap: both are good to 1e-11 for 15 deg on either side.
@@ -207,7 +206,7 @@ HalfAngleResult ExactLaw::half_angle(double load_parameter) const noexcept {
                               inverse_unit(joint_kind()) / load_parameter);
   };
   if (std::signbit(load_parameter)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    using detail::nan;
     if (std::isnan(load_parameter) || !closing()) {
       return {nan, Status::out_of_range};
     }

@@ -2,10 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/half_angle/coefficients.hpp"
@@ -15,9 +14,9 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 
 // Root of a function that changes its sign on [low, high], to 53 bits.
 template <class Function>

@@ -1,15 +1,13 @@
 #include "libcontact/half_angle/fitted_relation.hpp"
 
 #include <cmath>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 #include "libcontact/half_angle/coefficients.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // c_n of a ball in a seat.
 double compliance(const ElasticPair& pair, int n) {

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <string_view>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/number.hpp"
 #include "libcontact/base/root_finding.hpp"
@@ -21,8 +21,8 @@ namespace contact {
 namespace {
 
 constexpr double half_pi = std::numbers::pi / 2;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
 
 // dln(x)/dln(load)
 double load_exponent(JointKind kind) {

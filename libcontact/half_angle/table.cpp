@@ -1,15 +1,11 @@
 #include "libcontact/half_angle/table.hpp"
 
 #include <cmath>
-#include <limits>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Negligible in a series of ln G: the accuracy of the solvers of walled
 // contacts.

@@ -1,16 +1,16 @@
 #include "libcontact/half_angle/worn.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 constexpr double right_angle = std::numbers::pi / 2;
 
 // tan x - x

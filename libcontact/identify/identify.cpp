@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/text.hpp"
@@ -20,7 +21,7 @@ using detail::Point;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 void check(bool good, std::string_view what, std::string_view rule) {
   if (!good) throw Error(detail::must_be(what, rule));

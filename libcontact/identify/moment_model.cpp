@@ -2,9 +2,9 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
-#include <limits>
 #include <utility>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/slip/slip_equation.hpp"
@@ -15,8 +15,6 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
-
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Solves all states, each from its last solution on: the one place that knows
 // which joints there are.

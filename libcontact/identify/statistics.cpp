@@ -6,6 +6,7 @@
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/root_finding.hpp"
 
 namespace contact::detail {
@@ -13,9 +14,6 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 // Whether a search stopped because the range ends there, and not at a minimum.
 // f0 and A may be 0.

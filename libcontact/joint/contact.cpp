@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <numbers>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/instruction_set.hpp"
 #include "libcontact/base/text.hpp"
@@ -58,7 +58,7 @@ ContactApproach JointContact::approach(const HalfAngleLaw& law,
   const double length = geometry.kind() == JointKind::ball ? geometry.radius()
                                                            : geometry.length();
   if (!(geometry.radial_clearance() > 0)) {
-    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+    using detail::nan;
     const double stiffness = law.shift(half_angle).stiffness;
     return {nan, stiffness * (pair.effective_modulus() * length)};
   }
@@ -247,7 +247,7 @@ double JointContact::shift(double normal_force,
 // A pressure p_0 + p_1 cos(theta) all round.
 FrictionIntegrals JointContact::closed_integrals(
     SlipAxis axis, double normal_force) const noexcept {
-  constexpr double pi = std::numbers::pi;
+  using detail::pi;
   const double ratio = lift_off_force_ / normal_force;  // p_0/p_1
   FrictionIntegrals i{};
   if (geometry_.kind() == JointKind::pin) {
@@ -303,7 +303,7 @@ FrictionIntegrals JointContact::stress_integrals(
 // load is odd where the slip is even.
 FrictionTriple JointContact::closed_friction(SlipAxis axis,
                                              const Load& load) const noexcept {
-  constexpr double pi = std::numbers::pi;
+  using detail::pi;
   const auto [pressure_part, area_part] = strength(load.speed);
   const double sum = sum_factor(geometry_.kind()) * lift_off_force_;
   if (geometry_.kind() == JointKind::pin) {

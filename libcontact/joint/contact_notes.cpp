@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <limits>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact {
 
 double rim_overlap(const JointContact& contact, const JointSolution& solution,
                    LoadDirection given) {
   const JointGeometry& geometry = contact.geometry();
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using detail::nan;
   if (geometry.seat() || !geometry.drawn_seat() ||
       !(solution.normal_force > 0)) {
     return nan;

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/slip/slip_equation.hpp"
@@ -14,7 +14,7 @@
 namespace contact {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 }  // namespace
 
@@ -52,7 +52,7 @@ using detail::taken;
 using detail::textbook_moment;
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using detail::infinity;
 
 // A vector as length and direction; NaN if it has none. No overflow.
 struct Polar {

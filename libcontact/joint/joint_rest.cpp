@@ -1,9 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/joint/contact_model.hpp"
@@ -15,9 +14,9 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-constexpr double pi = std::numbers::pi;
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 
 // The search for u in coordinates of its own: R along Z or against it, u in
 // the plane XOZ at the angle c from Z. -M_t turns from Z (c = 0) through the

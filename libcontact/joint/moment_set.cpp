@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/root_finding.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/motion_left.hpp"
@@ -18,8 +18,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
 
 // A vector about n: length and direction of its part normal to n (any such
 // direction where it has none), and its part along n.

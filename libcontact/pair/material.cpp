@@ -1,17 +1,17 @@
 #include "libcontact/pair/material.hpp"
 
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using detail::infinity;
 
 void check_poissons_ratio(double nu, const std::string& place) {
   detail::require(nu >= 0 && nu <= 0.5, place, "poissons_ratio", nu,

@@ -1,13 +1,12 @@
 #include "libcontact/pair/relief.hpp"
 
-#include <limits>
-
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using detail::infinity;
 
 }  // namespace
 

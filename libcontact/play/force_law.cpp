@@ -6,10 +6,10 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <limits>
 #include <numbers>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/conforming/ball.hpp"
@@ -22,7 +22,7 @@ namespace {
 
 using detail::ForceSeries;
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 // For 5e-12 at up to 80 deg.
 constexpr int unknowns = 24;

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/units.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Below it small contacts follow a power of the penetration.
 constexpr double smallest_half_angle = 0.003;

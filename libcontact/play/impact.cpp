@@ -4,9 +4,9 @@
 #include <boost/math/quadrature/tanh_sinh.hpp>
 #include <boost/math/tools/minima.hpp>
 #include <cmath>
-#include <limits>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -15,7 +15,7 @@
 namespace contact {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
 
 // W(largest) - W(largest - rest), near the largest not as a difference.
 double energy_to_turn(const ForceLaw& law, double largest, double rest) {

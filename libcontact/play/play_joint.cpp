@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 #include <type_traits>
 #include <unsupported/Eigen/AutoDiff>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -19,7 +19,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 // A number with its derivatives over position, velocity and angular velocity.
 using Derivatives = Eigen::Matrix<double, 9, 1>;

@@ -1,9 +1,9 @@
 #include "libcontact/play/published_forces.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using detail::pi;
 
 // delta = (F h/l) (ln(B/F) + q): five of the laws, with other B and q.
 auto logarithmic(double h_over_length, double b, double q) {

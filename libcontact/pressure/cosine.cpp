@@ -1,18 +1,17 @@
 #include "libcontact/pressure/cosine.hpp"
 
 #include <cmath>
-#include <limits>
-#include <numbers>
 
 #include "libcontact/base/cancellation.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/registry.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
+using detail::pi;
 
 bool is_half_angle(double half_angle) {
   return half_angle >= 0 && half_angle <= pi;

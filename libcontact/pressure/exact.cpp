@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
@@ -25,9 +24,9 @@ namespace {
 using detail::EdgeFit;
 using detail::WideEdge;
 
-constexpr double pi = std::numbers::pi;
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::infinity;
+using detail::nan;
+using detail::pi;
 constexpr double usual_largest = 2 * pi / 3;
 
 // Load that p carries, and the sum of its pressures.

@@ -4,17 +4,17 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
+using detail::pi;
 constexpr double widest = 175 * degree * (1 + 1e-15);
 
 /// Points of a contact: enough for tops as flat as 1 - (t/theta0)^8. More lie

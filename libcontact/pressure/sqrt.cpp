@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 #include "libcontact/pressure/edge_polynomial.hpp"
 #include "libcontact/pressure/expansion.hpp"
@@ -14,8 +13,8 @@
 namespace contact {
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
+using detail::pi;
 constexpr double largest = 3.0543261909900767;  // 175 deg
 
 // Moments of SqrtTanPressure on a ball, with M_n = ∫ x^2/(1 - h^2 x^2)^n dx

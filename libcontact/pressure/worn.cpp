@@ -1,9 +1,9 @@
 #include "libcontact/pressure/worn.hpp"
 
 #include <cmath>
-#include <limits>
 #include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/pressure/cosine.hpp"
 #include "libcontact/pressure/expansion.hpp"
 #include "libcontact/pressure/registry.hpp"
@@ -11,8 +11,8 @@
 namespace contact {
 namespace {
 
+using detail::nan;
 using std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
 

@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <vector>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 
 namespace contact::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr double growth = 1.25;  // growth of cells away from a rim
 
 // Sizes of the cells from a rim on that are smaller than the even ones.

@@ -3,10 +3,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/seat/friction.hpp"
@@ -16,8 +16,8 @@ namespace contact {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
+using detail::pi;
 constexpr const char* rim_names[] = {"lower", "upper"};
 
 JointContact exact_contact(JointSpec joint) {

@@ -3,14 +3,13 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/seat/readout.hpp"
 
 namespace contact::detail {
 namespace {
 
-constexpr double pi = std::numbers::pi;
 constexpr int lanes = SeatBasis::lanes;
 using Lanes = SeatBasis::Lanes;
 

@@ -5,12 +5,11 @@
 #include <cmath>
 #include <cstdint>
 #include <cstring>
-#include <limits>
-#include <numbers>
 #include <type_traits>
 #include <utility>
 
 #include "libcontact/base/check.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/seat/friction.hpp"
 #include "libcontact/seat/table_parts.hpp"
@@ -21,8 +20,8 @@ using namespace detail;  // the numbers of a state
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using detail::nan;
+using detail::pi;
 constexpr int degrees = 64;
 
 // Weights of a cubic through four even places, 0 <= x <= 1.

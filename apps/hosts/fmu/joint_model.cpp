@@ -69,7 +69,8 @@ std::vector<Variable> variables_of_joints() {
   const std::vector<Variable> numbers = {
       {"holds", out, "", "the joint rests", 0, true},
       {"utilisation", out, "", "of what the resting joint holds, up to 1"},
-      {"half_angle", out, "rad", "of the contact; NaN where it ends, at a rim or by relief"},
+      {"half_angle", out, "rad",
+       "of the contact; NaN where it ends, at a rim or by relief"},
       {"peak_pressure", out, "Pa", "of the contact"},
       {"heat", out, "W", "of friction"},
       {"wear_rate", out, "m3/s", "volume worn off in a second"}};

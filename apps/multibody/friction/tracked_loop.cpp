@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "multibody/friction/hinges.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
@@ -12,7 +12,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using contact::detail::infinity;
 
 }  // namespace
 

@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <limits>
 #include <utility>
 
+#include "libcontact/base/constants.hpp"
 #include "multibody/motion/force_kinks.hpp"
 #include "multibody/motion/hinge_changes.hpp"
 #include "multibody/motion/hinge_events.hpp"
@@ -19,7 +19,7 @@
 namespace multibody {
 namespace {
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
+using contact::detail::infinity;
 
 const char* reason(CoupledStatus status) {
   switch (status) {

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "libcontact/base/constants.hpp"
 #include "multibody/motion/equations.hpp"
 #include "multibody/motion/stepper.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -87,7 +88,7 @@ Vector3d MotionSample::rate_of(int body) const {
 }
 
 HingeSample MotionSample::hinge(int body) const {
-  constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  using contact::detail::nan;
   const Link& link = equations_.system.links()[body];
   HingeSample s;
   s.mode = equations_.coupled.mode(body);

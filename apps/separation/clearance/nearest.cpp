@@ -4,15 +4,16 @@
 #include <algorithm>
 #include <array>
 #include <initializer_list>
-#include <limits>
+
+#include "libcontact/base/constants.hpp"
 
 namespace separation {
 namespace {
 
 using Eigen::Vector3d;
 
-constexpr double infinity = std::numeric_limits<double>::infinity();
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+using contact::detail::infinity;
+using contact::detail::nan;
 
 // Shares of the size. The search goes on until points and planes agree to
 // `wanted`, which costs two iterations more than 1e-7 would; rounding may stop

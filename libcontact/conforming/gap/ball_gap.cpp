@@ -2,8 +2,8 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
 #include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/gap/odd_bessel.hpp"
@@ -12,8 +12,6 @@
 // Letters as in docs/preload.md: N = n + 1/2, Phi_n = ∫_0^psi phi sin(N f) df.
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 BallConstants constants_of(const ElasticPair& pair) {
   return {pair.inner_compliance_share(), pair.inner().poissons_ratio,

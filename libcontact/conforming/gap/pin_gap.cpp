@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin_integrals.hpp"
@@ -14,8 +14,6 @@
 // b = tan(psi/2); the gap is b sum y_k sin((2k+1) phi), its harmonics g_n.
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // Number of harmonics of a gap: the rest of the sums leaves 1/(3 psi N^3) of x.
 int harmonics(double opening, double share, std::size_t corrected) {

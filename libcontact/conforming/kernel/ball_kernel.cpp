@@ -8,10 +8,10 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/constants.hpp"
+
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // N s(N) - 1 as a fraction, N = n + 1/2, with g = 2 (1 - nu):
 //   ((1-2nu)^2 N^2 + a N + 9g/8) / (g (N - 3/2)(N^2 + 2 nu N + 3/4))

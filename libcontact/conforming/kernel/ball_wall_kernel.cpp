@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <boost/math/special_functions/chebyshev.hpp>
 #include <cmath>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 // cos and sin of products of x with numbers of few digits. The product of x's
 // first 33 binary places is exact, and the rest is small: a rounding of angles

@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/base/constants.hpp"
+
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 using Rows = Eigen::Ref<Eigen::MatrixXd, 0, Eigen::OuterStride<>>;
 

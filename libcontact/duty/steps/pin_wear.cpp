@@ -2,15 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
-namespace {
-
-constexpr double pi = std::numbers::pi;
-
-}  // namespace
-
 PinWear::PinWear(const LayeredPair& pair, double clearance,
                  const Eigen::VectorXd& worn)
     : circle_(pair),

@@ -1,12 +1,10 @@
-#include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/duty/steps/pin_wear.hpp"
 #include "libcontact/duty/steps/stepped_joint.hpp"
 
 namespace contact::detail {
 namespace {
-
-constexpr double pi = std::numbers::pi;
 
 class SteppedPin final : public SteppedJoint {
  public:

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
 namespace contact::detail {
@@ -15,8 +16,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
-
-constexpr double pi = std::numbers::pi;
 
 // C_n of both bodies, m/Pa. That of n = 1 shifts the pin and nothing else; a
 // pin in an infinite body has none, and any will do.

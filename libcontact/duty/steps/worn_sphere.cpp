@@ -3,15 +3,14 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "libcontact/base/constants.hpp"
 
 namespace contact::detail {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
-
-constexpr double pi = std::numbers::pi;
 
 double dot(const MatrixXd& a, const MatrixXd& b) {
   return a.cwiseProduct(b).sum();

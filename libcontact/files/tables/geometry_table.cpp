@@ -5,6 +5,7 @@
 #include <string>
 #include <utility>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -96,7 +97,7 @@ SeatZone angles_from_table(const TomlTable& seat, double radius) {
       seat.fail(key, error.what());
     }
   };
-  constexpr double pi = std::numbers::pi;
+  using detail::pi;
   if (seat.has("ring_width")) {
     const double width = seat.number("ring_width", {0, 2 * radius, true, true});
     return made("ring_width", [&] { return SeatZone::ring(width, radius); });

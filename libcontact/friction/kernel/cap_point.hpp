@@ -4,6 +4,7 @@
 #include <limits>
 #include <numbers>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/lanes/sine_cosine.hpp"
 #include "libcontact/base/select.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
@@ -67,7 +68,6 @@ struct CapResult {
 /// half-angles above 90 degrees.
 template <class V>
 CapResult<V> assemble(const PreparedCap<V>& cap, const CapSums<V>& sum) {
-  constexpr double pi = std::numbers::pi;
   const CapPoint<V>& p = cap.point;
   const V s2 = p.s * p.s;
   const V s4 = s2 * s2;
