@@ -6,7 +6,6 @@
 #include <utility>
 #include <vector>
 
-#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/pair/contact_conditions.hpp"
 #include "libcontact/pair/inner_loading.hpp"
@@ -87,14 +86,14 @@ class HalfAngleLaw {
   /// half-angles that joints without clearance and with interference have:
   /// [limit_half_angle(), pi]. NaN outside, and where approach() is.
   virtual ContactApproach shift(double /*half_angle*/) const {
-    using detail::nan;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan};
   }
 
   /// Approach and stiffness at a half-angle in (0, limit_half_angle()), NaN
   /// outside. ExactLaw has them, and makes a table when first asked.
   virtual ContactApproach approach(double /*half_angle*/) const {
-    using detail::nan;
+    constexpr double nan = std::numeric_limits<double>::quiet_NaN();
     return {nan, nan};
   }
 
