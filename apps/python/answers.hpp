@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "libcontact/quantities/quantity.hpp"
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 
 /// Results of many rows, whose quantities are attributes.
 namespace contact_python {

@@ -6,7 +6,7 @@
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
 #include "python/file_joint.hpp"
-#include "python/rows_doc.hpp"
+#include "python/rows/rows_doc.hpp"
 #include "python/solved.hpp"
 
 namespace contact_python {

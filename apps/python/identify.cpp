@@ -10,7 +10,7 @@
 #include "libcontact/quantities/fit.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 
 namespace contact_python {
 namespace {

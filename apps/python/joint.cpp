@@ -11,7 +11,7 @@
 #include "libcontact/pressure/registry.hpp"
 #include "python/file_joint.hpp"
 #include "python/interpreter_lock.hpp"
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 
 namespace contact_python {
 namespace {

@@ -10,7 +10,7 @@
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 
 namespace contact_python {
 

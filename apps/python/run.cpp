@@ -11,7 +11,7 @@
 #include "libcontact/base/error.hpp"
 #include "python/file_case.hpp"
 #include "python/file_joint.hpp"
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 #include "separation/results/notes.hpp"
 #include "separation/results/saved_state.hpp"
 #include "separation/results/summary.hpp"

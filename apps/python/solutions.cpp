@@ -2,9 +2,9 @@
 #include <pybind11/stl.h>
 
 #include "python/file_joint.hpp"
-#include "python/rows_doc.hpp"
+#include "python/rows/rows_doc.hpp"
+#include "python/rows/starts.hpp"
 #include "python/solved.hpp"
-#include "python/starts.hpp"
 
 namespace contact_python {
 namespace {

@@ -7,9 +7,9 @@
 #include "libcontact/quantities/tables.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
-#include "python/rows_doc.hpp"
+#include "python/rows/rows_doc.hpp"
+#include "python/rows/starts.hpp"
 #include "python/solved.hpp"
-#include "python/starts.hpp"
 
 namespace contact_python {
 namespace {

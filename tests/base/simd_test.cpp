@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "libcontact/base/select.hpp"
+#include "libcontact/base/lanes/select.hpp"
 
 // Lanes do what each number alone does, the unordered ones too.
 namespace contact::test {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/base/vec3.hpp"
+#include "libcontact/base/lanes/vec3.hpp"
 
 /// With contact::Vec3: symmetric and rotation matrices of three dimensions for
 /// any scalar, by the same rules.

@@ -2,7 +2,7 @@
 
 #include "libcontact/base/lanes.hpp"
 #include "libcontact/base/lanes/inverse_root.hpp"
-#include "libcontact/base/select.hpp"
+#include "libcontact/base/lanes/select.hpp"
 #include "multibody/tracking/tracker_exchange.hpp"
 #include "multibody/tracking/tracker_state.hpp"
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "libcontact/base/vec3.hpp"
+#include "libcontact/base/lanes/vec3.hpp"
 #include "libcontact/joint/slip/slip_triangle.hpp"
 
 /// State of JointTracker: numbers of one joint (T = double), or of several in

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <numbers>
 
-#include "libcontact/base/select.hpp"
+#include "libcontact/base/lanes/select.hpp"
 #include "libcontact/base/simd.hpp"
 
 namespace contact::detail {

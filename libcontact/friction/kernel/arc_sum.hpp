@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "libcontact/base/lanes/logarithm.hpp"
-#include "libcontact/base/select.hpp"
+#include "libcontact/base/lanes/select.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// The arithmetic of pressures that start like a square root from the edge

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/lanes/select.hpp"
 #include "libcontact/base/lanes/sine_cosine.hpp"
-#include "libcontact/base/select.hpp"
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// Steps of the exact method before and after its sum over nodes, for V a lane

@@ -1,4 +1,4 @@
-#include "python/rows.hpp"
+#include "python/rows/rows.hpp"
 
 #include <algorithm>
 #include <string>

@@ -1,4 +1,4 @@
-#include "python/starts.hpp"
+#include "python/rows/starts.hpp"
 
 #include <Eigen/LU>
 #include <cmath>
