@@ -47,7 +47,7 @@ PinCycle::Lies lies_of(const Options& options, const CycleFile& file,
              : PinCycle::tilted_with_load(lies.tilt.head<2>());
 }
 
-void check_files(const Options& options) {
+void check_pin_files(const Options& options) {
   for (const auto& [option, file] :
        {std::pair("--pin-states", &options.pin_states),
         {"--along", &options.along},
@@ -74,7 +74,7 @@ void add_pins(const Options& options, const CycleFile& file,
               std::vector<JointDuty>& duties) {
   const bool asked = options.tilt.given();
   if (!asked && file.lie_column.empty()) {
-    check_files(options);
+    check_pin_files(options);
     return;
   }
   const std::string flag =
