@@ -8,5 +8,6 @@
 #include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/duty/wear_in.hpp"
-#include "libcontact/duty/pin_cycle.hpp"
+#include "libcontact/duty/along_pin.hpp"
+#include "libcontact/duty/lies.hpp"
 // clang-format on

@@ -20,6 +20,7 @@ inline constexpr GoneOption gone_options[] = {
     {"hinge-duty", "--in-seat",
      "a joint with a [seat] is in it, and its rows are in --states FILE; "
      "--without-seat for the endless one"},
+    {"hinge-duty", "--pin-states", "--states FILE has how a pin lies"},
 };
 
 /// "--in-seat is gone: ..."; "" of words that are none of them.

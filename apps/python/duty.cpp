@@ -8,10 +8,12 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/duty/duty_cycle.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/files/worn_seat_file.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "python/answers.hpp"
@@ -47,9 +49,9 @@ JointBody body_of(const char* name, const std::string& text) {
 /// A joint on its duty cycle.
 class Cycle {
  public:
-  Cycle(const FileJoint& joint, DutyCycle cycle)
+  Cycle(const FileJoint& joint, DutyCycle cycle, contact::Lies lies)
       : spec_(joint.spec()),
-        on_(std::move(cycle), level(joint),
+        on_(std::move(cycle), joint.joint(), std::move(lies),
             [](double /*share*/) { Rows::heed_signals(); }) {}
 
   const JointCycle& on() const { return on_; }
@@ -71,16 +73,40 @@ class Cycle {
   }
 
  private:
-  // Cycles of pins leave their relief out.
-  static contact::Joint level(const FileJoint& joint) {
-    const contact::Joint& whole = joint.joint();
-    if (whole.is_endless() || !whole.is_pin()) return whole;
-    return contact::Joint(joint.spec().without_relief());
-  }
-
   contact::JointSpec spec_;
   JointCycle on_;
 };
+
+// How a pin lies: one tilt or place, or one for each row that was given.
+contact::Lies lies_of(const DutyCycle& cycle, std::size_t rows,
+                      const std::optional<Numbers>& tilt,
+                      const std::optional<Numbers>& place) {
+  const auto of_times = [&](const char* name, auto all) {
+    if (all.size() != 1 && all.size() != rows) {
+      throw contact::Error(
+          contact::detail::must_be(name, "one, or as many as there are times"));
+    }
+    all.resize(cycle.times().size(), all[0]);
+    return all;
+  };
+  if (tilt && place) {
+    throw contact::Error(
+        contact::detail::must_be("tilt", "left out beside place"));
+  }
+  if (tilt) {
+    std::vector<Eigen::Vector2d> tilts;
+    for (const Vector3d& each : vectors("tilt", *tilt)) {
+      tilts.emplace_back(each.head<2>());
+    }
+    return contact::tilted_at(cycle.times(), cycle.period(),
+                              of_times("tilt", std::move(tilts)));
+  }
+  if (!place) return {};
+  return contact::loaded_at(
+      cycle.times(), cycle.period(),
+      of_times("place", std::vector<double>(place->data(),
+                                            place->data() + place->size())));
+}
 
 // As a RuntimeWarning at the line that is `level` functions of Python above.
 void warn(const std::string& note, int level) {
@@ -95,7 +121,9 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                   const std::optional<std::string>& sequence,
                                   std::optional<double> period,
                                   const std::string& force_on,
-                                  const std::string& force_in) {
+                                  const std::string& force_in,
+                                  const std::optional<Numbers>& tilt,
+                                  const std::optional<Numbers>& place) {
   const contact::DutyCycle::ForceFrame frame{body_of("force_on", force_on),
                                              body_of("force_in", force_in)};
   contact::DutyCycle::Rows rows{{time.data(), time.data() + time.size()},
@@ -109,14 +137,15 @@ std::unique_ptr<Cycle> make_cycle(const FileJoint& joint, const Numbers& time,
                                : "a cycle with uneven time steps",
         "period, the time from the first row to its return"));
   }
+  DutyCycle duty =
+      sequence ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
+               : DutyCycle(rows, frame);
+  contact::Lies lies = lies_of(duty, time.size(), tilt, place);
   std::unique_ptr<Cycle> cycle;
   contact::LargestContact largest;
   {
     const Unlocked unlocked;
-    cycle = std::make_unique<Cycle>(
-        joint, sequence
-                   ? DutyCycle(rows, frame, DutyCycle::TurnSequence(*sequence))
-                   : DutyCycle(rows, frame));
+    cycle = std::make_unique<Cycle>(joint, std::move(duty), std::move(lies));
     largest = cycle->on().largest_contact();
   }
   warn_of(joint.limits(), largest, frames_of_maker);
@@ -139,12 +168,21 @@ Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
 
 // A quantity by its attribute's name; of a vector its length.
 JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
+  if (name == "half_angle") {
+    return [&cycle](const Instant& i) { return cycle.on().half_angle(i); };
+  }
   if (const auto* q = find_quantity(contact::solution_quantities(), name)) {
     return [q](const Instant& i) { return number_of(*q, i.solution); };
   }
   if (const auto* q = find_quantity(contact::rating_quantities(), name)) {
     return [q, &cycle](const Instant& i) {
       return number_of(*q, cycle.on().rating(i));
+    };
+  }
+  if (const auto* q = find_quantity(contact::lie_quantities(), name)) {
+    return [q, &cycle](const Instant& i) {
+      const auto lie = cycle.on().joint().lie(i.solution);
+      return lie ? number_of(*q, *lie) : contact::detail::nan;
     };
   }
   throw contact::Error(contact::detail::must_be(
@@ -239,6 +277,10 @@ Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
                             seat ? &seat->seat() : nullptr);
   }
   if (seat) *seat = {std::move(worn.worn), cycle.geometry()};
+  const Instant first = cycle.on().rows()[0];
+  if (cycle.on().joint().lie(first.solution)) {
+    worn.notes.emplace_back("the pin is taken level and without its ends");
+  }
   for (const std::string& note : worn.notes) warn(note, 2);
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
 }
@@ -298,7 +340,8 @@ void bind_duty(py::module_& m) {
   py::class_<Cycle> type(m, "Cycle", "A joint on a duty cycle.");
   type.def(py::init(&make_cycle), py::arg("joint"), py::arg("time"),
            py::arg("force"), py::arg("motion"), py::arg("sequence"),
-           py::arg("period"), py::arg("force_on"), py::arg("force_in"));
+           py::arg("period"), py::arg("force_on"), py::arg("force_in"),
+           py::arg("tilt"), py::arg("place"));
   const auto sums = contact::cycle_quantities();
   const auto worst = contact::worst_quantities();
   bind_sums(sums, type);
@@ -339,7 +382,8 @@ void bind_duty(py::module_& m) {
 --
 
 The largest value in the cycle and its time, s; to 1e-8. At rims it is that of
-the rows, and NaN where a row has none: half-angles and heat fluxes.
+the rows, and NaN where a row has none: half-angles and heat fluxes. Of a pin
+that ends the half-angle is the largest along it.
 
 quantity: an attribute of Solution or Rating; of a vector its length.)");
   bind_worn_seat(m);

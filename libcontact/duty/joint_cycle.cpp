@@ -11,17 +11,24 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/duty/over_cycle.hpp"
+#include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 
 namespace contact {
 namespace {
 
-JointCycle::Instant checked(JointCycle::Instant instant) {
-  if (instant.solution.status == Status::ok) return instant;
+void check(const Joint& joint, const JointCycle::Instant& instant, bool ends) {
+  const JointSolution& s = instant.solution;
+  if (s.status == Status::ok) return;
+  if (dynamic_cast<const detail::PlacementRefused*>(s.work.get())) {
+    throw Error(joint.notes(s).front());
+  }
   throw Error(detail::must_be(
       detail::message("the reaction at {:.6g} s, {:.6g} N", instant.time,
                       instant.state.reaction.norm()),
-      "one for which the half-angle law and the pressure law have a value"));
+      ends ? "one under which the pin that ends has a contact"
+           : "one for which the half-angle law and the pressure law have a "
+             "value"));
 }
 
 // A contact at a rim has no half-angle, nor has one that left its seat.
@@ -29,18 +36,19 @@ bool is_round(const JointSolution& s) { return !std::isnan(s.half_angle); }
 
 }  // namespace
 
-JointCycle::JointCycle(DutyCycle cycle, Joint joint,
+JointCycle::JointCycle(DutyCycle cycle, Joint joint, Lies lies,
                        const std::function<void(double)>& progress)
-    : cycle_(std::move(cycle)), joint_(std::move(joint)) {
-  if (!joint_.is_endless() && joint_.is_pin()) {
-    throw Error(detail::needs("a cycle of a pin with a relief",
-                              "JointSpec::without_relief() or PinCycle"));
+    : cycle_(std::move(cycle)),
+      joint_(std::move(joint)),
+      lies_(std::move(lies)) {
+  if (lies_ && !joint_.is_pin()) {
+    throw Error(detail::needs("a tilt, or a place of the load,", "a pin"));
   }
   std::vector<DutyCycle::GaussPoint> rows;
   rows.reserve(cycle_.times().size());
   for (const double time : cycle_.times()) rows.push_back({time, 0});
   auto between = cycle_.gauss_points(joint_.is_pin());
-  if (!joint_.is_endless()) {
+  if (!joint_.is_endless() && !joint_.is_pin()) {
     const auto is_at_rim = [&](const DutyCycle::GaussPoint& point) {
       return !is_round(at(point).solution);
     };
@@ -127,7 +135,9 @@ JointCycle::Series JointCycle::series(
   const bool keeps = points.size() <= most_kept;
   if (keeps) made.kept.reserve(points.size());
   for (const DutyCycle::GaussPoint& point : points) {
-    const Instant instant = checked(at(point));
+    const Instant instant = at(point);
+    check(joint_, instant, lies_ || !joint_.is_endless());
+    is_round_ = is_round_ && is_round(instant.solution);
     if (point.weight > 0) add(instant);
     if (keeps) made.kept.push_back(instant);
   }
@@ -144,9 +154,9 @@ void JointCycle::add(const Instant& instant) {
   sums_.sliding_path += weight * speed;
   sums_.moment += weight * s.friction_moment.norm();
   if (!is_round(s)) {
-    sums_.effective_distance +=
-        weight * (instant.at_rim.total / s.normal_force);
-    sums_.pv += weight * instant.at_rim.total;
+    const double total = pv_without_axis(instant).total;
+    sums_.effective_distance += weight * (total / s.normal_force);
+    sums_.pv += weight * total;
     return;
   }
   const SlidingContact slip = sliding(instant);
@@ -168,14 +178,16 @@ JointCycle::Instant JointCycle::at(const DutyCycle::GaussPoint& point,
                                    const JointSolution& last) const noexcept {
   Instant instant{point.time, point.weight, cycle_.at(point.time), {}};
   const DutyCycle::State& state = instant.state;
-  Placement seat;  // turns with the body
-  const bool turns = !joint_.is_endless() && side() > 0;
-  if (turns) seat.from_seat = state.turn.toRotationMatrix();
-  instant.solution = joint_.solve({.reaction = state.reaction,
-                                   .angular_velocity = state.angular_velocity,
-                                   .axis = Eigen::Vector3d::UnitZ(),
-                                   .placement = turns ? &seat : nullptr},
-                                  last);
+  Placement placement;
+  const bool turns = !joint_.is_endless() && side() > 0;  // with the body
+  if (turns) placement.from_seat = state.turn.toRotationMatrix();
+  if (lies_) placement = lies_(state, point.time);
+  instant.solution =
+      joint_.solve({.reaction = state.reaction,
+                    .angular_velocity = state.angular_velocity,
+                    .axis = Eigen::Vector3d::UnitZ(),
+                    .placement = turns || lies_ ? &placement : nullptr},
+                   last);
   return instant;
 }
 
@@ -184,13 +196,25 @@ JointCycle::Instant JointCycle::at(double time) const noexcept {
 }
 
 ContactPv JointCycle::pv(const Instant& instant) const {
-  if (!is_round(instant.solution)) return instant.at_rim;
+  if (!is_round(instant.solution)) return pv_without_axis(instant);
   return joint_.pv(instant.solution, instant.state.angular_velocity);
 }
 
+// That of rims takes long.
+ContactPv JointCycle::pv_without_axis(const Instant& instant) const {
+  if (!joint_.is_pin()) return instant.at_rim;
+  return joint_.pv(instant.solution, instant.state.angular_velocity);
+}
+
+double JointCycle::half_angle(const Instant& instant) const {
+  const auto lie = joint_.lie(instant.solution);
+  return lie ? lie->largest_half_angle : instant.solution.half_angle;
+}
+
 SlidingContact::Rating JointCycle::rating(const Instant& instant) const {
-  return rating_of(joint_, instant.solution, instant.state.angular_velocity,
-                   instant.at_rim);
+  const JointSolution& s = instant.solution;
+  return rating_of(joint_, s, instant.state.angular_velocity,
+                   is_round(s) ? ContactPv() : pv_without_axis(instant));
 }
 
 double JointCycle::integral(const Quantity& quantity) const {
@@ -201,17 +225,17 @@ JointCycle::Instant JointCycle::largest(const Quantity& quantity) const {
   return largest(quantity, {});
 }
 
-// At rims the row with the largest value; or a row with a contact but no value,
-// if its mean is larger or no mean is given.
+// At rims the row with the largest value. Where contacts end a row with a
+// contact but no value, if its mean is larger or no mean is given.
 JointCycle::Instant JointCycle::largest(const Quantity& quantity,
                                         const Quantity& mean) const {
-  if (!at_rims_) {
-    return detail::largest_of(
-        rows(), cycle_.period(), [this](double time) { return at(time); },
-        quantity);
-  }
-  const Instant found = detail::largest_row(rows(), quantity);
-  for (const Instant& row : rows_.kept) {
+  const Instant found =
+      at_rims_ ? detail::largest_row(rows(), quantity)
+               : detail::largest_of(
+                     rows(), cycle_.period(),
+                     [this](double time) { return at(time); }, quantity);
+  if (!at_rims_ && is_round_) return found;
+  for (const Instant& row : rows()) {
     if (row.solution.state == JointState::unloaded) continue;
     if (!std::isnan(quantity(row))) continue;
     if (!mean || !(mean(row) <= quantity(found))) return row;
@@ -263,19 +287,13 @@ JointCycle::Instant JointCycle::largest_intensity() const {
 LargestContact JointCycle::largest_contact() const {
   LargestContact all;
   if (!at_rims_) {
-    const auto largest_of = [this](double JointSolution::*of) {
-      return largest([of](const Instant& i) {
-               return i.solution.*of;
-             }).solution.*
-             of;
-    };
-    all = {largest_of(&JointSolution::half_angle),
-           largest_of(&JointSolution::peak_pressure)};
+    const Quantity theta0 = [this](const Instant& i) { return half_angle(i); };
+    all = {theta0(largest(theta0)), largest_peak().solution.peak_pressure};
   }
   for (const Instant& row : rows()) {
     JointSolution in_seat = row.solution;
     in_seat.normal = to_seat(row) * in_seat.normal;
-    all.add(in_seat.half_angle, in_seat.peak_pressure,
+    all.add(half_angle(row), in_seat.peak_pressure,
             rim_overlap(contact(), in_seat));
   }
   return all;
@@ -297,7 +315,7 @@ Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {
 }
 
 double JointCycle::contact_spread() const {
-  if (at_rims_) return detail::nan;
+  if (at_rims_ || !is_round_) return detail::nan;
   if (!(sums_.pv > 0)) return 0;
   // A contact that goes round has no middle: any place serves.
   constexpr double rounding = 1e-12;

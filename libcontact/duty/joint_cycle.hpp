@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "libcontact/duty/duty_cycle.hpp"
+#include "libcontact/duty/lies.hpp"
 #include "libcontact/duty/sliding_contact.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/validity.hpp"
@@ -20,6 +21,10 @@ namespace contact {
 /// A cycle whose contact reaches a rim of its seat, is_at_rims(), is not smooth
 /// in time: its integrals are sums over the rows by the trapezoidal rule, and
 /// its largest values are those of the rows.
+///
+/// A pin with a relief, or that Lies tilt or load at a place, ends: it is by
+/// slices (Joint::lie()), and all is as smooth as without end. What needs an
+/// axis of symmetry is NaN; the part of the reaction along the pin is left out.
 ///
 /// Instants are large: those of short cycles are kept, those of long ones are
 /// solved again, to the same bits, whenever they are asked for. Rows of cycles
@@ -84,12 +89,12 @@ class JointCycle {
 
   /// @param joint  a pin turns about Z; without a table it gets one where
   ///               `many` rows or more reach a rim
+  /// @param lies  of a pin; none: it is level
   /// @param progress  as of RimTableOptions
-  /// @throws Error for a pin with a relief, if the laws of the contact have no
-  ///         value at some time, and as Joint::tabulated(). Rows that leave
-  ///         their seat have no numbers, nor have integrals over them, which
-  ///         notes() says.
-  JointCycle(DutyCycle cycle, Joint joint,
+  /// @throws Error for lies of a ball, if the joint has no solution at some
+  ///         time, and as Joint::tabulated(). Rows that leave their seat have
+  ///         no numbers, nor have integrals over them, which notes() says.
+  JointCycle(DutyCycle cycle, Joint joint, Lies lies = {},
              const std::function<void(double)>& progress = {});
 
   const DutyCycle& cycle() const { return cycle_; }
@@ -119,6 +124,8 @@ class JointCycle {
   SlidingContact sliding(const Instant&) const&& = delete;
   /// p v over the contact of an instant; at a rim of rows alone.
   ContactPv pv(const Instant& instant) const;
+  /// theta0, of a pin by slices the largest along it, rad; NaN at rims.
+  double half_angle(const Instant& instant) const;
   /// rating_of() an instant; at a rim of rows alone.
   SlidingContact::Rating rating(const Instant& instant) const;
 
@@ -138,8 +145,9 @@ class JointCycle {
   /// (duty/joint_cycle_test.cpp).
   double integral(const Quantity& quantity) const;
   /// The instant with the largest value, to 1e-8: the largest of the rows,
-  /// improved between its neighbours. A cycle at rims has the row as it is; one
-  /// with a contact but a value of NaN counts as the largest, for it may be.
+  /// improved between its neighbours; a cycle at rims has the row as it is.
+  /// Where contacts end a row with a contact but a value of NaN counts as the
+  /// largest, for it may be.
   Instant largest(const Quantity& quantity) const;
   /// Instants of the largest peak pressure and p v: at rims those at
   /// report_distance or more from them, NaN if a row without has a larger mean.
@@ -165,7 +173,7 @@ class JointCycle {
   /// How far the contact wanders over the seat or hole in a cycle: root mean
   /// square of the angle between its centre and the middle of its places, in
   /// the seat's axes and with the weight of p v, rad; 0 without p v, NaN at
-  /// rims.
+  /// rims and of pins by slices.
   double contact_spread() const;
 
  private:
@@ -184,10 +192,13 @@ class JointCycle {
   Quantity of_rims(double (RimContact::*of)() const) const;
 
   void add(const Instant& instant);
+  ContactPv pv_without_axis(const Instant& instant) const;
 
   DutyCycle cycle_;
   Joint joint_;
+  Lies lies_;
   bool at_rims_ = false;
+  bool is_round_ = true;  // every contact has an axis of symmetry
   std::vector<std::string> rim_notes_;
   Sums sums_;
   Eigen::Vector3d middle_ = Eigen::Vector3d::Zero();  // centres by p v, summed

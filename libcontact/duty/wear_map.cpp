@@ -90,6 +90,9 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
         point.weight * (to_body * point.state.angular_velocity);
     const Vector3d slip = geometry_.radius() * turn;
     if (std::isnan(s.half_angle)) {
+      if (joint_.is_pin()) {
+        throw Error(detail::needs("wear of a pin that ends", "AlongPin"));
+      }
       at_rims.push_back({s, to_body.conjugate(), slip});
       continue;
     }

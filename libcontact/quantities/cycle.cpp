@@ -53,7 +53,9 @@ constexpr Quantity<JointCycle> of_cycle[] = {
      [](const JointCycle& c) { return c.contact_spread(); }},
 };
 
-bool has_seat(const JointCycle& c) { return !c.joint().is_endless(); }
+bool has_seat(const JointCycle& c) {
+  return !c.joint().is_pin() && !c.joint().is_endless();
+}
 
 // A quantity of the rims at some instant of a cycle; NaN without a contact.
 double rim_number(const JointCycle& cycle, const JointCycle::Instant& instant,

@@ -63,21 +63,21 @@ TEST_F(HingeDuty, LongCyclesTakeLittleMemory) {
 }
 
 // Options and columns of the file say how a pin that ends lies; files along it
-// are PinCycle's.
+// are AlongPin's.
 TEST_F(HingeDuty, PinThatEnds) {
   const std::string joint = "data/joints/relieved_bush.toml";
   const std::string run = "hinge-duty --joint " + joint + " --cycle ";
   const std::string cycle = "data/duty/pin_cycle.csv ";
   const std::string text =
       out(run + cycle +
-          "--load-at 2mm --pin-states states.csv --along along.csv "
+          "--load-at 2mm --states states.csv --along along.csv "
           "--along-map map.csv --wear-seat 1e-6");
   const CsvTable states(folder_.read("states.csv"));
   const CsvTable along(folder_.read("along.csv"));
   const CsvTable map(folder_.read("map.csv"));
   ASSERT_EQ(states.size(), 80u);
   ASSERT_EQ(along.size(), 101u);
-  const double largest = value(text, "pin_largest_pv_W_per_m2");
+  const double largest = value(text, "largest_pv_max_W_per_m2");
   // Between the rows and places it is a little larger.
   for (const CsvTable* table : {&states, &along}) {
     const double of_rows =
@@ -88,7 +88,7 @@ TEST_F(HingeDuty, PinThatEnds) {
   // Trapezoids along the pin, whose contact ends between its ends.
   double sum = 0;
   for (const double pv : along["pv_integral_J_per_m"]) sum += pv * 0.05 / 100;
-  EXPECT_NEAR(sum / value(text, "pin_pv_integral_J"), 1, 1e-3);
+  EXPECT_NEAR(sum / value(text, "pv_integral_J"), 1, 1e-3);
   const auto bodies = map.texts("body");
   const auto depths = map.texts("depth_mm");
   const auto pv = map["pv_integral_Pa_m"];
@@ -101,10 +101,13 @@ TEST_F(HingeDuty, PinThatEnds) {
       // k = 1e-6 mm^3/(N m), mm.
       EXPECT_NEAR(std::stod(depths[i]) / pv[i], 1e-12, 1e-24);
     }
-    EXPECT_NEAR(volume / value(text, "pin_pv_integral_J"), 1, 1e-2);
+    EXPECT_NEAR(volume / value(text, "pv_integral_J"), 1, 1e-2);
   }
-  EXPECT_GT(value(text, "pin_largest_theta0_deg"),
-            value(text, "largest_theta0_deg"));
+  for (const double theta0 : states["theta0_max_deg"]) {
+    EXPECT_LE(theta0, value(text, "largest_theta0_deg"));
+  }
+  EXPECT_NEAR(value(text, "volume_seat_mm3"),
+              1e-6 * value(text, "pv_integral_J"), 1e-15 * 1e6);
 }
 
 // Columns of the cycle say how the pin lies, as the options do where they may.
@@ -124,7 +127,7 @@ TEST_F(HingeDuty, LieOfAPinInColumns) {
     folder_.write("cycle.csv", text);
     return out(run + "cycle.csv");
   };
-  const std::string largest = "pin_largest_pv_W_per_m2";
+  const std::string largest = "largest_pv_max_W_per_m2";
   const std::string placed = with_column("load_at_m", "0.002");
   const std::string option = out(run + "data/duty/pin_cycle.csv --load-at 2mm");
   EXPECT_NEAR(value(placed, largest) / value(option, largest), 1, 1e-9);

@@ -48,9 +48,9 @@ table columns hinge-pressure-tilt-map hinge-pressure $bush --load 1e4 \
   --tilt 0.01 --points 2
 table columns hinge-angle-tilt hinge-angle $bush --load 1e4 --load-at 1mm
 table lines hinge-duty-tilt hinge-duty $bush --cycle data/duty/pin_cycle.csv \
-  --tilt 0.01 --pin-states "$out/pin-states" --along "$out/along" \
+  --tilt 0.01 --states "$out/states-tilt" --along "$out/along" \
   --along-map "$out/along-map"
-for file in pin-states along along-map; do
+for file in states-tilt along along-map; do
   columns "hinge-duty-$file" "$out/$file"
 done
 table columns hinge-joint-rest hinge-joint $ball $rest

@@ -6,7 +6,6 @@
 
 #include "cli/joint/joint_options.hpp"
 #include "libcontact/duty/joint_cycle.hpp"
-#include "libcontact/duty/pin_cycle.hpp"
 #include "libcontact/duty/wear_in.hpp"
 #include "programs/duty/body_wear.hpp"
 
@@ -15,11 +14,12 @@ namespace hinge_duty {
 /// One of the joints of a run on its cycle.
 struct JointDuty {
   const cli::Joint& joint;
+  contact::JointSpec spec;  ///< of the cycle's joint
   contact::JointCycle cycle;
+  bool ends = false;                              ///< a pin by slices
   std::vector<BodyWear> wear = {};                ///< both bodies', or none
   std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
   contact::WornSeat worn_seat = {};               ///< after them
-  std::optional<contact::PinCycle> pin = {};      ///< tilted, or loaded off
   /// k as given, mm^3/(N m).
   std::optional<double> wear_seat = {};
   std::optional<double> wear_inner = {};
@@ -32,8 +32,12 @@ struct JointDuty {
 /// Whether any of the joints is in a seat that ends.
 inline bool have_seat(const std::vector<JointDuty>& duties) {
   return std::ranges::any_of(duties, [](const JointDuty& duty) {
-    return !duty.cycle.joint().is_endless();
+    return !duty.joint.is_pin() && !duty.cycle.joint().is_endless();
   });
+}
+/// Whether any of the joints is a pin that ends.
+inline bool have_ends(const std::vector<JointDuty>& duties) {
+  return std::ranges::any_of(duties, &JointDuty::ends);
 }
 
 }  // namespace hinge_duty

@@ -91,14 +91,11 @@ int main(int argc, char** argv) {
         "table of contacts that is made where many reach a rim: read if it is "
         "there, else made and written"}});
   add_tilt_options(program, options.tilt, "", "");
-  program.add(
-      "Tilt",
-      {{"--pin-states", &options.pin_states, "FILE",
-        "CSV file of the states of the pin that ends at the rows of the cycle"},
-       {"--along", &options.along, "FILE",
-        "CSV file of its p v at places along the pin"},
-       {"--along-map", &options.along_map, "FILE",
-        "CSV file of its wear over length and angle of both bodies"}});
+  program.add("Tilt",
+              {{"--along", &options.along, "FILE",
+                "CSV file of p v at places along a pin that ends"},
+               {"--along-map", &options.along_map, "FILE",
+                "CSV file of its wear over length and angle of both bodies"}});
   add_fileless_joint_options(program, options.joint);
   return program.run(argc, argv, help,
                      [&] { return hinge_duty::run(options); });

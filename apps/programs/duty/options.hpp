@@ -39,8 +39,7 @@ struct Options {
   bool without_seat = false;
   std::string seat_table;  ///< file of the kept table of contacts at rims
   cli::TiltOptions tilt;   ///< lie of a pin that ends, one value
-  /// Files of it: its states, p v along it, its wear over length and angle.
-  std::string pin_states;
+  /// Files of it: p v along it, its wear over length and angle.
   std::string along;
   std::string along_map;
   cli::OutputOptions output;

@@ -63,7 +63,6 @@ void check_files(const Options& options) {
                                      {"--states", &options.states},
                                      {"--blocks", &options.blocks},
                                      {"--worn-out", &options.worn_out},
-                                     {"--pin-states", &options.pin_states},
                                      {"--along", &options.along},
                                      {"--along-map", &options.along_map}}) {
     require_file(option, *file);
@@ -96,7 +95,7 @@ void warn_of(const cli::Joint& joint, const std::string& note) {
 contact::JointContact endless_contact(const Options& options,
                                       const JointDuty& duty) {
   const contact::JointContact& contact = duty.cycle.contact();
-  if (duty.cycle.joint().is_endless()) return contact;
+  if (duty.cycle.joint().is_endless() && !duty.ends) return contact;
   return asked_spec(duty.joint, contact.friction(), options.joint)
       .without_seat()
       .contact();
@@ -123,6 +122,9 @@ void wear_in(const Options& options, JointDuty& duty) {
                              options.wear_inner.value_or(0) * si_coefficient},
                             *options.cycles, has_map ? &before : nullptr);
   });
+  if (duty.ends) {
+    worn.notes.emplace_back("the pin is taken level and without its ends");
+  }
   for (const std::string& note : worn.notes) {
     warn_of(duty.joint, "--cycles: " + note);
   }
@@ -184,9 +186,10 @@ BodyWear wear_of(const JointDuty& duty, JointBody body,
           .volume_defect = map.volume_defect(worn)};
 }
 
-// The wear of both bodies of all joints.
+// The wear of both bodies of all joints; along pins that end it is that of
+// --along-map.
 void wear(const Options& options, std::vector<JointDuty>& duties) {
-  if (!wants_wear(options)) return;
+  if (!wants_wear(options) || have_ends(duties)) return;
   for (JointDuty& duty : duties) {
     for (const JointBody body : {JointBody::carrier, JointBody::body}) {
       duty.wear.push_back(wear_of(duty, body, options));
@@ -207,12 +210,6 @@ void warn_of_contact(const JointDuty& duty) {
   const contact::JointContact& contact = duty.cycle.contact();
   for (const std::string& note : duty.cycle.notes()) {
     warn_of(duty.joint, note);
-  }
-  if (duty.pin) {
-    for (const std::string& note :
-         contact.limits().notes(duty.pin->largest_contact())) {
-      warn_of(duty.joint, "pin that ends: " + note);
-    }
   }
   const bool closed =
       std::ranges::any_of(duty.cycle.rows(), [](const Instant& row) {
@@ -255,15 +252,22 @@ void check_seats(const Options& options,
   }
 }
 
-// In its seat, if it has one, with the laws exact; with a table that was kept.
-contact::Joint joint_of(const Options& options, cli::Joint& joint,
+// By slices, or in its seat, if it has one, with the laws exact; with a table
+// that was kept.
+contact::Joint joint_of(const Options& options, const CycleFile& cycle,
+                        cli::Joint& joint, contact::JointSpec& spec,
                         contact::SharedLaws& laws) {
-  const contact::FrictionModel friction =
-      make_friction(options.friction, joint.spec.friction, options.joint);
-  if (!is_in_seat(options, joint)) {
+  const contact::FrictionModel& friction = *joint.spec.friction;
+  const bool is_by_slices = is_sliced(options, cycle, joint);
+  spec = asked_spec(joint, friction, options.joint);
+  if (!is_by_slices && !is_in_seat(options, joint)) {
     return contact::Joint(joint.contact(friction));
   }
-  const contact::JointSpec spec = asked_spec(joint, friction, options.joint);
+  if (is_by_slices) {
+    spec.half_angle_law = spec.pressure_law = "exact";
+    spec.half_angle_options = {};
+    joint.spec = joint.spec.without_relief();  // it is not left out
+  }
   const contact::Joint made(spec, laws);
   joint.laws = {{spec.half_angle_law, laws.half_angle(spec)}};
   const std::string& file = options.seat_table;
@@ -277,10 +281,10 @@ contact::Joint joint_of(const Options& options, cli::Joint& joint,
 }
 
 JointCycle cycle_of(const contact::DutyCycle& cycle,
-                    const contact::Joint& joint) {
+                    const contact::Joint& joint, const contact::Lies& lies) {
   cli::Progress progress("percent of a table of contacts", 100);
   std::size_t done = 0;
-  return {cycle, joint, [&](double share) {
+  return {cycle, joint, lies, [&](double share) {
             const auto percent = static_cast<std::size_t>(100 * share);
             if (percent > done) progress.add(percent - done);
             done = std::max(done, percent);
@@ -297,26 +301,43 @@ void keep_table(const Options& options, const contact::Joint& joint) {
   output.commit();
 }
 
+void check_maps(const Options& options, const std::vector<JointDuty>& duties) {
+  if (!have_ends(duties)) return;
+  for (const auto& [option, file] :
+       {std::pair("--map", &options.map), {"--map-plot", &options.map_plot}}) {
+    if (file->empty()) continue;
+    throw contact::Error(contact::detail::needs(
+        fmt::format("{} of a pin that ends", option), "--along-map"));
+  }
+}
+
 // All joints on the one cycle.
 std::vector<JointDuty> run_joints(const Options& options,
                                   std::vector<cli::Joint>& joints) {
-  std::vector<contact::Joint> made;
-  contact::SharedLaws laws;
   for (cli::Joint& joint : joints) {
-    made.push_back(
-        made_of(joint, [&] { return joint_of(options, joint, laws); }));
+    joint.spec.friction = made_of(joint, [&] {
+      return make_friction(options.friction, joint.spec.friction,
+                           options.joint);
+    });
   }
   const CycleFile file = read_cycle(options, joints[0].is_pin());
+  check_lies(options, file, joints);
+  contact::SharedLaws laws;
   std::vector<JointDuty> duties;
-  for (std::size_t i = 0; i < joints.size(); ++i) {
-    duties.push_back({joints[i], made_of(joints[i], [&] {
-                        return cycle_of(file.cycle, made[i]);
-                      })});
+  for (cli::Joint& joint : joints) {
+    const bool ends = is_sliced(options, file, joint);
+    contact::JointSpec spec = joint.spec;
+    JointCycle cycle = made_of(joint, [&] {
+      const contact::Lies lies = lies_of(options, file, joint);
+      return cycle_of(file.cycle, joint_of(options, file, joint, spec, laws),
+                      lies);
+    });
+    duties.push_back({joint, std::move(spec), std::move(cycle), ends});
     duties.back().wear_seat = options.wear_seat;
     duties.back().wear_inner = options.wear_inner;
   }
+  check_maps(options, duties);
   keep_table(options, duties[0].cycle.joint());
-  add_pins(options, file, duties);
   return duties;
 }
 
@@ -337,15 +358,14 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
                   const std::vector<JointDuty>& duties) {
   std::vector<cli::Report> reports;
   for (const JointDuty& duty : duties) {
-    reports.push_back(
-        summary_of(duty, measured_wear(options), have_seat(duties)));
+    reports.push_back(summary_of(duty, measured_wear(options),
+                                 {have_seat(duties), have_ends(duties)}));
   }
   cli::Output output(options.output.output);
   write_reports(joints, reports, output, options.output);
   std::deque<cli::Output> beside;  // all whole before the first appears
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
-                                    {&options.pin_states, &write_pin_states},
                                     {&options.along, &write_along},
                                     {&options.along_map, &write_along_map},
                                     {&options.map, &write_map}}) {

@@ -11,7 +11,6 @@
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 #include "programs/duty/tables.hpp"
-#include "programs/duty/tilted_pin.hpp"
 
 namespace hinge_duty {
 namespace {
@@ -47,23 +46,43 @@ void add_moments(const JointCycle& cycle, Report& to) {
   }
 }
 
-// The largest value of a quantity of the solution, or the least.
-void add_extreme(const JointCycle& cycle, std::string_view key, int sign,
-                 Report& to) {
-  const auto column = contact::columns_of(
-      *find_quantity(contact::solution_quantities(), key))[0];
-  const Instant i =
-      key == "peak_pressure"
-          ? cycle.largest_peak()
-          : cycle.largest([&](const Instant& x) {
-              return sign * number_of(*column.quantity, x.solution);
-            });
-  const double value = column(i.solution);
-  to.add((sign < 0 ? "least_" : "largest_") + column.name, value,
-         column.meaning, {time_of(value, i)});
+using Place = double contact::PinLie::*;
+
+// What stands beside a value: its time, and where pins end the place along one.
+std::vector<cli::Cell> along(const JointCycle& cycle, const Instant& i,
+                             double value, Place place, Have have) {
+  if (!have.ends) return {time_of(value, i)};
+  const auto lie = cycle.joint().lie(i.solution);
+  return {time_of(value, i), {}, {}, lie ? (*lie).*place : std::nan("")};
 }
 
-void add_peaks(const JointCycle& cycle, Report& to) {
+std::string meaning_of(std::string_view meaning, Have have) {
+  return std::string(meaning) +
+         (have.ends ? "; z in m from the middle of a pin" : "");
+}
+
+// The largest pressure and half-angle, and the least.
+void add_extremes(const JointCycle& cycle, Have have, Report& to) {
+  const auto add = [&](std::string_view key, std::string_view prefix,
+                       const Instant& i, double value, Place place) {
+    const auto column = contact::columns_of(
+        *find_quantity(contact::solution_quantities(), key))[0];
+    to.add(std::string(prefix) + column.name, column.unit->from_si(value),
+           meaning_of(column.meaning, have),
+           along(cycle, i, value, place, have));
+  };
+  const Instant peak = cycle.largest_peak();
+  add("peak_pressure", "largest_", peak, peak.solution.peak_pressure,
+      &contact::PinLie::peak_place);
+  for (const int sign : {1, -1}) {
+    const Instant i = cycle.largest(
+        [&](const Instant& x) { return sign * cycle.half_angle(x); });
+    add("half_angle", sign < 0 ? "least_" : "largest_", i, cycle.half_angle(i),
+        &contact::PinLie::half_angle_place);
+  }
+}
+
+void add_peaks(const JointCycle& cycle, Have have, Report& to) {
   const auto heat = [&](const Instant& i) {
     return cycle.sliding(i).largest_heat_flux();
   };
@@ -77,14 +96,18 @@ void add_peaks(const JointCycle& cycle, Report& to) {
   to.add("largest_M_t_N_m", moment(i), "friction moment",
          {time_of(moment(i), i)});
   add_moments(cycle, to);
-  add_extreme(cycle, "peak_pressure", 1, to);
-  add_extreme(cycle, "half_angle", 1, to);
-  add_extreme(cycle, "half_angle", -1, to);
+  add_extremes(cycle, have, to);
   i = cycle.largest_pv();
   const contact::ContactPv pv = cycle.pv(i);
-  to.add("largest_pv_max_W_per_m2", pv.largest,
-         "largest p v; x, y, z from the joint's centre, carrier axes",
-         at_place(time_of(pv.largest, i), pv.place));
+  if (have.ends) {
+    to.add("largest_pv_max_W_per_m2", pv.largest,
+           meaning_of("largest p v", have),
+           along(cycle, i, pv.largest, &contact::PinLie::peak_place, have));
+  } else {
+    to.add("largest_pv_max_W_per_m2", pv.largest,
+           "largest p v; x, y, z from the joint's centre, carrier axes",
+           at_place(time_of(pv.largest, i), pv.place));
+  }
   i = cycle.largest([&](const Instant& x) { return heat(x).value; });
   const contact::SlidingContact::Peak q = heat(i);
   to.add("largest_q_max_W_per_m2", q.value,
@@ -99,14 +122,18 @@ void add_peaks(const JointCycle& cycle, Report& to) {
          "projected: pi rho^2 or 2 rho L");
 }
 
+void add_volume(const std::string& surface, double k, double pv_integral,
+                Report& to) {
+  to.add("k_" + surface + "_mm3_per_N_m", k, "wear coefficient, as given");
+  to.add("volume_" + surface + "_mm3", k * pv_integral,
+         "worn off in one cycle: k times the integral of p v");
+}
+
 void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
   const std::string of = "_" + wear.body;
   const auto place = at_place({}, wear.deepest.point);
   if (wear.k) {
-    to.add("k_" + wear.surface + "_mm3_per_N_m", *wear.k,
-           "wear coefficient, as given");
-    to.add("volume_" + wear.surface + "_mm3", *wear.k * pv_integral,
-           "worn off in one cycle: k times the integral of p v");
+    add_volume(wear.surface, *wear.k, pv_integral, to);
     to.add("largest_depth" + of + "_mm", wear.depth(wear.deepest.wear),
            "worn in one cycle; x, y, z in the axes of the " + wear.body, place);
   }
@@ -157,15 +184,21 @@ void add_rims(const JointCycle& cycle, Report& to) {
 }  // namespace
 
 cli::Report summary_of(const JointDuty& duty,
-                       const std::optional<MeasuredWear>& measured, bool rims) {
+                       const std::optional<MeasuredWear>& measured, Have have) {
   Report report({"at_time_s", "x", "y", "z"});
   for (const auto& q : contact::cycle_quantities()) report.add(q, duty.cycle);
   const double pv_integral = duty.cycle.sums().pv;
-  add_peaks(duty.cycle, report);
+  add_peaks(duty.cycle, have, report);
   for (const BodyWear& w : duty.wear) add_wear(w, pv_integral, report);
+  if (have.ends) {
+    if (duty.wear_seat)
+      add_volume("seat", *duty.wear_seat, pv_integral, report);
+    if (duty.wear_inner) {
+      add_volume("inner", *duty.wear_inner, pv_integral, report);
+    }
+  }
   if (measured) add_measured(*measured, pv_integral, report);
-  if (rims) add_rims(duty.cycle, report);
-  if (duty.pin) add_pin(*duty.pin, report);
+  if (have.rims) add_rims(duty.cycle, report);
   if (!duty.worn.empty()) {
     for (const auto& column : worn_columns()) {
       report.add(

@@ -14,10 +14,15 @@ struct MeasuredWear {
   double cycles;
 };
 
+/// What some of the joints have.
+struct Have {
+  bool rims;  ///< seats that end
+  bool ends;  ///< pins that end: places along them
+};
+
 /// A line for each quantity of the cycle.
 /// @param measured  for k, if there is one
-/// @param rims      whether quantities of rims are among them
 cli::Report summary_of(const JointDuty& duty,
-                       const std::optional<MeasuredWear>& measured, bool rims);
+                       const std::optional<MeasuredWear>& measured, Have have);
 
 }  // namespace hinge_duty

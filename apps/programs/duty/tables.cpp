@@ -8,6 +8,7 @@
 
 #include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
 #include "libcontact/quantities/tables.hpp"
 
@@ -27,6 +28,7 @@ struct State {
   const Instant& instant;
   const Rating& rating;
   const contact::RimContact& rims;
+  const contact::PinLie& lie;
 };
 const Instant& part(const State& s, const Column<Instant>& /*of*/) {
   return s.instant;
@@ -41,14 +43,18 @@ const contact::RimContact& part(const State& s,
                                 const Column<contact::RimContact>& /*of*/) {
   return s.rims;
 }
+const contact::PinLie& part(const State& s,
+                            const Column<contact::PinLie>& /*of*/) {
+  return s.lie;
+}
 
 struct StateColumn {
   std::string name;
   std::function<double(const State&)> of;
 };
 
-// @param rims  whether those of seats that end are among them
-std::vector<StateColumn> state_columns(bool rims) {
+// @param rims, ends  whether those of seats and pins that end are among them
+std::vector<StateColumn> state_columns(bool rims, bool ends) {
   std::vector<StateColumn> all;
   // Vectors without their length.
   const auto add_one = [&](const auto& quantity) {
@@ -71,8 +77,12 @@ std::vector<StateColumn> state_columns(bool rims) {
   add(solution, {"peak_pressure"});
   add(rating,
       {"pv_max", "pv_max_theta", "heat_flux_max", "pv_total", "pv_nominal"});
-  if (!rims) return all;
-  for (const auto& quantity : contact::rim_quantities()) add_one(quantity);
+  if (rims) {
+    for (const auto& quantity : contact::rim_quantities()) add_one(quantity);
+  }
+  if (ends) {
+    for (const auto& quantity : contact::lie_quantities()) add_one(quantity);
+  }
   return all;
 }
 
@@ -116,7 +126,7 @@ void write_blocks(const std::vector<JointDuty>& duties, cli::Output& output,
 void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
                   const cli::TableStyle& style) {
   const bool rims = have_seat(duties);
-  const auto columns = state_columns(rims);
+  const auto columns = state_columns(rims, have_ends(duties));
   std::vector<std::string> names = names_of(columns);
   if (rims) names.emplace_back("status");
   write_rows(
@@ -127,9 +137,11 @@ void write_states(const std::vector<JointDuty>& duties, cli::Output& output,
           const Rating rating = cycle.rating(i);
           const contact::RimContact at_rims =
               cycle.joint().rims(i.solution).value_or(contact::RimContact());
+          const contact::PinLie lie =
+              cycle.joint().lie(i.solution).value_or(contact::PinLie());
           begin();
           for (const StateColumn& column : columns) {
-            to.number(column.of({i, rating, at_rims}) + 0.0);  // no -0
+            to.number(column.of({i, rating, at_rims, lie}) + 0.0);  // no -0
           }
           if (rims) to.text(to_string(i.solution.status));
           to.end();

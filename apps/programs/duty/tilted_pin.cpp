@@ -1,62 +1,23 @@
 #include "programs/duty/tilted_pin.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <string>
 #include <utility>
 
-#include "cli/joint/joint_reports.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/units.hpp"
-#include "libcontact/quantities/finite_pin.hpp"
+#include "libcontact/duty/along_pin.hpp"
 #include "programs/duty/tables.hpp"
 
 namespace hinge_duty {
 namespace {
 
+using contact::AlongPin;
 using contact::JointBody;
-using contact::PinCycle;
 
-// The lies of a joint's pin, by the options or the columns.
-PinCycle::Lies lies_of(const Options& options, const CycleFile& file,
-                       const cli::Joint& joint) {
-  const contact::DutyCycle& cycle = file.cycle;
-  if (!file.tilts.empty()) {
-    return PinCycle::tilted(cycle.times(), cycle.period(), file.tilts);
-  }
-  if (!file.places.empty()) {
-    const double half = joint.spec.geometry.length() / 2;
-    for (const double place : file.places) {
-      if (std::abs(place) <= half) continue;
-      cli::refuse("load_at_m =", fmt::format("{}", place),
-                  fmt::format("{} to {} m, on the pin", -half, half));
-    }
-    return PinCycle::loaded(cycle.times(), cycle.period(), file.places);
-  }
-  const cli::Placements placements(options.tilt, joint);
-  if (placements.size() != 1) {
-    cli::refuse(
-        options.tilt.flag(),
-        options.tilt.is_placed() ? options.tilt.load_at : options.tilt.tilt,
-        "one value");
-  }
-  const contact::Placement lies = placements[0];
-  return options.tilt.is_placed()
-             ? PinCycle::loaded_at(lies.place)
-             : PinCycle::tilted_with_load(lies.tilt.head<2>());
-}
-
-void check_pin_files(const Options& options) {
-  for (const auto& [option, file] :
-       {std::pair("--pin-states", &options.pin_states),
-        {"--along", &options.along},
-        {"--along-map", &options.along_map}}) {
-    if (file->empty()) continue;
-    cli::refuse_without(option,
-                        "--tilt, --load-at, or columns of the cycle of a pin: "
-                        "tilt_x_deg, tilt_y_deg or load_at_m");
-  }
+bool is_asked(const Options& options, const CycleFile& file) {
+  return options.tilt.given() || !file.lie_column.empty();
 }
 
 double length_of(const JointDuty& duty) {
@@ -70,74 +31,68 @@ double place_of(double length, int i, int count) {
 
 }  // namespace
 
-void add_pins(const Options& options, const CycleFile& file,
-              std::vector<JointDuty>& duties) {
+void check_lies(const Options& options, const CycleFile& file,
+                const std::vector<cli::Joint>& joints) {
   const bool asked = options.tilt.given();
-  if (!asked && file.lie_column.empty()) {
-    check_pin_files(options);
-    return;
-  }
   const std::string flag =
       asked ? options.tilt.flag() : "the column " + file.lie_column;
   if (asked && !file.lie_column.empty()) {
     cli::refuse_beside(flag, "the column " + file.lie_column);
   }
-  for (JointDuty& duty : duties) {
-    if (!duty.joint.is_pin()) cli::refuse_without(flag, "kind = pin");
-    cli::Joint joint = duty.joint;
-    joint.spec.friction = duty.cycle.contact().friction();
-    const PinCycle::Lies lies = lies_of(options, file, joint);
-    duty.pin.emplace(
-        made_of(joint, [&] { return PinCycle(file.cycle, joint.spec, lies); }));
-  }
-}
-
-void add_pin(const PinCycle& pin, cli::Report& to) {
-  using Instant = PinCycle::Instant;
-  using contact::FinitePinState;
-  const struct {
-    std::string_view key;
-    Instant at;
-    double FinitePinState::*place;
-  } largest[] = {{"largest_pv", pin.largest_pv(), &FinitePinState::peak_place},
-                 {"largest_peak_pressure", pin.largest_peak(),
-                  &FinitePinState::peak_place},
-                 {"largest_half_angle", pin.largest_half_angle(),
-                  &FinitePinState::half_angle_place}};
-  for (const auto& column : columns_of(contact::pin_cycle_quantities())) {
-    const auto* const found = std::ranges::find(
-        largest, column.quantity->key, [](const auto& l) { return l.key; });
-    if (found == std::end(largest)) {
-      to.add(column.name, column(pin), column.meaning);
-    } else {
-      const Instant& at = found->at;
-      to.add(column.name, column(pin),
-             std::string(column.meaning) + "; z in m from its middle",
-             {at.time, {}, {}, at.solution.contact.*found->place});
+  bool all_end = true;
+  for (const cli::Joint& joint : joints) {
+    if (is_asked(options, file) && !joint.is_pin()) {
+      cli::refuse_without(flag, "kind = pin");
     }
+    all_end = all_end && is_sliced(options, file, joint);
+  }
+  for (const auto& [option, name] : {std::pair("--along", &options.along),
+                                     {"--along-map", &options.along_map}}) {
+    if (name->empty() || all_end) continue;
+    cli::refuse_without(option,
+                        "--tilt, --load-at, columns of the cycle of a pin, "
+                        "tilt_x_deg, tilt_y_deg or load_at_m, or a [relief]");
   }
 }
 
-void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
-                      const cli::TableStyle& style) {
-  const auto columns = columns_of(contact::finite_pin_quantities());
-  std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N"};
-  for (const auto& column : columns) names.push_back(column.name);
-  names.emplace_back("pv_max_W_per_m2");
-  write_rows(duties, names, output, style,
-             [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
-               for (const PinCycle::Instant& i : duty.pin->rows()) {
-                 begin();
-                 to.number(i.time);
-                 to.number(i.state.reaction.x());
-                 to.number(i.state.reaction.y());
-                 for (const auto& column : columns) {
-                   to.number(column(i.solution) + 0.0);  // no -0
-                 }
-                 to.number(i.largest_pv());
-                 to.end();
-               }
-             });
+contact::Lies lies_of(const Options& options, const CycleFile& file,
+                      const cli::Joint& joint) {
+  if (!is_asked(options, file)) return {};
+  const contact::DutyCycle& cycle = file.cycle;
+  if (!file.tilts.empty()) {
+    return contact::tilted_at(cycle.times(), cycle.period(), file.tilts);
+  }
+  if (!file.places.empty()) {
+    const double half = joint.spec.geometry.length() / 2;
+    for (const double place : file.places) {
+      if (std::abs(place) <= half) continue;
+      cli::refuse("load_at_m =", fmt::format("{}", place),
+                  fmt::format("{} to {} m, on the pin", -half, half));
+    }
+    return contact::loaded_at(cycle.times(), cycle.period(), file.places);
+  }
+  const cli::Placements placements(options.tilt, joint);
+  if (placements.size() != 1) {
+    cli::refuse(
+        options.tilt.flag(),
+        options.tilt.is_placed() ? options.tilt.load_at : options.tilt.tilt,
+        "one value");
+  }
+  const contact::Placement lies = placements[0];
+  return options.tilt.is_placed()
+             ? contact::loaded_at(lies.place)
+             : contact::tilted_with_load(lies.tilt.head<2>());
+}
+
+bool is_sliced(const Options& options, const CycleFile& file,
+               const cli::Joint& joint) {
+  if (is_asked(options, file)) return true;
+  const auto is_exact = [](const std::vector<std::string>& laws) {
+    return laws.empty() || (laws.size() == 1 && laws[0] == "exact");
+  };
+  return joint.spec.relief.kind() != contact::Relief::Kind::none &&
+         contact::FinitePin::refusal(joint.spec).empty() &&
+         is_exact(options.joint.laws) && is_exact(options.joint.pressures);
 }
 
 void write_along(const std::vector<JointDuty>& duties, cli::Output& output,
@@ -148,9 +103,10 @@ void write_along(const std::vector<JointDuty>& duties, cli::Output& output,
               "pv_integral_J_per_m"},
              output, style,
              [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+               const AlongPin pin(duty.cycle, duty.spec);
                for (int i = 0; i < count; ++i) {
                  const double z = place_of(length_of(duty), i, count);
-                 const PinCycle::Along along = duty.pin->along(z);
+                 const AlongPin::Place along = pin.at(z);
                  begin();
                  to.number(z);
                  to.number(along.largest_pv);
@@ -170,12 +126,13 @@ void write_along_map(const std::vector<JointDuty>& duties, cli::Output& output,
       duties, {"body", "z_m", "beta_deg", "pv_integral_Pa_m", "depth_mm"},
       output, style,
       [&](const JointDuty& duty, cli::RowWriter& to, const auto& begin) {
+        const AlongPin pin(duty.cycle, duty.spec);
         for (const JointBody body : {JointBody::carrier, JointBody::body}) {
           const double k = duty.wear_coefficient(body).value_or(
               std::numeric_limits<double>::quiet_NaN());
           for (int i = 0; i < places; ++i) {
             const double z = place_of(length_of(duty), i, places);
-            const auto pv = duty.pin->pv_integrals(body, z, angles);
+            const auto pv = pin.pv_integrals(body, z, angles);
             for (int j = 0; j < angles; ++j) {
               if (pv[j] == 0) continue;
               begin();

@@ -3,26 +3,29 @@
 #include <vector>
 
 #include "cli/output.hpp"
-#include "cli/stream/report.hpp"
 #include "cli/table.hpp"
+#include "libcontact/duty/lies.hpp"
 #include "programs/duty/cycle_file.hpp"
 #include "programs/duty/joint_duty.hpp"
 #include "programs/duty/options.hpp"
 
-/// Pins that end, tilted or loaded off their middle, on the cycle.
+/// Pins that end, relieved, tilted or loaded off their middle, on the cycle.
 namespace hinge_duty {
 
-/// Adds them to the joints, if options or columns of the cycle's file ask for
-/// it. Throws contact::Error if they do not fit together.
-void add_pins(const Options& options, const CycleFile& file,
-              std::vector<JointDuty>& duties);
+/// Throws contact::Error if options, columns of the cycle's file and joints do
+/// not fit together.
+void check_lies(const Options& options, const CycleFile& file,
+                const std::vector<cli::Joint>& joints);
 
-/// The largest values with their times and places, and the sums.
-void add_pin(const contact::PinCycle& pin, cli::Report& to);
+/// How a joint's pin lies by the options or the columns; none: it is level.
+contact::Lies lies_of(const Options& options, const CycleFile& file,
+                      const cli::Joint& joint);
 
-/// A row for each row of the cycle's file.
-void write_pin_states(const std::vector<JointDuty>& duties, cli::Output& output,
-                      const cli::TableStyle& style);
+/// Whether slices answer for a joint: it lies somehow, or has a relief and no
+/// other law is asked for.
+bool is_sliced(const Options& options, const CycleFile& file,
+               const cli::Joint& joint);
+
 /// A row for each of some places along the pin.
 void write_along(const std::vector<JointDuty>& duties, cli::Output& output,
                  const cli::TableStyle& style);

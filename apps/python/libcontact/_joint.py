@@ -220,6 +220,8 @@ class Joint(FileText, _core.Joint):
         period: float | None = None,
         force_on: str = "body",
         force_in: str = "carrier",
+        tilt: ArrayLike | None = None,
+        place: ArrayLike | None = None,
     ) -> "Cycle":
         """The joint on a duty cycle: one period of force and motion, through
         whose rows go periodic cubic splines.
@@ -231,10 +233,13 @@ class Joint(FileText, _core.Joint):
             DataFrame whose names end in _deg are degrees.
         rates: instead of it, Dw in axes of the carrier, rad/s, (n, 3).
         period: s; of even times it may be left out.
+        tilt: slope of a pin's axis in its hole, carrier axes, (3,) or (n, 3).
+        place: of the reaction along a pin, m from its middle, () or (n,),
+            instead of a tilt, which is then found.
 
         A last row that repeats the first is left out, with a RuntimeWarning.
         The contact of a ball is in its [seat]: where it reaches a rim sums are
-        over the rows.
+        over the rows. A pin with a [relief], a tilt or a place ends, by slices.
         """
         if (angles is None) == (rates is None):
             raise _core.Error("a cycle requires angles or rates")
@@ -250,6 +255,7 @@ class Joint(FileText, _core.Joint):
             raise _core.Error(f"sequence = \"{sequence}\" requires angles")
         return Cycle(
             self, time, force, motion, sequence, period, force_on, force_in,
+            tilt, place,
         )  # fmt: skip
 
 
