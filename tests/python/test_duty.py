@@ -147,16 +147,39 @@ class Cycles(unittest.TestCase):
         energy = summary("cycle_pin")["energy_J"]["value"]
         self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
 
-    def test_of_a_pin_leave_its_relief_out(self):
+    def test_of_a_pin_that_ends_are_those_of_hinge_duty(self):
         bush = source / "data/joints/relieved_bush.toml"
         c = columns(source / "data/duty/pin_cycle.csv")
-        cycle = libcontact.Joint.from_file(bush).cycle(
-            c["time_s"], force(c), angles=np.radians(c["angle_deg"]))
-        rows = table("hinge-duty", "--joint", bush, "--cycle",
-                     source / "data/duty/pin_cycle.csv")
-        (energy,) = (
-            r["value"] for r in rows if r["quantity"] == "energy_J")
-        self.assertAlmostEqual(cycle.energy / float(energy), 1, delta=1e-12)
+        joint = libcontact.Joint.from_file(bush)
+        rows = c["time_s"], force(c)
+        angles = np.radians(c["angle_deg"])
+        for lie, option in (
+            ({}, ()), ({"place": 2e-3}, ("--load-at", "2mm")),
+            ({"place": np.full(len(angles), 2e-3)}, ("--load-at", "2mm")),
+        ):
+            cycle = joint.cycle(*rows, angles=angles, **lie)
+            said = {r["quantity"]: r["value"] for r in table(
+                "hinge-duty", "--joint", bush, "--cycle",
+                source / "data/duty/pin_cycle.csv", *option)}
+            for value, name in (
+                (cycle.energy, "energy_J"), (cycle.pv_integral, "pv_integral_J"),
+                (cycle.largest_pv, "largest_pv_max_W_per_m2"),
+                (np.degrees(cycle.largest("half_angle")[0]),
+                 "largest_theta0_deg"),
+            ):
+                # Splines through equal places: to rounding.
+                self.assertAlmostEqual(value / float(said[name]), 1, delta=1e-9)
+            self.assertTrue(np.isnan(cycle.contact_spread))
+            np.testing.assert_array_equal(
+                cycle.solution.largest_half_angle > 0, True)
+        tilted = joint.cycle(*rows, angles=angles, tilt=[0, 5e-4, 0])
+        np.testing.assert_allclose(
+            tilted.solution.tilt, np.tile([0, 5e-4, 0], (len(angles), 1)),
+            atol=1e-15)
+        with self.assertRaisesRegex(libcontact.Error, "as many as there are"):
+            joint.cycle(*rows, angles=angles, place=[0, 1e-3])
+        with self.assertRaisesRegex(libcontact.Error, "left out beside place"):
+            joint.cycle(*rows, angles=angles, place=0, tilt=[0, 0, 0])
 
     def test_of_a_hip_that_wears_are_those_of_hinge_duty(self):
         with tempfile.TemporaryDirectory() as work:
