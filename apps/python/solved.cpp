@@ -27,7 +27,7 @@ const RimContact& no_rims() {
 
 const PinLie& no_lie() {
   static const auto& none = *new PinLie([] {
-    using detail::nan;
+    using contact::detail::nan;
     PinLie lie;
     for (auto* v : {&lie.tilt, &lie.shift, &lie.tilting_moment, &lie.moment}) {
       v->setConstant(nan);

@@ -17,9 +17,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
   if ((data[0] & 2U) != 0) options.sigma_rel = 0.01;
   contact::test::read_or_one_line(
       [&] {
-        std::vector<std::string> names;
+        contact::IdentifyOptions of_fit;
         for (const contact::MeasuredMoment& m :
-             hinge_identify::read_data(options, (data[0] & 1U) != 0, names)) {
+             hinge_identify::read_data(options, (data[0] & 1U) != 0, of_fit)) {
           check(m.sigma > 0);
         }
       },

@@ -270,8 +270,8 @@ std::size_t laws_made(const study::SeparationModel& model,
   const auto add = [](const separation::Case& of, std::set<const void*>& to) {
     for (const separation::Body& body : of.bodies) {
       for (const separation::HingeJoint& one : body.hinge.joints) {
-        to.insert(&one.contact.half_angle_law());
-        to.insert(&one.contact.pressure_law());
+        to.insert(&one.contact().half_angle_law());
+        to.insert(&one.contact().pressure_law());
       }
     }
   };
