@@ -13,6 +13,7 @@
 #include "libcontact/c/moments.h"
 #include "libcontact/c/step.h"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/finite_pin.hpp"
 #include "libcontact/joint/step.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/seat.hpp"
