@@ -34,7 +34,7 @@ class AlongPin {
     double time;
     double weight;      // in integrals over the period, s
     double slip_speed;  // m/s
-    double turn;        // of the body about Z, rad
+    double turn;        // turn of the body about Z, rad
     FinitePinState contact;
   };
 

@@ -200,7 +200,7 @@ ContactPv JointCycle::pv(const Instant& instant) const {
   return joint_.pv(instant.solution, instant.state.angular_velocity);
 }
 
-// That of rims takes long.
+// At rims it takes long, and is kept.
 ContactPv JointCycle::pv_without_axis(const Instant& instant) const {
   if (!joint_.is_pin()) return instant.at_rim;
   return joint_.pv(instant.solution, instant.state.angular_velocity);

@@ -22,8 +22,8 @@ class WearMap {
   /// pressure is that at this distance: what a rim wears beyond is not known.
   /// @throws Error if the half-angle of a joint with a clearance comes above 90
   ///         deg in the cycle: a ball that sinks into its worn seat leaves the
-  ///         seat's rim there; if a row leaves its seat; and of a pin by slices,
-  ///         which AlongPin has.
+  ///         seat's rim there; if a row leaves its seat; and of a pin by
+  ///         slices, which AlongPin has.
   WearMap(const JointCycle& cycle, JointBody body);
 
   struct Wear {

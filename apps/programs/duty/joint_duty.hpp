@@ -14,7 +14,7 @@ namespace hinge_duty {
 /// One of the joints of a run on its cycle.
 struct JointDuty {
   const cli::Joint& joint;
-  contact::JointSpec spec;  ///< of the cycle's joint
+  contact::JointSpec spec;  ///< spec of the cycle's joint
   contact::JointCycle cycle;
   bool ends = false;                              ///< a pin by slices
   std::vector<BodyWear> wear = {};                ///< both bodies', or none

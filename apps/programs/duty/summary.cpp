@@ -48,7 +48,7 @@ void add_moments(const JointCycle& cycle, Report& to) {
 
 using Place = double contact::PinLie::*;
 
-// What stands beside a value: its time, and where pins end the place along one.
+// Cells beside a value: its time, and the place along pins that end.
 std::vector<cli::Cell> along(const JointCycle& cycle, const Instant& i,
                              double value, Place place, Have have) {
   if (!have.ends) return {time_of(value, i)};

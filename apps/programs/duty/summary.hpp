@@ -14,7 +14,7 @@ struct MeasuredWear {
   double cycles;
 };
 
-/// What some of the joints have.
+/// Whether some of the joints have these.
 struct Have {
   bool rims;  ///< seats that end
   bool ends;  ///< pins that end: places along them

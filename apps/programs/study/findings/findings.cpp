@@ -9,8 +9,8 @@
 namespace study {
 namespace {
 
-using contact::detail::nan;
 using contact::detail::infinity;
+using contact::detail::nan;
 
 std::vector<double> sorted_numbers(const std::vector<double>& values) {
   std::vector<double> result;
