@@ -14,7 +14,7 @@ struct MeasuredWear {
   double cycles;
 };
 
-/// Whether some of the joints have these.
+/// Groups of numbers that some of the joints have.
 struct Have {
   bool rims;  ///< seats that end
   bool ends;  ///< pins that end: places along them
