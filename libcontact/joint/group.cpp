@@ -32,12 +32,11 @@ void check_joints(const std::vector<Member>& joints, bool has_face) {
         detail::needs(detail::message("{} of {} joint", place, joints.size()),
                       "at least 2, to hold moments across the axis"));
   }
-  if (!std::ranges::all_of(
-          joints, [](const Member& one) { return one.joint.is_endless(); })) {
+  for (const Member& one : joints) {
+    if (one.joint.is_endless()) continue;
     throw Error(detail::needs(
-        place,
-        "joints without a [seat] and a [relief], or without_seat and "
-        "without_relief"));
+        place, one.joint.is_pin() ? "pins without a [relief], or without_relief"
+                                  : "balls without a [seat], or without_seat"));
   }
   if (count_balls(joints) == 0 && !has_face) {
     throw Error(detail::needs(

@@ -255,7 +255,7 @@ TEST(Quantities, OfGroupsAreNumbersWhereTheStatusIsOk) {
   const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
   int without = 0;
   for (const JointSpec& spec : joints_that_end()) {
-    const Joint joint(spec.without_seat());
+    const Joint joint(spec.without_seat().without_relief());
     const contact::JointGroup group(
         {{joint, 0}, {joint.is_pin() ? ball : pin, 0.1}});
     for (double load = 1e-9; load < 1e13; load *= 20) {

@@ -491,8 +491,8 @@ TEST(Slices, NotesAreOfTheSlices) {
                "a table of contacts requires a joint with a [seat]");
   EXPECT_EQ(joint.table(), "");
   EXPECT_ERROR((JointGroup{{{joint, 0}, {joint, 1}}}),
-               "joint group requires joints without a [seat] and a [relief], "
-               "or without_seat and without_relief");
+               "joint group requires pins without a [relief], or "
+               "without_relief");
 }
 
 }  // namespace

@@ -67,6 +67,18 @@ file = ")"_toml + joint +
                     "c.toml");
 }
 
+// Bodies hang on pins that are level and without end.
+TEST(ReliefOfCases, IsLeftOutAndSaysSo) {
+  const Case c = wheel(CONTACT_DATA_DIR "/joints/relieved_bush.toml");
+  const separation::HingeJoint& joint = c.bodies[0].hinge.joints[0];
+  EXPECT_TRUE(joint.model.is_endless());
+  EXPECT_TRUE(std::ranges::any_of(
+      joint.contact().validity_notes(), [](const std::string& note) {
+        return note.starts_with("the relief of the ends is left out");
+      }));
+  EXPECT_EQ(run_case(c, {}).failure, "");
+}
+
 TEST(HistoryVectors, ActOnTheBodyAndStandInInertialAxes) {
   const Outcome outcome = run_case(wheel(), {});
   ASSERT_EQ(outcome.failure, "");

@@ -80,6 +80,10 @@ contact::Joint make_joint(const TomlTable& table,
   if (loads && !((*loads)[1] > (*loads)[0])) {
     table.must_be("seat_loads", "a load and a larger one");
   }
+  // Bodies hang on pins that are level and without end, which the contact says.
+  if (joint.relief.kind() != contact::Relief::Kind::none) {
+    return contact::Joint(joint.contact(made));
+  }
   const char* key = table.has("file") ? "file" : "seat";
   try {
     const contact::Joint model(joint, made);
