@@ -17,6 +17,7 @@
 /// Last solution of a joint, as C holds it.
 struct contact_memory  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
+  contact_memory() {}  // no aggregate: what it is made from is protected
   contact::JointSolution last;
 };
 
