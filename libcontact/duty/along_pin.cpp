@@ -11,7 +11,7 @@ using Eigen::Vector2d;
 
 AlongPin::AlongPin(const JointCycle& cycle, const JointSpec& pin)
     : pin_(pin), period_(cycle.cycle().period()) {
-  const double side = pin.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const double side = pin.geometry.side();
   for (const auto& points : {cycle.rows(), cycle.gauss_points()}) {
     for (const JointCycle::Instant& i : points) {
       const JointSolution& s = i.solution;

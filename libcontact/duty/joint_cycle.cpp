@@ -76,7 +76,8 @@ void JointCycle::tabulate(const std::function<void(double)>& progress) {
     const Instant row{time, 0, cycle_.at(time), {}};
     const double load = row.state.reaction.norm();
     if (!(load > 0)) continue;
-    const Eigen::Vector3d force = to_seat(row) * (side() * row.state.reaction);
+    const Eigen::Vector3d force =
+        to_seat(row) * (contact().geometry().side() * row.state.reaction);
     const double direction =
         std::atan2(axis.cross(force).norm(), axis.dot(force));
     const HalfAngleResult theta0 = contact().half_angle(load);
@@ -179,7 +180,8 @@ JointCycle::Instant JointCycle::at(const DutyCycle::GaussPoint& point,
   Instant instant{point.time, point.weight, cycle_.at(point.time), {}};
   const DutyCycle::State& state = instant.state;
   Placement placement;
-  const bool turns = !joint_.is_endless() && side() > 0;  // with the body
+  const bool turns =
+      !joint_.is_endless() && contact().geometry().side() > 0;  // with the body
   if (turns) placement.from_seat = state.turn.toRotationMatrix();
   if (lies_) placement = lies_(state, point.time);
   instant.solution =
@@ -305,13 +307,9 @@ std::vector<std::string> JointCycle::notes() const {
   return all;
 }
 
-double JointCycle::side() const {
-  return contact().geometry().inner_body() == JointBody::carrier ? 1 : -1;
-}
-
 Eigen::Quaterniond JointCycle::to_seat(const Instant& instant) const {
-  return side() > 0 ? instant.state.turn.conjugate()
-                    : Eigen::Quaterniond::Identity();
+  return contact().geometry().side() > 0 ? instant.state.turn.conjugate()
+                                         : Eigen::Quaterniond::Identity();
 }
 
 double JointCycle::contact_spread() const {

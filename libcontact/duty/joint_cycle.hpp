@@ -188,7 +188,6 @@ class JointCycle {
   Series rows_at_rims();
   void tabulate(const std::function<void(double)>& progress);
   Instant largest(const Quantity& quantity, const Quantity& mean) const;
-  double side() const;  // 1: the force on the seat is along the reaction
   Quantity of_rims(double (RimContact::*of)() const) const;
 
   void add(const Instant& instant);

@@ -154,7 +154,7 @@ FinitePin::Slip FinitePin::slip(const Motion& motion) const noexcept {
 FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
                                      const Vector2d& tilt,
                                      const Motion& motion) const noexcept {
-  const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const double s = joint_.geometry.side();
   const Slip by = slip(motion);
   Matrix2d of_force;
   of_force << s, by.slip(), -by.slip(), s;
@@ -191,7 +191,7 @@ FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
 
 FinitePinSolution FinitePin::friction(const FinitePinState& at,
                                       const Motion& motion) const noexcept {
-  const double s = joint_.geometry.inner_body() == JointBody::carrier ? 1 : -1;
+  const double s = joint_.geometry.side();
   const Slip by = slip(motion);
   FinitePinSolution found;
   found.contact = at;

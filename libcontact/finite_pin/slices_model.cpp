@@ -80,7 +80,7 @@ struct SlicesModel::Numerics {
 
 SlicesModel::SlicesModel(const JointSpec& joint, const JointContact& contact)
     : level_(contact),
-      side_(joint.geometry.inner_body() == JointBody::carrier ? 1 : -1),
+      side_(joint.geometry.side()),
       numerics_(new Numerics{joint, {}, {}}) {
   if (const std::string why = FinitePin::refusal(joint); !why.empty()) {
     throw Error(why);
@@ -161,13 +161,7 @@ JointSolution SlicesModel::answer(const Asked& asked,
     s.textbook_moment = textbook_moment(contact, asked.force);
     s.reaction_direction = {1, 0};
     s.force_coefficient = s.friction_force.norm() / s.normal_force;
-    const JointContact::Strength strength =
-        contact.strength(std::abs(motion.rate));
-    s.adhesion_number =
-        strength.area_part == 0
-            ? 0
-            : strength.area_part / (strength.pressure_part * s.normal_force);
-    s.contact_state = contact.state(s.normal_force);
+    set_state(s, contact, contact.strength(std::abs(motion.rate)));
     s.peak_pressure = state.peak_pressure;
     s.contact_area = state.area_moment / rho;
     work->moment_coefficient =
@@ -240,16 +234,9 @@ std::vector<double> SlicesModel::pressures(
 }
 
 std::vector<std::string> SlicesModel::notes(const JointSolution& s) const {
-  switch (s.status) {
-    case Status::ok:
-      return {};
-    case Status::not_converged:
-      return {"the solution has not converged"};
-    default:
-      return {
-          "the load needs a half-angle along the pin beyond 80 deg, or beyond "
-          "the limit of the pair"};
-  }
+  return failure_notes(s.status,
+                       "the load needs a half-angle along the pin beyond 80 "
+                       "deg, or beyond the limit of the pair");
 }
 
 }  // namespace contact::detail

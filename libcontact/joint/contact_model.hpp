@@ -92,6 +92,15 @@ class ContactModel {
 /// A solution with no numbers.
 JointSolution not_a_number(Status status, const Eigen::Vector3d& reaction);
 
+/// Why a solution has no numbers; none of one that has.
+/// @param without  said of a load that has no contact
+std::vector<std::string> failure_notes(Status status, const char* without);
+
+/// Sets what follows from R_n and the strength of friction: the state of the
+/// contact and the adhesion number.
+void set_state(JointSolution& solution, const JointContact& contact,
+               const JointContact::Strength& strength);
+
 /// JointSolution::textbook_moment.
 double textbook_moment(const JointContact& contact,
                        const Eigen::Vector3d& reaction);

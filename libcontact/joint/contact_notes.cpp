@@ -18,14 +18,12 @@ double rim_overlap(const JointContact& contact, const JointSolution& solution,
     return nan;
   }
   const SeatZone& zone = *geometry.drawn_seat();
-  const bool is_about_z = zone.axis()[0] == 0 && zone.axis()[1] == 0;
   if (given == LoadDirection::none ||
-      (given == LoadDirection::angle && !is_about_z)) {
+      (given == LoadDirection::angle && !zone.is_about_z())) {
     return nan;
   }
-  const double side = geometry.inner_body() == JointBody::carrier ? 1 : -1;
   const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
-  const Eigen::Vector3d load = side * solution.normal;
+  const Eigen::Vector3d load = geometry.side() * solution.normal;
   const double direction = std::atan2(axis.cross(load).norm(), axis.dot(load));
   return -zone.margin(direction, solution.half_angle);
 }

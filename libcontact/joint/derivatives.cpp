@@ -82,8 +82,7 @@ struct Jacobians {
 Jacobians jacobians(const JointContact& contact, const JointSolution& s,
                     const Vector3d& w, double speed) {
   const ContactSlopes f(contact, s, speed);
-  const bool is_inner = contact.geometry().inner_body() == JointBody::carrier;
-  const double side = is_inner ? 1 : -1;
+  const double side = contact.geometry().side();
   const double rho = contact.geometry().radius();
   const double sin_a = s.slip_axis.sin;
   constexpr double smallest_cosine = 1e-150;

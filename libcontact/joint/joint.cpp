@@ -35,6 +35,22 @@ JointSolution detail::not_a_number(Status status,
   return s;
 }
 
+std::vector<std::string> detail::failure_notes(Status status,
+                                               const char* without) {
+  if (status == Status::ok) return {};
+  if (status != Status::not_converged) return {without};
+  return {"the solution has not converged"};
+}
+
+void detail::set_state(JointSolution& s, const JointContact& contact,
+                       const JointContact::Strength& strength) {
+  s.contact_state = contact.state(s.normal_force);
+  s.adhesion_number =
+      strength.area_part == 0
+          ? 0
+          : strength.area_part / (strength.pressure_part * s.normal_force);
+}
+
 double detail::textbook_moment(const JointContact& contact,
                                const Eigen::Vector3d& reaction) {
   const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
@@ -66,11 +82,6 @@ struct Polar {
   }
 };
 
-// +1 if the carrier has the ball or pin, -1 if the body has it.
-double side(const JointContact& contact) {
-  return contact.geometry().inner_body() == JointBody::carrier ? 1.0 : -1.0;
-}
-
 // Sets what follows from all of a solution, or that there is none: laws of
 // half-angle and pressure may end at different half-angles, and say nothing of
 // larger ones.
@@ -89,13 +100,9 @@ void set_contact(JointSolution& s, const JointContact& contact, double force,
   s.load_parameter = contact.load_parameter(force);
   s.half_angle = half_angle;
   s.contact_area = contact.area(half_angle);
-  s.contact_state = contact.state(force);
   const bool is_pressed = force > 0 || contact.has_interference();
   s.peak_pressure = is_pressed ? contact.peak_pressure(force, half_angle) : 0;
-  s.adhesion_number =
-      strength.area_part == 0
-          ? 0
-          : strength.area_part / (strength.pressure_part * force);
+  detail::set_state(s, contact, strength);
 }
 
 // No relative motion: the reaction alone.
@@ -152,7 +159,7 @@ struct SlipFrame {
 void set_vectors(JointSolution& s, const JointContact& contact,
                  const SlipFrame& frame, double speed, double friction_force) {
   const double rho = contact.geometry().radius();
-  const double swap = side(contact);
+  const double swap = contact.geometry().side();
   const double sin_a = s.slip_axis.sin;
   const double cos_a = s.slip_axis.cos;
   s.normal = sin_a * frame.w + cos_a * frame.d;
@@ -264,7 +271,7 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
   s.spinning_coefficient = std::copysign(1.0, cos_b) * root.point.spinning;
   set_contact(s, contact_, root.point.normal_force,
               root.point.half_angle.half_angle, equation.strength());
-  const double turn = side(contact_) * t.sin_psi;
+  const double turn = contact_.geometry().side() * t.sin_psi;
   const SlipFrame frame = {w, t.cos_psi * p + turn * q,
                            t.cos_psi * q - turn * p};
   set_vectors(s, contact_, frame, spin.length, force.length * sin_g);

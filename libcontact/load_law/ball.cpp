@@ -176,7 +176,7 @@ BallLaw<double> fitted(const Joint& ball, const BallCounts& counts, double low,
   const JointContact& contact = ball.contact();
   BallLaw<double> law{counts};
   law.radius = contact.geometry().radius();
-  law.side = contact.geometry().inner_body() == JointBody::carrier ? 1 : -1;
+  law.side = contact.geometry().side();
   law.low = low;
   law.high = high;
   law.top = (law.n - 1) * law.nh;

@@ -65,9 +65,7 @@ std::vector<double> Joint::pressures(const JointSolution& solution,
   if (model && !is_round(solution)) {
     return model->pressures(solution, places, at_rims);
   }
-  const double side =
-      contact_.geometry().inner_body() == JointBody::carrier ? 1 : -1;
-  const Vector3d centre = side * solution.normal;
+  const Vector3d centre = contact_.geometry().side() * solution.normal;
   std::vector<double> all;
   for (const Vector3d& place : places) {
     const double theta =
@@ -91,16 +89,9 @@ std::vector<std::string> Joint::notes(const JointSolution& solution) const {
   }
   const auto* model = finder(solution, model_, tilted_);
   if (model) return model->notes(solution);
-  switch (solution.status) {
-    case Status::ok:
-      return {};
-    case Status::not_converged:
-      return {"the solution has not converged"};
-    default:
-      return {
-          "the half-angle law or the pressure law has no value under this "
-          "load"};
-  }
+  return detail::failure_notes(
+      solution.status,
+      "the half-angle law or the pressure law has no value under this load");
 }
 
 JointSolution Joint::with_grid(const JointSolution& solution,

@@ -72,6 +72,9 @@ class JointGeometry {
   double length() const { return length_; }
   /// The body that has the ball or pin.
   JointBody inner_body() const { return inner_body_; }
+  /// 1 if the carrier has the ball or pin, -1 if the body has it: the push on
+  /// the body is along the force on the seat or hole, or against it.
+  double side() const { return inner_body_ == JointBody::carrier ? 1 : -1; }
   /// Zone of a ball's seat, if it ends: Joint confines the contact to it.
   const std::optional<SeatZone>& seat() const { return seat_; }
   /// The same, or the one that without_seat() has left out: ContactLimits notes

@@ -66,6 +66,8 @@ class SeatZone {
 
   /// Unit vector.
   const std::array<double, 3>& axis() const { return axis_; }
+  /// Whether angles from z are angles from the axis, either way round.
+  bool is_about_z() const { return axis_[0] == 0 && axis_[1] == 0; }
   double from() const { return from_ + (has_lower_rim() ? setback_ : 0); }
   double to() const { return to_ - (has_upper_rim() ? setback_ : 0); }
   double width() const { return to() - from(); }

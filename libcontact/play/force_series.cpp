@@ -30,7 +30,7 @@ ForceSeries::ForceSeries(JointKind kind, double limit, const Solver& solver)
           std::min(largest_half_angle, largest_share_of_limit * limit))) {
   for (int count = 64;; count *= 2) {
     series_ = tabulated(kind, count, solver);
-    if (count == 256 || series_.is_resolved(negligible, penetration)) break;
+    if (count == 256 || series_.is_resolved(negligible, depth)) break;
   }
 }
 
@@ -46,12 +46,12 @@ ChebyshevTable ForceSeries::tabulated(JointKind kind, int count,
             const ForcePoint point = solver(theta);
             const double x = load_unit * point.reciprocal_load;
             const double shift = (power_ - 2) * u;
-            Eigen::RowVectorXd row(penetration + 1);
+            Eigen::RowVectorXd row(depth + 1);
             row << std::log(x / (limit_ - theta)) + power_ * u,
                 std::log(point.approach.approach * x) + shift,
                 std::log(point.approach.stiffness / stiffness_unit) - shift,
                 std::log(point.excess) - 2 * u, 0;
-            row[penetration] = row[approach] - row[reciprocal];
+            row[depth] = row[approach] - row[reciprocal];
             return row;
           }};
 }
@@ -81,7 +81,7 @@ double ForceSeries::at_penetration(double penetration, double start) const {
     const double theta = std::exp(u);
     const double rest = limit_ - theta;
     const auto [value, slope] =
-        series_.tangent(ForceSeries::penetration, variable(u));
+        series_.tangent(ForceSeries::depth, variable(u));
     const double error = value + 2 * u - std::log(rest) - wanted;
     const double growth = slope * 2 / (last_ - first_);
     const double next =

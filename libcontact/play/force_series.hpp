@@ -37,7 +37,7 @@ class ForceSeries {
 
  private:
   // Columns of the series.
-  enum { reciprocal, approach, stiffness, excess, penetration };
+  enum { reciprocal, approach, stiffness, excess, depth };
   ChebyshevTable tabulated(JointKind kind, int count,
                            const Solver& solver) const;
   double variable(double u) const;  // [-1, 1]

@@ -90,8 +90,9 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
     limits_.push_back(
         {&LargestContact::rim_overlap, 0.1 * degree, degree, "contact",
          " that goes {:.3g} deg",
-         " beyond a rim of its seat, where its load points: it is answered "
-         "without the seat, its pressures are too low"});
+         detail::message(" beyond a rim of its seat, where its load points: it "
+                         "is answered without the seat, its pressures are too "
+                         "low")});
   }
   if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
   if (geometry.kind() == JointKind::pin) {

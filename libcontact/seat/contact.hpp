@@ -52,11 +52,6 @@ constexpr std::string_view to_string(SeatStatus status) {
 SeatPlace seat_place(const Eigen::Vector3d& force,
                      const Eigen::Vector3d& place);
 
-/// Whether angles from z are angles from a seat's axis, either way round.
-inline bool is_about_z(const SeatZone& zone) {
-  return zone.axis()[0] == 0 && zone.axis()[1] == 0;
-}
-
 /// The contact under one load, and how it was found.
 struct SeatState : RimContact {
   SeatStatus status = SeatStatus::no_load;

@@ -136,7 +136,7 @@ SeatModel::SeatModel(const JointSpec& joint,
     : spec_(joint),
       grids_(std::move(grids)),
       endless_(std::move(endless)),
-      side_(joint.geometry.inner_body() == JointBody::carrier ? 1 : -1),
+      side_(joint.geometry.side()),
       table_(std::move(table)) {
   const auto& axis = grids_->contact.zone().axis();
   to_body_ = Eigen::Quaterniond::FromTwoVectors(
@@ -262,12 +262,7 @@ JointSolution SeatModel::at_rim_solution(const Turning& turning,
   s.textbook_moment = textbook_moment(contact, turning.reaction);
   s.reaction_direction = between(turning.reaction, turning.rate);
   s.force_coefficient = pull.force.norm() / s.normal_force;
-  const auto strength = contact.strength(speed);
-  s.adhesion_number =
-      strength.area_part == 0
-          ? 0
-          : strength.area_part / (strength.pressure_part * s.normal_force);
-  s.contact_state = contact.state(s.normal_force);
+  set_state(s, contact, contact.strength(speed));
   s.peak_pressure = state.peak_pressure;
   s.contact_area = state.area;
   return s;

@@ -10,6 +10,7 @@
 #include "libcontact/duty/along_pin.hpp"
 #include "libcontact/duty/wear_map.hpp"
 #include "libcontact/quantities/tables.hpp"
+#include "support/bush.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
@@ -25,13 +26,9 @@ constexpr double length = 0.05;
 
 JointSpec bush(Relief relief = Relief::none(),
                JointBody inner = JointBody::carrier) {
-  const Material steel = {210e9, 0.3};
-  return {.geometry = JointGeometry::pin(rho, 2e-5, length, inner),
-          .inner = steel,
-          .outer = {{{0.004, {110e9, 0.34}}, {0.02, steel}}, Backing::held()},
-          .friction = FrictionLaw(0.1),
-          .relief = relief,
-          .half_angle_law = "exact"};
+  JointSpec spec = bush_of(FrictionLaw(0.1), relief, inner);
+  spec.half_angle_law = "exact";
+  return spec;
 }
 
 // A load that swings, on a pin that swings.

@@ -13,6 +13,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/step.hpp"
 #include "play/reference_joint.hpp"
+#include "support/bush.hpp"
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
@@ -29,12 +30,7 @@ constexpr double length = 0.05;
 
 JointSpec bush(Relief relief = Relief::none(),
                JointBody inner = JointBody::carrier) {
-  const Material steel = {210e9, 0.3};
-  return {.geometry = JointGeometry::pin(rho, 2e-5, length, inner),
-          .inner = steel,
-          .outer = {{{0.004, {110e9, 0.34}}, {0.02, steel}}, Backing::held()},
-          .friction = FrictionLaw(0.1, 1e6),
-          .relief = relief};
+  return bush_of(FrictionLaw(0.1, 1e6), relief, inner);
 }
 
 // Any rotation.

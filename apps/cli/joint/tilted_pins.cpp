@@ -118,10 +118,7 @@ class Rows {
     for (std::size_t i = 0; i < loads_.size(); ++i) {
       for (std::size_t k = 0; k < placements_.size(); ++k) {
         const contact::Placement placement = placements_[k];
-        const double side = pin_.contact().geometry().inner_body() ==
-                                    contact::JointBody::carrier
-                                ? 1
-                                : -1;
+        const double side = pin_.contact().geometry().side();
         const JointSolution s = pin_.solve_contact(
             {side * loads_[i] * Vector3d::UnitX(), Vector3d::Zero(),
              Vector3d::UnitZ(), &placement});

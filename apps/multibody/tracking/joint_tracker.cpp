@@ -57,7 +57,7 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
     const JointContact::Strength strength = contact.strength(1);
     State s = state(i);
     s.radius = geometry.radius();
-    s.side = geometry.inner_body() == JointBody::carrier ? 1 : -1;
+    s.side = geometry.side();
     s.is_ball = geometry.kind() == JointKind::ball;
     s.is_viscous = contact.is_viscous();
     is_plain_[i] =

@@ -13,7 +13,7 @@
 namespace hinge_joint {
 namespace {
 
-constexpr const char* option = "--measured-moment";
+constexpr const char* measured_option = "--measured-moment";
 
 // With another f0.
 contact::Joint with_friction(const contact::Joint& joint, double coefficient) {
@@ -48,12 +48,13 @@ double found_coefficient(const NamedJoint& joint, double measured,
   const std::string laws =
       fmt::format("law {}, pressure {}", joint.law, joint.pressure);
   if (std::isnan(low) || std::isnan(high)) {
-    cli::refuse_without(option, "a state that has a solution with " + laws);
+    cli::refuse_without(measured_option,
+                        "a state that has a solution with " + laws);
   }
   if (low == 0) return 0;
   if (!(low < 0 && high >= 0)) {
     cli::refuse(
-        option, cli::number_text(measured),
+        measured_option, cli::number_text(measured),
         fmt::format("{:.6g} to {:.6g} N m, |M_t| for f0 from 0 to {} ({})",
                     moment(0), moment(largest_measured_friction),
                     largest_measured_friction, laws));
@@ -67,10 +68,10 @@ double found_coefficient(const NamedJoint& joint, double measured,
 }  // namespace
 
 void find_friction(double moment, const Inputs& inputs, Setup& setup) {
-  if (inputs.size() != 1) cli::refuse_without(option, "one state");
+  if (inputs.size() != 1) cli::refuse_without(measured_option, "one state");
   const Input input = inputs[0];
   if (input.force.isZero(0) || input.turn.isZero(0)) {
-    cli::refuse_without(option, "a force and a rate that are not 0");
+    cli::refuse_without(measured_option, "a force and a rate that are not 0");
   }
   for (NamedJoint& joint : setup.joints) {
     joint.joint = with_friction(

@@ -92,7 +92,7 @@ void check_in_seat(const Options& options, Pointing pointing,
     cli::refuse_without(std::string(question) + " with a [seat]",
                         "--without-seat");
   }
-  if (pointing == Pointing::angle && !is_about_z(seat)) {
+  if (pointing == Pointing::angle && !seat.is_about_z()) {
     const bool points = !options.points.empty();
     cli::refuse_without(
         std::string(points ? "b_deg of --points" : "--reaction") +

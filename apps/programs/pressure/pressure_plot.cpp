@@ -12,7 +12,7 @@
 namespace hinge_pressure {
 namespace {
 
-constexpr int points = 201;
+constexpr int curve_points = 201;
 
 // "2000 N", "μ = 0.5"
 std::string load_text(const cli::Joint& joint, const LoadedContact& contact) {
@@ -83,8 +83,8 @@ struct Labels {
 cli::Curve curve_of(const PressureTable& table, std::size_t law,
                     const LoadedContact& contact) {
   cli::Curve curve;
-  for (int j = 0; j < points; ++j) {
-    const double theta = contact.half_angle * j / (points - 1);
+  for (int j = 0; j < curve_points; ++j) {
+    const double theta = contact.half_angle * j / (curve_points - 1);
     curve.x.push_back(theta / contact::degree);
     curve.y.push_back(table.pressure(law, contact, theta));
   }

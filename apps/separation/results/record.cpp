@@ -128,8 +128,8 @@ double acceleration_of(const Simulation& simulation, int body) {
 
 // The time of what stays the same is its first, whatever rounding says.
 void raise(double& peak, double& peak_time, double value, double time) {
-  constexpr double rounding = 1e-13;
-  if (!(value > (1 + rounding) * peak)) return;
+  constexpr double same = 1e-13;
+  if (!(value > (1 + same) * peak)) return;
   peak = value;
   peak_time = time;
 }

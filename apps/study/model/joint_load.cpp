@@ -50,7 +50,7 @@ void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
   if (to.without_seat && !seat) {
     load.needs("without_seat", "a joint with a [seat]");
   }
-  if (seat && !to.without_seat && !is_about_z(*seat) &&
+  if (seat && !to.without_seat && !seat->is_about_z() &&
       to.direction == contact::LoadDirection::angle) {
     load.needs("reaction",
                "a seat about z, which beta is counted from, or reaction_xyz or "

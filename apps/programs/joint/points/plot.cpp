@@ -13,7 +13,7 @@ namespace {
 // Places in point_columns().
 constexpr std::size_t reaction = 0;
 constexpr std::size_t normal_force = 1;
-constexpr std::size_t moment = 2;
+constexpr std::size_t moment_column = 2;
 constexpr std::size_t peak_pressure = 4;
 
 }  // namespace
@@ -25,8 +25,8 @@ std::string draw_points(const Setup& setup, const PointSeries& series,
   }
   const NamedJoint& joint = setup.joints[0];
   const bool is_contact = series.question() == Question::contact;
-  const std::size_t shown[] = {moment, is_contact ? normal_force : reaction,
-                               peak_pressure};
+  const std::size_t shown[] = {
+      moment_column, is_contact ? normal_force : reaction, peak_pressure};
   cli::PanelPlot plot;
   plot.title = fmt::format("{}, law {}, pressure {}", setup.given[0].title,
                            joint.law, joint.pressure);
