@@ -257,13 +257,10 @@ JointCycle::Instant JointCycle::largest_pv() const {
                  });
 }
 
-// NaN without a seat that ends, and without load.
-JointCycle::Quantity JointCycle::of_rims(double (RimContact::*of)()
-                                             const) const {
-  return [this, of](const Instant& i) {
-    const auto rims = joint_.rims(i.solution);
-    return rims ? ((*rims).*of)() : detail::nan;
-  };
+double JointCycle::of_rims(const Instant& instant,
+                           double (RimContact::*of)() const) const {
+  const auto rims = joint_.rims(instant.solution);
+  return rims ? ((*rims).*of)() : detail::nan;
 }
 
 double JointCycle::rim_share() const {

@@ -153,6 +153,10 @@ class JointCycle {
   /// report_distance or more from them, NaN if a row without has a larger mean.
   Instant largest_peak() const;
   Instant largest_pv() const;
+  /// A number of the contact at the rims, as RimContact::gap(); NaN without a
+  /// seat that ends, and without load.
+  double of_rims(const Instant& instant,
+                 double (RimContact::*of)() const) const;
   /// Share of the time in which the contact is at a rim.
   double rim_share() const;
   /// The row whose contact is nearest to a rim, and that with the largest K; of
@@ -188,7 +192,9 @@ class JointCycle {
   Series rows_at_rims();
   void tabulate(const std::function<void(double)>& progress);
   Instant largest(const Quantity& quantity, const Quantity& mean) const;
-  Quantity of_rims(double (RimContact::*of)() const) const;
+  Quantity of_rims(double (RimContact::*of)() const) const {
+    return [this, of](const Instant& i) { return of_rims(i, of); };
+  }
 
   void add(const Instant& instant);
   ContactPv pv_without_axis(const Instant& instant) const;

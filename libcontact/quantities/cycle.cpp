@@ -1,5 +1,4 @@
 #include <cmath>
-#include <limits>
 
 #include "libcontact/quantities/tables.hpp"
 
@@ -57,17 +56,9 @@ bool has_seat(const JointCycle& c) {
   return !c.joint().is_pin() && !c.joint().is_endless();
 }
 
-// A quantity of the rims at some instant of a cycle; NaN without a contact.
-double rim_number(const JointCycle& cycle, const JointCycle::Instant& instant,
-                  double (RimContact::*of)() const) {
-  const auto rims = cycle.joint().rims(instant.solution);
-  return rims ? ((*rims).*of)() : std::numeric_limits<double>::quiet_NaN();
-}
-
 // It rises with K.
 double rim_pressure(const JointCycle& cycle) {
-  return rim_number(cycle, cycle.largest_intensity(),
-                    &RimContact::rim_pressure);
+  return cycle.of_rims(cycle.largest_intensity(), &RimContact::rim_pressure);
 }
 
 constexpr Quantity<JointCycle> of_worst[] = {
@@ -85,13 +76,13 @@ constexpr Quantity<JointCycle> of_worst[] = {
     {"least_gap", "", Dimension::length,
      "from the contact to the nearest rim along the seat",
      [](const JointCycle& c) {
-       return rim_number(c, c.least_gap(), &RimContact::gap);
+       return c.of_rims(c.least_gap(), &RimContact::gap);
      },
      "", has_seat},
     {"largest_intensity", "largest_K", Dimension::number,
      "largest p sqrt(2 pi s) at a rim, s from it, Pa m^0.5",
      [](const JointCycle& c) {
-       return rim_number(c, c.largest_intensity(), &RimContact::intensity);
+       return c.of_rims(c.largest_intensity(), &RimContact::intensity);
      },
      "", has_seat},
     {"largest_rim_pressure", "largest_p_rim", Dimension::stress,
