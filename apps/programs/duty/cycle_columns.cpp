@@ -15,30 +15,31 @@
 namespace hinge_duty {
 namespace {
 
-constexpr double largest = 1e100;
-constexpr cli::Allowed any_time{-largest, largest, "s"};
-constexpr cli::Allowed any_force{-largest, largest, "N"};
-constexpr cli::Allowed any_rate{-largest, largest, "rad/s"};
-constexpr cli::Allowed any_place{-largest, largest, "m"};
+constexpr double largest_number = 1e100;
+constexpr cli::Allowed any_time{-largest_number, largest_number, "s"};
+constexpr cli::Allowed any_force{-largest_number, largest_number, "N"};
+constexpr cli::Allowed any_rate{-largest_number, largest_number, "rad/s"};
+constexpr cli::Allowed any_place{-largest_number, largest_number, "m"};
 constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
 
 const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
                                                "w_z_rad_per_s"};
 
 // The columns that say how a pin lies, and where their places are kept.
-constexpr std::pair<std::string_view, std::size_t CycleColumns::*> lies[] = {
-    {"tilt_x_deg", &CycleColumns::tilt_x_at},
-    {"tilt_y_deg", &CycleColumns::tilt_y_at},
-    {"load_at_m", &CycleColumns::load_at}};
+constexpr std::pair<std::string_view, std::size_t CycleColumns::*>
+    lie_columns[] = {{"tilt_x_deg", &CycleColumns::tilt_x_at},
+                     {"tilt_y_deg", &CycleColumns::tilt_y_at},
+                     {"load_at_m", &CycleColumns::load_at}};
 
 bool is_lie(std::string_view name) {
-  return std::ranges::any_of(
-      lies, [&](const auto& lie) { return cli::is_named(name, lie.first); });
+  return std::ranges::any_of(lie_columns, [&](const auto& lie) {
+    return cli::is_named(name, lie.first);
+  });
 }
 
 void name_lies(const cli::PointColumns& columns, const std::string& place,
                CycleColumns& to) {
-  for (const auto& [name, at] : lies) {
+  for (const auto& [name, at] : lie_columns) {
     const bool is_there = std::ranges::any_of(
         columns.riding,
         [name = name](const auto& it) { return cli::is_named(it, name); });
