@@ -55,25 +55,4 @@ class Placements {
   Sweep sweep_;
 };
 
-/// Table of such pins under normal forces, without friction: rows of each load
-/// and placement.
-struct TiltedTable {
-  std::string_view program;
-  std::string loads;  ///< sweep of --load
-  /// Keys of the peak pressure and of lie_quantities(), or names of the columns
-  /// of `write`.
-  std::vector<std::string_view> columns;
-  /// Instead of one row of the columns: writes rows, each begun by `begin`,
-  /// which writes the cells of the load.
-  std::function<void(const contact::Joint&, const contact::JointSolution&,
-                     const std::function<void()>& begin, RowWriter&)>
-      write = {};
-};
-
-/// Writes it, with warnings of what leaves the theory; some_bad if rows have no
-/// value.
-ExitStatus write_tilted(const std::vector<Joint>& joints,
-                        const TiltOptions& options, const TiltedTable& table,
-                        const OutputOptions& output);
-
 }  // namespace cli

@@ -163,7 +163,7 @@ cli::ExitStatus run(const Options& options) {
   if (options.play.impact) {
     return run_impact(options.play, options.joint, options.output);
   }
-  if (options.tilt.given()) return run_tilted(options);
+  if (options.tilt.given()) return run_placed(options);
   if (options.compare) return run_comparison(options);
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;

@@ -15,10 +15,9 @@
 #include "libcontact/base/units.hpp"
 #include "programs/angle/input.hpp"
 #include "programs/angle/limits.hpp"
-#include "programs/pressure/pin_table.hpp"
+#include "programs/pressure/placed_contacts.hpp"
 #include "programs/pressure/pressure_plot.hpp"
 #include "programs/pressure/pressure_table.hpp"
-#include "programs/pressure/seat_table.hpp"
 
 namespace hinge_pressure {
 namespace {
@@ -152,8 +151,9 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
 }  // namespace
 
 cli::ExitStatus run(const Options& options) {
-  if (!options.direction.empty()) return run_in_seat(options);
-  if (options.tilt.given()) return run_tilted(options);
+  if (!options.direction.empty() || options.tilt.given()) {
+    return run_placed(options);
+  }
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;
   for (const cli::Joint& joint : joints) {

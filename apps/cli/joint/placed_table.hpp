@@ -1,0 +1,55 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/joint/joint_options.hpp"
+#include "cli/joint/tilted_pins.hpp"
+#include "libcontact/joint/joint.hpp"
+
+/// Tables of joints whose contact ends, under normal forces and without
+/// friction: pins as they lie, balls in their seats.
+namespace cli {
+
+/// A joint of such a table under one load. Loads of pins are along x; those of
+/// seats lie in the plane of x and z, the seat's axis.
+struct PlacedState {
+  const contact::Joint& joint;
+  double load;  ///< N
+  const contact::JointSolution& solution;
+  std::optional<contact::PinLie> lie = {};
+  std::optional<contact::RimContact> rims = {};
+};
+
+struct PlacedColumn {
+  std::string name;
+  std::function<double(const PlacedState&)> value;
+};
+/// Those of a quantity of the solution, of the pin's lie, of all of the seat.
+void add_solution_column(std::string_view key, std::vector<PlacedColumn>& to);
+void add_lie_column(std::string_view key, std::vector<PlacedColumn>& to);
+void add_seat_columns(std::vector<PlacedColumn>& to);
+
+struct PlacedTable {
+  std::string_view program;
+  std::string loads;  ///< sweep of --load
+  TiltOptions tilt = {};
+  std::string direction = {};  ///< sweep of --direction, in the place of tilt
+  std::vector<PlacedColumn> columns = {};
+  /// Of maps: names of their columns, and what writes their rows, each begun by
+  /// `begin`, which writes the cells of the load.
+  std::vector<std::string> map_columns = {};
+  std::function<void(const PlacedState&, const std::function<void()>& begin,
+                     RowWriter&)>
+      write_map = {};
+};
+
+/// Rows of each load and placement, with warnings of what leaves the theory;
+/// some_bad if rows have no value.
+ExitStatus write_placed(const std::vector<Joint>& joints,
+                        const PlacedTable& table, const OutputOptions& output);
+
+}  // namespace cli

@@ -1,0 +1,152 @@
+#include "programs/pressure/placed_contacts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <vector>
+
+#include "cli/joint/placed_table.hpp"
+#include "libcontact/base/units.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
+
+namespace hinge_pressure {
+namespace {
+
+using contact::Joint;
+using contact::JointSolution;
+using Eigen::Vector3d;
+
+// The i-th of some numbers with even steps.
+double step(double from, double to, int i, int count) {
+  return from + (to - from) * i / (count - 1);
+}
+
+// Angle from the load beyond which nothing touches, rad, to 1e-6: slices are
+// pressed where the pin's axis has gone.
+double edge_of(const Joint& joint, const JointSolution& s, double half) {
+  const auto lie = joint.lie(s);
+  if (!lie) return 0;
+  const double rho = joint.contact().geometry().radius();
+  constexpr int count = 201;
+  double edge = 0;
+  for (int i = 0; i < count; ++i) {
+    const double z = step(-half, half, i, count);
+    const Vector3d to = lie->shift + z * lie->tilt;
+    const double middle = std::abs(std::atan2(to.y(), to.x()));
+    const auto touches = [&](double theta) {
+      const double at = std::copysign(middle + theta, to.y());
+      const Vector3d place(std::cos(at), std::sin(at), z / rho);
+      return joint.pressures(s, {&place, 1})[0] > 0;
+    };
+    double inside = 0;
+    double outside = lie->largest_half_angle;
+    if (!touches(inside)) continue;
+    while (outside - inside > 1e-6) {
+      const double between = (inside + outside) / 2;
+      (touches(between) ? inside : outside) = between;
+    }
+    edge = std::max(edge, middle + outside);
+  }
+  return std::min(edge, std::numbers::pi);
+}
+
+void write_pin(const Joint& joint, const JointSolution& s, int points,
+               const std::function<void()>& begin, cli::RowWriter& row) {
+  const contact::JointGeometry& geometry = joint.contact().geometry();
+  const double half = geometry.length() / 2;
+  const double edge = edge_of(joint, s, half);
+  std::vector<Vector3d> places;
+  for (int i = 0; i < points; ++i) {
+    const double z = step(-half, half, i, points);
+    for (int j = 0; j < points; ++j) {
+      const double theta = step(-edge, edge, j, points);
+      places.emplace_back(std::cos(theta), std::sin(theta),
+                          z / geometry.radius());
+    }
+  }
+  const std::vector<double> pressures = joint.pressures(s, places);
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    begin();
+    row.number(step(-edge, edge, static_cast<int>(i) % points, points) /
+               contact::degree);
+    row.number(step(-half, half, static_cast<int>(i) / points, points));
+    row.number(pressures[i]);
+    row.end();
+  }
+}
+
+// From rim to rim, as far from them as largest pressures are looked for.
+void write_seat(const Joint& joint, const JointSolution& s, int points,
+                const std::function<void()>& begin, cli::RowWriter& row) {
+  const contact::SeatZone& zone = *joint.contact().geometry().drawn_seat();
+  const double near = zone.edge().report_distance;
+  const double from = zone.from() + (zone.has_lower_rim() ? near : 0);
+  const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
+  const auto polar = [&](int i) { return step(from, to, i, points); };
+  const auto turn = [&](int j) { return step(0, std::numbers::pi, j, points); };
+  std::vector<Vector3d> places;
+  for (int i = 0; i < points; ++i) {
+    for (int j = 0; j < points; ++j) {
+      const double v = polar(i), phi = turn(j);
+      places.emplace_back(std::sin(v) * std::cos(phi),
+                          std::sin(v) * std::sin(phi), std::cos(v));
+    }
+  }
+  const std::vector<double> pressures = joint.pressures(s, places);
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    begin();
+    row.number(polar(static_cast<int>(k) / points) / contact::degree);
+    row.number(turn(static_cast<int>(k) % points) / contact::degree);
+    row.number(pressures[k]);
+    row.end();
+  }
+}
+
+// Friction has no part in it.
+void add_pin_columns(std::vector<cli::PlacedColumn>& to) {
+  for (const auto& q : contact::lie_quantities()) {
+    if (q.key == "moment" || q.key == "axial_friction_force") continue;
+    if (q.key == "peak_place") cli::add_solution_column("peak_pressure", to);
+    cli::add_lie_column(q.key, to);
+  }
+}
+
+void add_columns_in_seat(std::vector<cli::PlacedColumn>& to) {
+  const auto area = [](const cli::PlacedState& s) {
+    return s.joint.contact().geometry().nominal_area();
+  };
+  to.push_back({"nominal_area_m2", area});
+  to.push_back({"p_nominal_Pa", [area](const cli::PlacedState& s) {
+                  return s.load / area(s);
+                }});
+  cli::add_seat_columns(to);
+}
+
+}  // namespace
+
+cli::ExitStatus run_placed(const Options& options) {
+  const bool in_seat = !options.direction.empty();
+  cli::PlacedTable table{.program = "hinge-pressure",
+                         .loads = options.load.load,
+                         .tilt = options.tilt,
+                         .direction = options.direction};
+  if (in_seat) {
+    add_columns_in_seat(table.columns);
+  } else {
+    add_pin_columns(table.columns);
+  }
+  if (const int points = options.points; points > 0) {
+    table.map_columns = {"theta_deg", "z_m", "p_Pa"};
+    if (in_seat) table.map_columns = {"v_deg", "phi_deg", "p_Pa"};
+    table.write_map = [points, write = in_seat ? write_seat : write_pin](
+                          const cli::PlacedState& s,
+                          const std::function<void()>& begin,
+                          cli::RowWriter& row) {
+      write(s.joint, s.solution, points, begin, row);
+    };
+  }
+  return write_placed(make_joints(options.joint), table, options.output);
+}
+
+}  // namespace hinge_pressure
