@@ -11,6 +11,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/seat/friction.hpp"
 #include "libcontact/seat/readout.hpp"
+#include "libcontact/seat/rim_warning.hpp"
 
 namespace contact {
 
@@ -74,6 +75,7 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
   windows_ = std::make_unique<const detail::SeatWindows>(
       pair, zone, grid.cells, grid.longitudes,
       joint.geometry.radial_clearance());
+  rim_warning_ = std::make_unique<const detail::RimWarning>(pair, zone);
 }
 
 SeatContact::~SeatContact() = default;
@@ -318,7 +320,6 @@ std::string SeatContact::note(const SeatState& state) const {
 
 std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   if (std::string why = note(state); !why.empty()) return {std::move(why)};
-  constexpr double beside = 10 * degree;
   std::vector<std::string> all;
   if (std::isnan(state.peak_pressure) && state.area > 0) {
     all.push_back(detail::message(
@@ -327,23 +328,14 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
         "tells what is at the rim",
         radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6));
   }
+  const double endless = contact_.half_angle(state.force.norm()).half_angle;
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
-    if (!is_reached && !(state.rims[rim].distance < beside)) continue;
-    const double angle = zone_.side_angle(rim) / degree;
-    // Numbers by finite elements: docs/seats.md, "What is neglected".
-    const bool is_acute = angle < 85;
-    all.push_back(detail::message(
-        "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
-        "deg to the seat, is free in truth: pressures in the middle are larger "
-        "by {}, the approach by up to {} %, pressures at the rim smaller",
-        is_reached ? "is at" : "ends beside", rim_names[rim], angle,
-        is_acute     ? is_reached ? "9 to 16 %" : "up to 3 %"
-        : is_reached ? "1 to 6 %"
-                     : "up to 1 %",
-        is_acute     ? is_reached ? 18 : 5
-        : is_reached ? 7
-                     : 2.5));
+    if (!is_reached && !(state.rims[rim].distance < rim_warning_->reach(rim))) {
+      continue;
+    }
+    all.push_back(rim_warning_->sentence(
+        rim, is_reached, detail::polar_angle(state.force), endless));
     add_rounding_notes(state, rim, all);
   }
   return all;

@@ -19,6 +19,7 @@
 namespace contact {
 
 namespace detail {
+class RimWarning;
 class SeatModel;
 class SeatWindows;
 struct SeatSolution;
@@ -68,7 +69,7 @@ struct RoundedRim {
 /// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
 /// socket, for any elastic pair and any walls, under any load. The bodies go on
 /// beyond the rims as they do in the laws without rims; only the contact ends
-/// there. What that leaves out, 1 to 18 %, says docs/seats.md.
+/// there. What that leaves out, 0 to 68 %, says docs/seats.md.
 ///
 /// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
 /// act on the seat, shifts are those of the ball's centre.
@@ -132,9 +133,9 @@ class SeatContact {
 
   /// Why there is no answer, a sentence; "" if there is one.
   std::string note(const SeatState& state) const;
-  /// The same, and of a contact that ends less than 10 deg from a rim what the
-  /// model leaves out there, with the angle of the side face that it depends
-  /// on, and of a rim that is rounded too much for rounded_rim().
+  /// The same, and of a contact that ends less than 10 deg from a rim (15 with
+  /// corners below 85 deg and seats of nu 0.4 and more) what the model leaves
+  /// out there, and of a rim that is rounded too much for rounded_rim().
   std::vector<std::string> notes(const SeatState& state) const;
 
   /// SeatZone::nominal_area(), m^2.
@@ -169,6 +170,7 @@ class SeatContact {
   SeatZone zone_;
   double surface_layer_;  // thickness, m; infinite without
   std::unique_ptr<const detail::SeatWindows> windows_;
+  std::unique_ptr<const detail::RimWarning> rim_warning_;
 };
 
 }  // namespace contact
