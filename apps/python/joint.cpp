@@ -4,7 +4,6 @@
 #include <memory>
 #include <optional>
 
-#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/load_law/load_law.hpp"
@@ -116,12 +115,6 @@ std::string kernel(const FileJoint& self, const std::string& language,
                    const std::string& name, double error,
                    const std::optional<std::pair<double, double>>& reaction) {
   const contact::Joint& joint = self.joint();
-  if (!joint.is_endless()) {
-    throw contact::Error(
-        contact::detail::needs("kernel()",
-                               "a joint without a [seat] and a [relief], or "
-                               "without_seat() and without_relief()"));
-  }
   const Unlocked unlocked;
   return load_law_text(joint, {.language = language,
                                .name = name,

@@ -41,7 +41,8 @@ struct PinLoadLaw {
 ///               not need to know, or with adhesion four, which it does
 /// @return errors are those against solve() at 2000 loads; another comparison
 ///         finds up to 1.2 times as much (tests/python/test_load_law.py)
-/// @throws Error for other joints, and an error that 12 numbers do not reach
+/// @throws Error for other joints, of those with a [seat] or [relief] too, and
+///   for an error that 12 numbers do not reach
 PinLoadLaw pin_load_law(
     const Joint& pin, double error,
     const std::optional<std::pair<double, double>>& loads = {});

@@ -36,6 +36,13 @@ MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
   return best;
 }
 
+void check_endless(const Joint& joint) {
+  if (joint.is_endless()) return;
+  throw Error(needs("a load law",
+                    "a joint without a [seat] and a [relief], or "
+                    "without_seat() and without_relief()"));
+}
+
 void check_loads(double low, double high) {
   if (low > 0 && low < high) return;
   throw Error(must_be(message("the loads {} and {} N of a load law", low, high),

@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/joint/joint.hpp"
 
 namespace contact::detail {
 
@@ -18,6 +19,8 @@ struct MinimaxFit {
 MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
                        int rows_of_one = 1, int rounds = 15);
 
+/// @throws Error of a joint with rims or ends, which no load alone decides on
+void check_endless(const Joint& joint);
 /// @throws Error unless 0 < low < high
 void check_loads(double low, double high);
 /// A law with all its numbers has errors of `best`.

@@ -195,6 +195,7 @@ double measured(const PinLoadLaw& law, const Joint& pin) {
 PinLoadLaw pin_load_law(const Joint& pin, double error,
                         const std::optional<std::pair<double, double>>& loads) {
   check_friction(pin);
+  detail::check_endless(pin);
   const JointContact& contact = pin.contact();
   PinLoadLaw law;
   law.loads = loads.value_or(usual_loads(contact));

@@ -8,6 +8,7 @@
 #include "libcontact/load_law/ball.hpp"
 #include "libcontact/load_law/languages.hpp"
 #include "libcontact/load_law/load_law.hpp"
+#include "libcontact/load_law/minimax.hpp"
 #include "libcontact/load_law/pin_formula.hpp"
 #include "libcontact/version.hpp"
 
@@ -147,6 +148,7 @@ std::string pin_code(const Joint& pin, const PinLoadLaw& law,
 LoadLawText load_law_text(const Joint& joint, const LoadLawOptions& o) {
   const Language& in = detail::language(o.language);
   check_name(o.name);
+  detail::check_endless(joint);
   LoadLawText law;
   std::string about = heading(joint, o, in);
   std::string code(in.prelude);

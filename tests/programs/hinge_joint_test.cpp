@@ -788,6 +788,13 @@ TEST(HingeJoint, IsInItsSeatUnlessToldOtherwise) {
   EXPECT_EQ(std::ranges::count(without.names(), "K_high"), 0);
   const CsvTable pressed = folder.table(cup + "--normal-force 2kN --alpha 60");
   EXPECT_EQ(std::ranges::count(pressed.names(), "K_high"), 0);
+  // A function of the load alone knows no rims.
+  folder.run_ill(cup + "--kernel c", 2,
+                 "hinge-joint: --kernel with a [seat] requires "
+                 "--without-seat\n");
+  EXPECT_NE(folder.run_well(cup + "--kernel c --without-seat")
+                .out.find("friction_hold("),
+            std::string::npos);
 }
 
 // The direction of a load is unknown of a normal force, and of an angle from

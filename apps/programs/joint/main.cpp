@@ -115,7 +115,7 @@ void add_seat(cli::Program& program, Options& o) {
   program.add("Seat",
               {{"--without-seat", &o.without_seat, "",
                 "let the contact of a ball go on beyond the rims of its [seat]",
-                "", "--normal-force --tilt --load-at --kernel"}});
+                "", "--normal-force --tilt --load-at"}});
 }
 
 void add_equivalent(cli::Program& program, Options& o) {

@@ -183,7 +183,10 @@ void check_summary(const Setup& setup, const Inputs& inputs) {
 
 cli::ExitStatus run(const Options& options) {
   Setup setup = make_setup(options);
-  if (!options.kernel.language.empty()) return write_kernel(options, setup);
+  if (!options.kernel.language.empty()) {
+    give_ends(options, Pointing::angle, setup);
+    return write_kernel(options, setup);
+  }
   if (!options.points.empty()) return run_points(options, setup);
   const Inputs inputs(options, setup);
   give_ends(options, pointing(inputs), setup);

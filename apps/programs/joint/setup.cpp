@@ -41,6 +41,7 @@ std::string_view endless_question(const Options& o) {
       {o.trace, "--trace"},
       {o.outer.has_value(), "--outer"},
       {o.equivalent, "--equivalent"},
+      {!o.kernel.language.empty(), "--kernel"},
       {o.measured_moment.has_value(), "--measured-moment"},
       {!o.map.empty(), "--map"},
       {are_several(o.joint.laws), "several --law"},
