@@ -1,53 +1,47 @@
 #include "cli/stream/decoding.hpp"
 
+#include <array>
+#include <cerrno>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+
 namespace cli {
 namespace {
 
-constexpr std::string_view utf8_mark = "\xEF\xBB\xBF";
-constexpr std::string_view little_mark = "\xFF\xFE";
-constexpr std::string_view big_mark = "\xFE\xFF";
-constexpr std::uint32_t replacement = 0xFFFD;  // for what is no character
+// Marks of byte order, and what is converted after them.
+constexpr std::pair<std::string_view, const char*> marks[] = {
+    {"\xEF\xBB\xBF", nullptr},
+    {"\xFF\xFE", "UTF-16LE"},
+    {"\xFE\xFF", "UTF-16BE"}};
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // of no character
 
-void append_utf8(std::uint32_t character, std::string& to) {
-  const auto low = [character](int shift) {
-    return static_cast<char>(0x80 | ((character >> shift) & 0x3F));
-  };
-  if (character < 0x80) {
-    to += static_cast<char>(character);
-  } else if (character < 0x800) {
-    to += {static_cast<char>(0xC0 | (character >> 6)), low(0)};
-  } else if (character < 0x10000) {
-    to += {static_cast<char>(0xE0 | (character >> 12)), low(6), low(0)};
-  } else {
-    to +=
-        {static_cast<char>(0xF0 | (character >> 18)), low(12), low(6), low(0)};
-  }
+void* made_converter(const char* from) {
+  const iconv_t made = iconv_open("UTF-8", from);
+  if (made != iconv_t(-1)) return made;
+  throw contact::Error(std::string("this system cannot convert ") + from);
 }
 
 }  // namespace
 
 void TextDecoder::find_encoding() {
-  const auto take = [this](std::string_view mark, Encoding encoding) {
-    if (!start_.starts_with(mark)) return false;
+  bool may_come = false;
+  for (const auto& [mark, name] : marks) {
+    may_come = may_come || mark.starts_with(start_);
+    if (!start_.starts_with(mark)) continue;
     start_.erase(0, mark.size());
-    encoding_ = encoding;
-    return true;
-  };
-  if (take(little_mark, Encoding::little) || take(big_mark, Encoding::big) ||
-      take(utf8_mark, Encoding::bytes)) {
+    if (name) converter_.reset(made_converter(name));
+    is_known_ = true;
     return;
   }
-  const bool may_come = little_mark.starts_with(start_) ||
-                        big_mark.starts_with(start_) ||
-                        utf8_mark.starts_with(start_);
-  if (!may_come) encoding_ = Encoding::bytes;
+  is_known_ = !may_come;
 }
 
 void TextDecoder::decode(std::string_view bytes, std::string& to) {
-  if (encoding_ != Encoding::unknown) return decode_known(bytes, to);
+  if (is_known_) return decode_known(bytes, to);
   start_ += bytes;
   find_encoding();
-  if (encoding_ == Encoding::unknown) return;
+  if (!is_known_) return;
   decode_known(start_, to);
   start_.clear();
 }
@@ -55,45 +49,38 @@ void TextDecoder::decode(std::string_view bytes, std::string& to) {
 void TextDecoder::finish(std::string& to) {
   add_lines(start_, to);
   start_.clear();
-  if (half_ || high_ != 0) append_utf8(replacement, to);
+  if (!rest_.empty()) to += replacement;
   if (return_) to += '\n';
-  half_.reset();
-  high_ = 0;
+  rest_.clear();
   return_ = false;
 }
 
 void TextDecoder::decode_known(std::string_view bytes, std::string& to) {
-  if (encoding_ == Encoding::bytes) return add_lines(bytes, to);
+  if (!converter_) return add_lines(bytes, to);
   std::string text;
   decode_utf16(bytes, text);
   add_lines(text, to);
 }
 
 void TextDecoder::decode_utf16(std::string_view bytes, std::string& to) {
-  for (const char c : bytes) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (!half_) {
-      half_ = byte;
-      continue;
-    }
-    const std::uint32_t first = *half_;
-    half_.reset();
-    add_unit(encoding_ == Encoding::big ? first << 8 | byte : byte << 8 | first,
-             to);
+  rest_ += bytes;
+  char* from = rest_.data();
+  std::size_t left = rest_.size();
+  std::array<char, 4096> made;
+  while (left > 0) {
+    char* end = made.data();
+    std::size_t room = made.size();
+    const bool is_done = iconv(converter_.get(), &from, &left, &end, &room) !=
+                         static_cast<std::size_t>(-1);
+    const int why = is_done ? 0 : errno;
+    to.append(made.data(), end);
+    if (why == EINVAL) break;  // the rest is to come
+    if (why != EILSEQ) continue;
+    to += replacement;
+    from += 2;
+    left -= 2;
   }
-}
-
-void TextDecoder::add_unit(std::uint32_t unit, std::string& to) {
-  const bool is_high = unit >= 0xD800 && unit < 0xDC00;
-  const bool is_low = unit >= 0xDC00 && unit < 0xE000;
-  if (high_ != 0 && is_low) {
-    append_utf8(0x10000 + ((high_ - 0xD800) << 10) + (unit - 0xDC00), to);
-    high_ = 0;
-    return;
-  }
-  if (high_ != 0) append_utf8(replacement, to);
-  high_ = is_high ? unit : 0;
-  if (!is_high) append_utf8(is_low ? replacement : unit, to);
+  rest_.erase(0, rest_.size() - left);
 }
 
 void TextDecoder::add_lines(std::string_view text, std::string& to) {

@@ -1,7 +1,8 @@
 #pragma once
 
-#include <cstdint>
-#include <optional>
+#include <iconv.h>
+
+#include <memory>
 #include <string>
 #include <string_view>
 
@@ -13,24 +14,26 @@ namespace cli {
 class TextDecoder {
  public:
   /// Appends what these bytes say, which follow those of before.
+  /// @throws contact::Error of UTF-16 where the system cannot convert it
   void decode(std::string_view bytes, std::string& to);
   /// Appends what was kept back for bytes that do not come.
   void finish(std::string& to);
 
  private:
-  enum class Encoding { unknown, bytes, little, big };
+  struct Close {
+    void operator()(void* converter) const { iconv_close(converter); }
+  };
 
   void find_encoding();
   void decode_known(std::string_view bytes, std::string& to);
   void decode_utf16(std::string_view bytes, std::string& to);
-  void add_unit(std::uint32_t unit, std::string& to);
   void add_lines(std::string_view text, std::string& to);
 
-  Encoding encoding_ = Encoding::unknown;
+  bool is_known_ = false;   ///< the encoding
   std::string start_ = {};  ///< until the encoding is known
-  std::optional<unsigned char> half_ = {};
-  std::uint32_t high_ = 0;  ///< first of a pair of surrogates
-  bool return_ = false;     ///< "\r" was last
+  std::unique_ptr<void, Close> converter_ = {};  ///< of UTF-16
+  std::string rest_ = {};                        ///< part of a character
+  bool return_ = false;                          ///< "\r" was last
 };
 
 }  // namespace cli
