@@ -13,6 +13,7 @@
 #include "libcontact/duty/over_cycle.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/contact_notes.hpp"
+#include "libcontact/joint/load_direction.hpp"
 
 namespace contact {
 namespace {
@@ -69,7 +70,6 @@ JointCycle::JointCycle(DutyCycle cycle, Joint joint, Lies lies,
 void JointCycle::tabulate(const std::function<void(double)>& progress) {
   if (!joint_.table().empty()) return;
   const SeatZone& zone = *contact().geometry().seat();
-  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
   double least = detail::infinity, most = 0;
   int count = 0;
   for (const double time : cycle_.times()) {
@@ -78,8 +78,7 @@ void JointCycle::tabulate(const std::function<void(double)>& progress) {
     if (!(load > 0)) continue;
     const Eigen::Vector3d force =
         to_seat(row) * (contact().geometry().side() * row.state.reaction);
-    const double direction =
-        std::atan2(axis.cross(force).norm(), axis.dot(force));
+    const double direction = detail::load_direction(zone, force);
     const HalfAngleResult theta0 = contact().half_angle(load);
     if (theta0.status == Status::ok &&
         zone.margin(direction, theta0.half_angle) >= 0) {

@@ -1,11 +1,10 @@
 #include "libcontact/joint/contact_notes.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/joint/load_direction.hpp"
 
 namespace contact {
 
@@ -22,9 +21,8 @@ double rim_overlap(const JointContact& contact, const JointSolution& solution,
       (given == LoadDirection::angle && !zone.is_about_z())) {
     return nan;
   }
-  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
-  const Eigen::Vector3d load = geometry.side() * solution.normal;
-  const double direction = std::atan2(axis.cross(load).norm(), axis.dot(load));
+  const double direction =
+      detail::load_direction(zone, geometry.side() * solution.normal);
   return -zone.margin(direction, solution.half_angle);
 }
 
