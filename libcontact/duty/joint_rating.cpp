@@ -24,8 +24,9 @@ SlidingContact::Rating rating_of(const Joint& joint, const JointSolution& s,
   rating.pv_mean = pv.total / s.contact_area;
   rating.pv_total = pv.total;
   rating.heat = -s.power;
-  rating.slip_coefficient =
-      pv.total / (contact.geometry().radius() * rate.norm() * s.normal_force);
+  const double speed = contact.geometry().radius() * rate.norm();
+  const bool turns = speed > 0 || pv.total == 0;  // else along the axis alone
+  rating.slip_coefficient = turns ? pv.total / (speed * s.normal_force) : nan;
   rating.slides = pv.total > 0;
   return rating;
 }

@@ -91,7 +91,8 @@ WearMap::WearMap(const JointCycle& cycle, JointBody body)
     const Vector3d slip = geometry_.radius() * turn;
     if (std::isnan(s.half_angle)) {
       if (joint_.is_pin()) {
-        throw Error(detail::needs("wear of a pin that ends", "AlongPin"));
+        throw Error(detail::needs("the wear of a pin that ends",
+                                  "a place along it: hinge-duty --along-map"));
       }
       at_rims.push_back({s, to_body.conjugate(), slip});
       continue;

@@ -154,7 +154,9 @@ constexpr Quantity<Rating> of_rating[] = {
      "", slides},
     {"heat", "", Dimension::power, "heat of friction over the contact",
      [](const Rating& r) { return r.heat; }},
-    {"slip_coefficient", "", Dimension::number, "L: all p v is rho |Dw| R_n L",
+    {"slip_coefficient", "", Dimension::number,
+     "L: all p v is rho |Dw| R_n L; none of pins that slide along their axis "
+     "alone",
      [](const Rating& r) { return r.slip_coefficient; }, "", slides},
 };
 

@@ -117,7 +117,8 @@ TEST(CycleOfPin, OfAReliefIsBySlices) {
   EXPECT_TRUE(std::isnan(pin.rating(pin.rows()[3]).heat_flux.value));
   EXPECT_GT(pin.rating(pin.rows()[3]).pv_total, 0);
   EXPECT_ERROR(WearMap(pin, JointBody::body),
-               "wear of a pin that ends requires AlongPin");
+               "the wear of a pin that ends requires a place along it: "
+               "hinge-duty --along-map");
 }
 
 TEST(CycleOfPin, RefusesWhatHasNoSlices) {
