@@ -31,6 +31,9 @@ class Output {
 
   /// Throws contact::Error if the text could not be written.
   void write(std::string_view text);
+  /// The same of text whose parts of others are printable and that has escape
+  /// sequences of its own.
+  void write_coloured(std::string_view text) { write_all(text); }
   /// Gives the complete file its name. Throws contact::Error if it cannot, or
   /// if what has that name has been read since.
   void commit();

@@ -5,7 +5,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <unistd.h>
+
 #include <array>
+#include <cstdlib>
 #include <exception>
 #include <iterator>
 #include <sstream>
@@ -15,6 +18,7 @@
 #include "cli/files_in_use.hpp"
 #include "cli/gnuplot.hpp"
 #include "cli/gone.hpp"
+#include "cli/help/short_help.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
@@ -31,11 +35,19 @@ namespace {
 
 using contact::detail::must_be;
 
-constexpr std::array<Choice<Format>, 4> formats = {
+constexpr std::array<Choice<Colour>, 3> colours = {{{"auto", Colour::automatic},
+                                                    {"always", Colour::always},
+                                                    {"never", Colour::never}}};
+
+// --quiet, which notes of all rooms ask for.
+bool quiet = false;
+
+constexpr std::array<Choice<Format>, 5> formats = {
     {{"csv", Format::csv},
      {"json", Format::json},
      {"markdown", Format::markdown},
-     {"latex", Format::latex}}};
+     {"latex", Format::latex},
+     {"report", Format::report}}};
 
 char parse_separator(const std::string& text) {
   if (text == "tab") return '\t';
@@ -60,16 +72,55 @@ std::vector<std::string_view> flags_in(std::string_view words) {
   return flags;
 }
 
+// What others call an option; taken for it where the program has none of the
+// name.
+constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
+    {"--load", "--reaction"}, {"--reaction", "--load"}};
+
+// What others call an option, which may be another one here: a question.
+constexpr std::pair<std::string_view, std::string_view> other_names[] = {
+    {"--mu", "--friction"},        {"--f0", "--friction"},
+    {"--force", "--reaction"},     {"--force", "--load"},
+    {"--width", "--length"},       {"--material", "--pair"},
+    {"--materials", "--pair"},     {"--file", "--joint"},
+    {"--thickness", "--wall"},     {"--speed", "--rate"},
+    {"--designation", "--bearing"}};
+
+// The option that a word stands for.
+std::string meant_option(const CLI::App& app, const std::string& word) {
+  const std::string flag = word.substr(0, word.find('='));
+  if (!flag.starts_with("--") || app.get_option_no_throw(flag) != nullptr) {
+    return word;
+  }
+  for (const auto& [other, ours] : synonyms) {
+    if (flag == other && app.get_option_no_throw(std::string(ours))) {
+      return std::string(ours) + word.substr(flag.size());
+    }
+  }
+  return word;
+}
+
 // ": did you mean "--load"?" of the first option that there is not.
 std::string nearest_option(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
     names.push_back(option->get_name());
   }
+  const std::size_t own = names.size();
+  for (const auto& [other, ours] : synonyms) {
+    const auto end = names.begin() + static_cast<std::ptrdiff_t>(own);
+    if (std::find(names.begin(), end, ours) != end) names.emplace_back(other);
+  }
   for (const std::string& word : app.remaining()) {
     if (!word.starts_with("--")) continue;
-    const std::string near = contact::detail::nearest(
-        std::string_view(word).substr(0, word.find('=')), names);
+    const std::string flag = word.substr(0, word.find('='));
+    std::string near;
+    for (const auto& [other, ours] : other_names) {
+      if (flag == other && std::ranges::find(names, ours) != names.end()) {
+        near = ours;
+      }
+    }
+    if (near.empty()) near = contact::detail::nearest(flag, names);
     return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
   }
   return {};
@@ -92,11 +143,12 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   const bool has_joint = app.get_option_no_throw("--joint") != nullptr;
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
-    const std::string word = argv[i];
     const CLI::Option* before =
-        i > 1 ? app.get_option_no_throw(argv[i - 1]) : nullptr;
+        i > 1 ? app.get_option_no_throw(meant_option(app, argv[i - 1]))
+              : nullptr;
     const bool is_value =
         before != nullptr && before->get_items_expected_max() > 0;
+    const std::string word = is_value ? argv[i] : meant_option(app, argv[i]);
     if (has_joint && !is_value && !word.starts_with("-") &&
         word.ends_with(".toml")) {
       words.emplace_back("--joint");
@@ -154,13 +206,20 @@ void refuse_control_characters(int argc, char** argv) {
 }
 
 // To standard output, or as an error that it cannot be written.
+ExitStatus say_text(std::string_view text) {
+  Output output("");
+  output.write(text);
+  return all_good;
+}
+
 ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
   std::ostringstream text;
   app.exit(request, text);
-  Output output("");
-  output.write(text.str());
-  return all_good;
+  return say_text(text.str());
 }
+
+constexpr std::array<Choice<const char*>, 3> shells = {
+    {{"bash", "bash"}, {"zsh", "zsh"}, {"fish", "fish"}}};
 
 // Checks table options among themselves; sets the separator beside commas.
 void settle_table_options(bool separator, TableStyle& style) {
@@ -221,6 +280,7 @@ void Program::add(const std::string& group,
       added->allow_extra_args(false);
     }
     rows_.push_back(option);
+    groups_.push_back(group);
   }
 }
 
@@ -238,7 +298,12 @@ void Program::add_output(OutputOptions& options) {
         "file to write; default standard output"},
        {"--plot", plot, "FILE", "picture to draw: .svg, .png or .pdf"},
        {"--format", word("--format", options.format, formats), "NAME",
-        "csv (default), json, markdown, latex"},
+        "csv (default), json, markdown, latex, or report, the default on a "
+        "terminal"},
+       {"--all", &options.report.all, "", "everything in the report"},
+       {"--quiet", &quiet, "", "leave notes out"},
+       {"--color", word("--color", options.colour, colours), "WHEN",
+        "colours of the report: auto (default), always, never"},
        {"--columns", List{&options.columns}, "NAMES",
         "columns of the table, only these and in this order"},
        {"--separator", separator, "CHAR",
@@ -248,6 +313,23 @@ void Program::add_output(OutputOptions& options) {
         "0,5 for 0.5 in CSV, and ; for the separator; 1,250 that is read "
         "is 1.25"}});
   app_->get_option("--columns")->allow_extra_args(false);
+}
+
+// On a terminal a report, unless a form is asked for.
+void Program::settle_report() {
+  OutputOptions& o = *output_;
+  const bool on_terminal =
+      (o.output.empty() || o.output == "-") && isatty(STDOUT_FILENO) == 1;
+  const bool has_form =
+      has("--format") || has("--separator") || o.decimal_comma;
+  if (on_terminal && !has_form && !has("--output")) o.format = Format::report;
+  if (o.format != Format::report) return;
+  const char* no_colour = std::getenv("NO_COLOR");
+  o.report.colour = o.colour == Colour::always ||
+                    (o.colour == Colour::automatic && on_terminal &&
+                     (no_colour == nullptr || *no_colour == 0));
+  if (!on_terminal || o.report.all || !o.columns.empty()) return;
+  o.report.more = "--all, --plot FILE, --format csv";
 }
 
 void Program::add_jobs(OutputOptions& options) {
@@ -297,28 +379,66 @@ void Program::check_rows() const {
   }
 }
 
+ProgramHelp Program::described(std::string_view text) const {
+  ProgramHelp help{name(), app_->get_description(), {}, std::string(text)};
+  for (std::size_t i = 0; i < rows_.size(); ++i) {
+    help.options.push_back({groups_[i], rows_[i]});
+  }
+  return help;
+}
+
+void Program::add_help(std::string_view help) {
+  const auto flag = [this](const char* name, const char* meaning,
+                           std::function<std::string()> text) {
+    app_->add_flag_callback(
+            name, [text] { throw CLI::CallForVersion(text(), 0); }, meaning)
+        ->group("Options");
+  };
+  flag("--help-columns", "print what the columns mean", [help] {
+    std::string text = columns_help(help);
+    text.pop_back();
+    return text;
+  });
+  flag("--man", "print the manual page",
+       [this, help] { return man_page(described(help), contact::version); });
+  const auto complete = [this, help](const std::string& shell) {
+    throw CLI::CallForVersion(
+        completion(choice("--completion", shell, shells), described(help)), 0);
+  };
+  app_->add_option_function<std::string>(
+          "--completion", complete,
+          "print what completes options in bash, zsh or fish")
+      ->option_text("SHELL")
+      ->group("Options");
+}
+
 int Program::run(int argc, char** argv, std::string_view help,
                  const std::function<ExitStatus()>& body) {
   app_->option_defaults()->group("Options");
   app_->set_version_flag("--version",
                          name() + " (libcontact) " + contact::version,
                          "print the version");
-  app_->set_help_flag("-h,--help", "print this help");
+  app_->set_help_flag("-h,--help", "print a short help");
+  app_->set_help_all_flag("--help-all", "print this help");
   app_->get_formatter()->column_width(26);
   app_->footer(std::string(help));
+  add_help(help);
   try {
     open_missing_streams();
     note_reading();
     refuse_control_characters(argc, argv);
     try {
       app_->parse(words_of(*app_, argc, argv));
-    } catch (const CLI::Success& request) {  // --help, --version
+    } catch (const CLI::CallForHelp&) {
+      return say_text(short_help(described(help)));
+    } catch (const CLI::Success& request) {  // --help-all, --version
       return say_requested(*app_, request);
     }
     contact::detail::check_instruction_set();
     for (const auto& check : checks_) check();
     check_rows();
     if (output_ != nullptr) {
+      settle_report();
       // Before anything is read, computed or said.
       settle_table_options(has("--separator"), *output_);
       OutputNames names;
@@ -332,6 +452,10 @@ int Program::run(int argc, char** argv, std::string_view help,
     return status;
   } catch (const CLI::ExtrasError&) {  // its text has them backwards
     complain(name(), stranger_message(*app_, name()));
+  } catch (const CLI::ArgumentMismatch& error) {  // "--load: 1 required ..."
+    const std::string_view text = error.what();
+    complain(name(), fmt::format("{} requires a value (see {} --help)",
+                                 text.substr(0, text.find(':')), name()));
   } catch (const CLI::ParseError& error) {
     complain(name(), fmt::format("{} (see {} --help)", error.what(), name()));
   } catch (const std::exception& error) {
@@ -345,6 +469,7 @@ void warn(std::string_view program, std::string_view message) {
 }
 
 void note(std::string_view program, std::string_view message) {
+  if (quiet) return;
   complain(program, fmt::format("note: {}", message));
 }
 

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/help/short_help.hpp"
 #include "cli/option.hpp"
 #include "cli/output_names.hpp"
 #include "cli/table.hpp"
@@ -29,8 +30,12 @@ enum ExitStatus {
   terminated = 143
 };
 
+/// When colours are shown: on a terminal without NO_COLOR, or as asked for.
+enum class Colour { automatic, always, never };
+
 /// Options that every program has.
 struct OutputOptions : TableStyle {
+  Colour colour = Colour::automatic;
   std::string output;  ///< file name, "" for standard output
   std::string plot;    ///< file name, "" for none
   int jobs = 1;
@@ -80,8 +85,13 @@ class Program {
  private:
   void check_rows() const;
 
+  void settle_report();
+  void add_help(std::string_view help);
+  ProgramHelp described(std::string_view help) const;
+
   std::unique_ptr<CLI::App> app_;
   std::vector<Option> rows_;
+  std::vector<std::string> groups_;  ///< of each row
   std::vector<std::function<void()>> checks_;
   OutputOptions* output_ = nullptr;
 };
@@ -93,7 +103,7 @@ ExitStatus drawn(std::string_view program, const std::string& problem,
 
 /// A message that is no error: "PROGRAM: warning: ..." on standard error.
 void warn(std::string_view program, std::string_view message);
-/// A message that is neither: "PROGRAM: note: ...".
+/// A message that is neither: "PROGRAM: note: ...", if not --quiet.
 void note(std::string_view program, std::string_view message);
 
 }  // namespace cli

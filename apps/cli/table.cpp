@@ -89,6 +89,8 @@ std::string shown_name(const std::string& name, const TableStyle& style) {
       return json_text(name);
     case Format::markdown:
       return markdown_text(name);
+    case Format::report:
+      return contact::detail::printable(name, name.npos);
     case Format::latex:
       break;
   }
@@ -109,13 +111,14 @@ Table::Table(TableStyle style, std::vector<std::string> column_names)
       names_(std::move(column_names)),
       shown_(shown(style_.columns, names_)) {
   for (std::string& name : names_) name = shown_name(name, style_);
-  turned_ = style_.format >= Format::markdown &&
-            width_of(shown_names()) > TurnedTable::widest;
+  collected_ = style_.format == Format::report ||
+               (style_.format >= Format::markdown &&
+                width_of(shown_names()) > TurnedTable::widest);
   set_marks();
 }
 
 void Table::set_marks() {
-  if (turned_) {
+  if (collected_) {
     before_.assign(shown_.size(), "");
     return;
   }
@@ -138,6 +141,8 @@ void Table::set_marks() {
       return marks("| ", " | ", " |\n");
     case Format::latex:
       return marks("", " & ", " \\\\\n");
+    case Format::report:
+      return;  // collected
   }
 }
 
@@ -149,7 +154,7 @@ std::vector<std::string> Table::shown_names() const {
 
 std::string Table::header() const {
   if (style_.format == Format::json) return "[";
-  if (turned_) return {};
+  if (collected_) return {};
   std::string text;
   if (style_.format == Format::latex) {
     text =
@@ -173,7 +178,7 @@ std::string Table::header() const {
 
 std::string Table::footer() const {
   if (style_.format == Format::json) return "\n]\n";
-  if (turned_ || style_.format != Format::latex) return {};
+  if (collected_ || style_.format != Format::latex) return {};
   return "\\hline\n\\end{tabular}\n";
 }
 
@@ -189,6 +194,9 @@ Text& RowWriter::begin_cell() {
 
 void RowWriter::number(double value) {
   const TableStyle& style = table_.style_;
+  if (style.format == Format::report) {
+    return std::isnan(value) ? printed("") : printed(number_text(value));
+  }
   if (style.format >= Format::markdown) {
     return printed(style.format == Format::latex
                        ? latex_number(value)
@@ -212,6 +220,7 @@ void RowWriter::count(std::size_t value) {
 }
 
 void RowWriter::empty() {
+  if (table_.style_.format == Format::report) return printed("");
   if (table_.style_.format >= Format::markdown) return printed("-");
   Text& cell = begin_cell();
   if (table_.style_.format == Format::json) cell.append("null");
@@ -230,6 +239,9 @@ void RowWriter::text(std::string_view value) {
       break;
     case Format::latex:
       printed(latex_text(value));
+      break;
+    case Format::report:
+      printed(contact::detail::printable(value, value.npos));
       break;
   }
 }
@@ -252,7 +264,7 @@ void RowWriter::field(std::string_view raw, CsvForm form) {
 void RowWriter::printed(std::string_view cell) {
   const std::string& name = table_.names_[column_];
   Text& text = begin_cell();
-  if (table_.turned_) {
+  if (table_.collected_) {
     text.append(cell);
     text.append(TurnedTable::end_of_cell);
   } else if (table_.style_.format == Format::markdown) {
@@ -281,7 +293,9 @@ void RowWriter::end() {
 
 TableWriter::TableWriter(Output& output, const Table& table)
     : output_(output), table_(table) {
-  if (table.is_turned()) {
+  if (table.style().format == Format::report) {
+    report_.emplace(table.shown_names(), table.style().report);
+  } else if (table.is_turned()) {
     turned_.emplace(table.shown_names(), table.style().format == Format::latex);
   }
   output_.write(table_.header());
@@ -290,6 +304,7 @@ TableWriter::TableWriter(Output& output, const Table& table)
 void TableWriter::write(std::string_view rows) {
   if (rows.empty()) return;
   if (turned_) return output_.write(turned_->add(rows));
+  if (report_) return output_.write_coloured(report_->add(rows));
   // Every JSON row starts with the comma that ends the row before it.
   if (first_ && table_.style().format == Format::json) rows.remove_prefix(1);
   first_ = false;
@@ -298,6 +313,7 @@ void TableWriter::write(std::string_view rows) {
 
 void TableWriter::finish() {
   if (turned_) output_.write(turned_->rest());
+  if (report_) output_.write_coloured(report_->rest());
   output_.write(table_.footer());
 }
 

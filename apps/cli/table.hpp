@@ -4,16 +4,18 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "cli/output.hpp"
 #include "cli/stream/csv.hpp"
+#include "cli/stream/terminal_report.hpp"
 #include "cli/stream/turned_table.hpp"
 #include "cli/text.hpp"
 
 namespace cli {
 
-enum class Format { csv, json, markdown, latex };
+enum class Format { csv, json, markdown, latex, report };
 
 /// How a table is written.
 struct TableStyle {
@@ -22,6 +24,14 @@ struct TableStyle {
   std::vector<std::string> columns = {};
   char separator = ',';        ///< between cells of CSV
   bool decimal_comma = false;  ///< in CSV
+  TerminalReport::Style report = {};
+
+  /// The same with a title above its report.
+  TableStyle titled(std::string title) const {
+    TableStyle style = *this;
+    style.report.title = std::move(title);
+    return style;
+  }
 
   /// Style of files beside a table, which are CSV with all their columns.
   TableStyle beside() const {
@@ -39,6 +49,7 @@ struct TableStyle {
 /// on each line.
 /// markdown, latex: for print, numbers with 4 significant digits; what is too
 /// wide for a page is turned (TurnedTable).
+/// report: what people read on a terminal (TerminalReport).
 class Table {
  public:
   /// Throws contact::Error if the style asks for columns that are not there.
@@ -48,7 +59,9 @@ class Table {
   /// Names of the columns that are shown, as they are printed.
   std::vector<std::string> shown_names() const;
   /// Whether a row is printed as a column.
-  bool is_turned() const { return turned_; }
+  bool is_turned() const {
+    return collected_ && style_.format != Format::report;
+  }
   std::string header() const;
   std::string footer() const;
 
@@ -61,7 +74,8 @@ class Table {
   std::vector<std::size_t> shown_;   ///< which of them, in order
   std::vector<std::string> before_;  ///< text before each shown cell
   std::string end_of_row_;
-  bool turned_ = false;
+  /// Whether rows are collected before they are printed: turned, or reported.
+  bool collected_ = false;
 };
 
 /// Writes the cells of a row from left to right, those that are not shown too.
@@ -107,6 +121,7 @@ class TableWriter {
   Output& output_;
   const Table& table_;
   std::optional<TurnedTable> turned_;
+  std::optional<TerminalReport> report_;
   bool first_ = true;
 };
 

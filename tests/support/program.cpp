@@ -92,7 +92,7 @@ std::vector<std::string> ProgramFolder::files() const {
 }
 
 std::vector<std::string> help_examples(const std::string& program) {
-  std::istringstream help(ProgramFolder().run(program + " --help").out);
+  std::istringstream help(ProgramFolder().run(program + " --help-all").out);
   std::vector<std::string> examples;
   std::string line;
   while (std::getline(help, line) && line != "Examples:") {

@@ -27,7 +27,29 @@ std::vector<std::string> Report::columns() const {
   return names;
 }
 
+void Report::write_for_people(Output& output, const TableStyle& style) const {
+  std::vector<std::string> names;
+  for (const Line& line : lines_) names.push_back(line.name);
+  if (!has_report_lines(names)) {
+    TableStyle shown = style;
+    shown.columns = columns();
+    shown.columns.pop_back();  // its meaning stands with --all
+    return write_lines(output, style.report.all ? style : shown);
+  }
+  write_table(style, names, output, [this](RowWriter& row) {
+    for (const Line& line : lines_) write_cell(line.value, row);
+    row.end();
+  });
+}
+
 void Report::write(Output& output, const TableStyle& style) const {
+  if (style.format == Format::report && style.columns.empty()) {
+    return write_for_people(output, style);
+  }
+  write_lines(output, style);
+}
+
+void Report::write_lines(Output& output, const TableStyle& style) const {
   write_table(style, columns(), output, [this](RowWriter& row) {
     for (const Line& line : lines_) {
       row.text(line.name);

@@ -54,6 +54,9 @@ class Report {
   void write(Output& output, const TableStyle& style) const;
 
  private:
+  void write_for_people(Output& output, const TableStyle& style) const;
+  void write_lines(Output& output, const TableStyle& style) const;
+
   std::vector<std::string> beside_;
   std::vector<Line> lines_;
 };

@@ -91,7 +91,7 @@ Problems write_solutions(const Setup& setup, const Inputs& inputs,
   const std::vector<AnswerColumn> columns = columns_of(setup, inputs);
   const std::size_t joints = setup.joints.size();
   cli::Output output(options.output);
-  const cli::Table table(options,
+  const cli::Table table(options.titled(shared_title(setup.given, "")),
                          solution_columns(setup.joints[0], columns, beside));
   begin();
   cli::NumberedRows rows(inputs.size() * joints);

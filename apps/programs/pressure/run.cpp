@@ -154,6 +154,13 @@ cli::ExitStatus run(const Options& options) {
   if (!options.direction.empty() || options.tilt.given()) {
     return run_placed(options);
   }
+  // Nobody reads a profile of 101 rows.
+  if (options.output.format == cli::Format::report && options.points == 0 &&
+      !options.summary) {
+    Options summary = options;
+    summary.summary = true;
+    return run(summary);
+  }
   const std::vector<cli::Joint> joints = make_joints(options.joint);
   std::vector<Input> inputs;
   for (const cli::Joint& joint : joints) {
@@ -166,7 +173,7 @@ cli::ExitStatus run(const Options& options) {
     contacts.emplace_back(inputs[i], joints[i]);
     tables.emplace_back(joints[i], preload);
   }
-  const cli::Table table(options.output,
+  const cli::Table table(options.output.titled(shared_title(joints, "")),
                          columns(joints, tables, options.summary));
   const bool plot = !options.output.plot.empty();
   if (plot) check_curves(joints);

@@ -56,7 +56,8 @@ void check_run(const Options& o, bool format_given) {
     refuse_idle_law("--law", o.half_angle_law);
     refuse_idle_law("--pressure", o.pressure_law);
   }
-  if (format_given && o.output.format != cli::Format::json) {
+  if (format_given && o.output.format != cli::Format::json &&
+      o.output.format != cli::Format::report) {
     cli::refuse_without("--format", "--compare: the summary is JSON");
   }
   check_standard_output("--history", o.history, o);

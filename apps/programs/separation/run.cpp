@@ -25,6 +25,7 @@
 #include "programs/separation/output/events_table.hpp"
 #include "programs/separation/output/history_file.hpp"
 #include "programs/separation/output/pictures.hpp"
+#include "programs/separation/output/summary_report.hpp"
 #include "programs/separation/replays.hpp"
 #include "programs/separation/stop_rule.hpp"
 #include "programs/separation/warnings.hpp"
@@ -213,7 +214,11 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   if (!run.no_checkpoint.empty()) warnings.add(run.no_checkpoint);
   good = tables.write(outcome) == cli::all_good && good;
   good = replays.write(c, {{"", &outcome}}, warnings) && good;
-  output.write(summary(c, outcome).dump(2) + '\n');
+  if (o.output.format == cli::Format::report) {
+    write_report(summary(c, outcome), output, o.output);
+  } else {
+    output.write(summary(c, outcome).dump(2) + '\n');
+  }
   output.commit();
   cli::ExitStatus status = good ? cli::all_good : cli::some_bad;
   if (!o.output.plot.empty()) {

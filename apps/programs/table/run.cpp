@@ -274,7 +274,9 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
   if (!options.output.plot.empty() && grid.size() == 1) {
     cli::refuse_without("--plot", "a range of --theta0 or --alpha");
   }
-  const bool two_way = options.output.format >= cli::Format::markdown;
+  const bool two_way = options.output.format == cli::Format::report
+                           ? !options.quantity.empty()
+                           : options.output.format >= cli::Format::markdown;
   if (!two_way && options.output.plot.empty() && !options.quantity.empty()) {
     cli::refuse_without(given("--quantity", options.quantity),
                         "--format markdown or latex, or --plot; csv and json "

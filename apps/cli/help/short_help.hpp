@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "cli/option.hpp"
+
+/// What programs say of themselves, made from the rows of their options and
+/// their help.txt.
+namespace cli {
+
+/// A row and its heading in --help.
+struct GroupedOption {
+  std::string group;
+  Option row;
+};
+
+/// A program as its help describes it.
+struct ProgramHelp {
+  std::string name;
+  std::string does;
+  std::vector<GroupedOption> options;
+  std::string text;  ///< of help.txt; examples stand below "Examples:"
+};
+
+/// --help: at most 40 lines with three examples and the options in groups.
+std::string short_help(const ProgramHelp& program);
+
+/// --help-columns: the paragraphs on columns; all if there are none.
+std::string columns_help(std::string_view text);
+
+/// --completion: options, their files and words for a shell.
+/// @param shell  "bash", "zsh" or "fish"
+std::string completion(std::string_view shell, const ProgramHelp& program);
+
+/// --man: the manual page, troff with the macros man.
+std::string man_page(const ProgramHelp& program, std::string_view version);
+
+}  // namespace cli

@@ -1,0 +1,318 @@
+#include "cli/stream/terminal_report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "cli/number.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace cli {
+namespace {
+
+// Rows from which units and widths of a table are found.
+constexpr std::size_t first_rows = 200;
+constexpr std::size_t most_lines = 12;
+constexpr std::size_t most_columns = 6;
+
+// Terminals count characters, not bytes: those that go on are not counted.
+std::size_t width_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
+}
+
+std::string left(std::string_view text, std::size_t width) {
+  const std::size_t own = width_of(text);
+  return std::string(text) + std::string(width - std::min(width, own), ' ');
+}
+
+std::string right(std::string_view text, std::size_t width) {
+  const std::size_t own = width_of(text);
+  return std::string(width - std::min(width, own), ' ') + std::string(text);
+}
+
+// What a * of the pattern stands for; none if the name is another one.
+std::optional<std::string> middle(std::string_view name,
+                                  std::string_view pattern) {
+  const auto star = pattern.find('*');
+  if (star == pattern.npos) {
+    if (name != pattern) return std::nullopt;
+    return "";
+  }
+  const std::string_view begin = pattern.substr(0, star);
+  const std::string_view end = pattern.substr(star + 1);
+  if (name.size() < begin.size() + end.size() || !name.starts_with(begin) ||
+      !name.ends_with(end)) {
+    return std::nullopt;
+  }
+  std::string law(
+      name.substr(begin.size(), name.size() - begin.size() - end.size()));
+  if (!law.empty() && law[0] != '_') return std::nullopt;
+  std::ranges::replace(law, '_', ' ');
+  return law;
+}
+
+std::size_t place_of(std::string_view name,
+                     const std::vector<std::string>& names) {
+  return static_cast<std::size_t>(std::ranges::find(names, name) -
+                                  names.begin());
+}
+
+// The number of a cell with its unit; "" of an empty one.
+std::string with_unit(std::string_view cell, std::string_view column) {
+  const auto number = parse_number(cell);
+  if (!number || std::isnan(*number)) return std::string(cell);
+  const ShownUnit unit = shown_unit(column).scaled(*number);
+  const std::string text = unit.text(*number);
+  if (unit.symbol.empty()) return text;
+  return text + (unit.symbol == "°" ? "" : " ") + unit.symbol;
+}
+
+std::string spaced(std::string text) {
+  std::ranges::replace(text, '_', ' ');
+  return text;
+}
+
+// "" of what is neither good nor bad.
+std::string_view colour_of(std::string_view word) {
+  constexpr std::string_view good[] = {"ok", "met", "holds", "within"};
+  constexpr std::string_view bad[] = {"not met",      "slips",  "not_converged",
+                                      "out_of_range", "missed", "out_of_seat",
+                                      "failed",       "ERROR"};
+  if (std::ranges::find(good, word) != std::end(good)) return "\033[32m";
+  if (std::ranges::find(bad, word) != std::end(bad)) return "\033[31m";
+  return "";
+}
+
+std::string coloured(const std::string& padded, std::string_view word,
+                     bool colour) {
+  const std::string_view begin = colour ? colour_of(word) : "";
+  return begin.empty() ? padded : fmt::format("{}{}\033[0m", begin, padded);
+}
+
+}  // namespace
+
+bool has_report_lines(std::span<const std::string> names) {
+  return std::ranges::count_if(names, [](const std::string& name) {
+           return std::ranges::any_of(report_rows, [&](const ReportRow& row) {
+             return middle(name, row.column).has_value();
+           });
+         }) > 1;
+}
+
+TerminalReport::TerminalReport(std::vector<std::string> names, Style style)
+    : names_(std::move(names)), style_(std::move(style)) {
+  // Names in files speak to no terminal.
+  style_.title = contact::detail::printable(style_.title, style_.title.npos);
+}
+
+std::string TerminalReport::add(std::string_view cells) {
+  while (!cells.empty()) {
+    Row& row = rows_.emplace_back();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      const std::size_t end = cells.find(end_of_cell);
+      row.emplace_back(cells.substr(0, end));
+      cells.remove_prefix(end + 1);
+    }
+  }
+  if (rows_.size() < first_rows && !is_table_) return {};
+  return table_rows();
+}
+
+std::string TerminalReport::rest() {
+  std::string text;
+  if (!is_table_ && rows_.size() == 1) {
+    text = lines(rows_[0]);
+    rows_.clear();
+    empty_ = false;
+  } else {
+    text = table_rows();
+  }
+  if (!style_.more.empty() && !empty_) text += "\nmore: " + style_.more + '\n';
+  return text;
+}
+
+// "  friction torque      10.79 N m      textbook f0 R r: 8 N m (+34.8 %)"
+std::optional<TerminalReport::Line> TerminalReport::line(const ReportRow& of,
+                                                         std::size_t at,
+                                                         const Row& row) const {
+  const auto number = parse_number(row[at]);
+  if (!number || std::isnan(*number)) return std::nullopt;
+  std::string beside;
+  for (const ReportPart& part : of.beside) {
+    const std::size_t place = place_of(part.column, names_);
+    if (place == names_.size() || row[place].empty()) continue;
+    beside += fmt::format("{}{} {}", beside.empty() ? "" : ", ", part.label,
+                          with_unit(row[place], part.column));
+    const auto other = parse_number(row[place]);
+    if (part.compares && other && *other != 0) {
+      beside += fmt::format(" ({:+.3g} %)", 100 * (*number / *other - 1));
+    }
+  }
+  return Line{fmt::format("{}{}", of.label, *middle(names_[at], of.column)),
+              with_unit(row[at], names_[at]), beside};
+}
+
+// Any column, and words in their colour.
+std::optional<TerminalReport::Line> TerminalReport::plain_line(
+    std::size_t at, const Row& row) const {
+  if (row[at].empty()) return std::nullopt;
+  return Line{spaced(shown_unit(names_[at]).stem),
+              coloured(with_unit(row[at], names_[at]), row[at], style_.colour),
+              ""};
+}
+
+std::vector<TerminalReport::Line> TerminalReport::chosen_lines(
+    const Row& row) const {
+  std::vector<Line> chosen;
+  for (const ReportRow& of : report_rows) {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      if (!middle(names_[i], of.column) || chosen.size() == most_lines)
+        continue;
+      if (auto found = line(of, i, row)) chosen.push_back(*std::move(found));
+    }
+  }
+  if (chosen.size() < 2) return {};
+  // A verdict, and a status that is not what all hope for.
+  for (const char* word : {"state", "status", "contact_state"}) {
+    const std::size_t at = place_of(word, names_);
+    if (at == names_.size() || row[at] == "ok" || row[at] == "clearance") {
+      continue;
+    }
+    if (auto found = plain_line(at, row)) chosen.push_back(*std::move(found));
+  }
+  return chosen;
+}
+
+std::string TerminalReport::lines(const Row& row) const {
+  std::vector<Line> all;
+  if (!style_.all) all = chosen_lines(row);
+  const std::size_t most = style_.all ? names_.size() : most_lines;
+  if (all.empty()) {
+    for (std::size_t i = 0; i < names_.size() && all.size() < most; ++i) {
+      if (auto found = plain_line(i, row)) all.push_back(*std::move(found));
+    }
+  }
+  std::size_t label = 0;
+  std::size_t value = 0;
+  for (const Line& each : all) {
+    label = std::max(label, width_of(each.label));
+    if (!each.beside.empty()) value = std::max(value, width_of(each.value));
+  }
+  std::string text = style_.title.empty() ? "" : style_.title + "\n\n";
+  for (const Line& each : all) {
+    text += fmt::format(
+        "  {}  {}", left(each.label, label),
+        each.beside.empty() ? each.value : left(each.value, value + 3));
+    text += each.beside + '\n';
+  }
+  return text;
+}
+
+// Differences of joints stand in front of all that is known, and are shown.
+void TerminalReport::begin_table() {
+  is_table_ = true;
+  const auto known = [this](std::size_t at) {
+    return std::ranges::any_of(report_rows, [&](const ReportRow& row) {
+      return row.in_tables && middle(names_[at], row.column);
+    });
+  };
+  const auto constant = [this](std::size_t at) {
+    return std::ranges::all_of(
+        rows_, [&](const Row& row) { return row[at] == rows_[0][at]; });
+  };
+  std::vector<std::size_t> matter;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    if (known(i) || names_[i] == "b_deg") matter.push_back(i);
+  }
+  if (style_.all || matter.size() < 2) {
+    const std::size_t most =
+        style_.all ? names_.size() : std::min(names_.size(), 2 * most_columns);
+    for (std::size_t i = 0; i < most; ++i) shown_.push_back(i);
+  } else {
+    for (std::size_t i = 0; i < matter[0]; ++i) {
+      const bool is_word = names_[i] == "status" || names_[i] == "residual" ||
+                           names_[i] == "evaluations";
+      if (!is_word && !constant(i)) shown_.push_back(i);
+    }
+    for (const std::size_t i : matter) {
+      const bool is_beta = names_[i] == "b_deg" && constant(i);
+      if (shown_.size() < most_columns + 1 && !is_beta) shown_.push_back(i);
+    }
+    const std::size_t status = place_of("status", names_);
+    if (status < names_.size() &&
+        !(constant(status) && rows_[0][status] == "ok")) {
+      shown_.push_back(status);
+    }
+  }
+  const bool has_quantity = place_of("quantity", names_) < names_.size();
+  for (const std::size_t i : shown_) {
+    double largest = 0;
+    for (const Row& row : rows_) {
+      const auto number = parse_number(row[i]);
+      if (number && std::isfinite(*number)) {
+        largest = std::max(largest, std::abs(*number));
+      }
+    }
+    ShownUnit unit = shown_unit(names_[i]).scaled(largest);
+    std::size_t width = 0;
+    for (const Row& row : rows_) {
+      const auto number = parse_number(row[i]);
+      width =
+          std::max(width, number ? has_quantity ? 13 : unit.text(*number).size()
+                                 : width_of(row[i]));
+    }
+    const std::string head =
+        unit.stem + (unit.symbol.empty() ? "" : ", " + unit.symbol);
+    widths_.push_back(std::max(width, width_of(head)));
+    units_.push_back(std::move(unit));
+  }
+}
+
+std::string TerminalReport::table_rows() {
+  if (rows_.empty()) return {};
+  std::string text;
+  empty_ = false;
+  const auto end_line = [&text] {
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += '\n';
+  };
+  if (!is_table_) {
+    begin_table();
+    if (!style_.title.empty()) text = style_.title + "\n\n";
+    for (std::size_t c = 0; c < shown_.size(); ++c) {
+      const std::string& symbol = units_[c].symbol;
+      const std::string head =
+          units_[c].stem + (symbol.empty() ? "" : ", " + symbol);
+      text +=
+          "  " + (parse_number(rows_[0][shown_[c]]) ? right(head, widths_[c])
+                                                    : left(head, widths_[c]));
+    }
+    end_line();
+  }
+  const std::size_t quantity = place_of("quantity", names_);
+  for (const Row& row : rows_) {
+    for (std::size_t c = 0; c < shown_.size(); ++c) {
+      const std::string& cell = row[shown_[c]];
+      const auto number = parse_number(cell);
+      text += "  ";
+      if (number && quantity < names_.size()) {
+        text += right(with_unit(cell, row[quantity]), widths_[c]);
+      } else if (number) {
+        text += right(units_[c].text(*number), widths_[c]);
+      } else if (shown_[c] == quantity) {
+        text += left(spaced(shown_unit(cell).stem), widths_[c]);
+      } else {
+        text += coloured(left(cell, widths_[c]), cell, style_.colour);
+      }
+    }
+    end_line();
+  }
+  rows_.clear();
+  return text;
+}
+
+}  // namespace cli

@@ -1,0 +1,103 @@
+#include "cli/stream/terminal_unit.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "cli/number.hpp"
+
+namespace cli {
+namespace {
+
+using contact::Dimension;
+
+// The last one of Dimension.
+constexpr int dimensions = static_cast<int>(Dimension::inverse_temperature);
+
+struct SiPrefix {
+  double factor;
+  std::string_view symbol;
+};
+// From the largest; µ as the programs' pictures have it.
+constexpr std::array<SiPrefix, 7> si_prefixes = {{{1e9, "G"},
+                                                  {1e6, "M"},
+                                                  {1e3, "k"},
+                                                  {1, ""},
+                                                  {1e-3, "m"},
+                                                  {1e-6, "µ"},
+                                                  {1e-9, "n"}}};
+// Powers of lengths have those of the length.
+constexpr std::array<SiPrefix, 2> area_prefixes = {{{1, ""}, {1e-6, "m"}}};
+constexpr std::array<SiPrefix, 2> volume_prefixes = {{{1, ""}, {1e-9, "m"}}};
+
+template <class Prefixes>
+const SiPrefix& prefix_for(double value, const Prefixes& all) {
+  // Half a unit of the fourth digit: 999.96 is 1.000 of the next.
+  const double size = std::abs(value) * (1 + 5e-5);
+  for (const SiPrefix& prefix : all) {
+    if (size >= prefix.factor) return prefix;
+  }
+  return all.back();
+}
+
+}  // namespace
+
+ShownUnit ShownUnit::scaled(double value) const {
+  if (!prefixes || value == 0 || !std::isfinite(value)) return *this;
+  const SiPrefix& prefix =
+      symbol == "m^2"   ? prefix_for(value, area_prefixes)
+      : symbol == "m^3" ? prefix_for(value, volume_prefixes)
+      : symbol == "m"   ? prefix_for(std::min(std::abs(value), 999.0),
+                                     si_prefixes)  // no km of a joint
+                        : prefix_for(value, si_prefixes);
+  ShownUnit unit = *this;
+  unit.symbol = std::string(prefix.symbol) + symbol;
+  unit.divide = divide * prefix.factor;
+  return unit;
+}
+
+std::string ShownUnit::text(double value) const {
+  const double number = value / divide + 0.0;  // no -0
+  if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
+  constexpr double largest_count = 1e7;
+  if (number == std::floor(number) && std::abs(number) < largest_count) {
+    return number_text(number);
+  }
+  const std::string rounded = rounded_text(number, 4);
+  const double shown = std::stod(rounded);
+  // Trailing zeros are kept of a number that was rounded, and only there; from
+  // 10^4 on rounded_text() would take an exponent.
+  const bool is_long = std::abs(shown) >= 1e4 && std::abs(shown) < 1e7;
+  return shown == number || is_long ? number_text(shown) : rounded;
+}
+
+ShownUnit shown_unit(std::string_view column) {
+  const contact::Unit* best = nullptr;
+  bool printed = false;
+  for (int d = 0; d <= dimensions; ++d) {
+    const auto dimension = static_cast<Dimension>(d);
+    for (const contact::Unit& unit : contact::units_of(dimension)) {
+      const std::string_view end = unit.ending;
+      // One letter of a symbol is no unit unless tables print it: f_t.
+      const bool prints = &unit == &contact::printed_unit(dimension);
+      if (end.empty() || (end.size() == 1 && !prints)) continue;
+      if (column.size() <= end.size() + 1 || !column.ends_with(end) ||
+          column[column.size() - end.size() - 1] != '_') {
+        continue;
+      }
+      if (best != nullptr && best->ending.size() >= end.size()) continue;
+      best = &unit;
+      printed = prints;
+    }
+  }
+  if (best == nullptr) return {std::string(column)};
+  const std::string_view end = best->ending;
+  ShownUnit unit{std::string(column.substr(0, column.size() - end.size() - 1)),
+                 contact::unit_symbol(end)};
+  unit.prefixes = printed && end != "deg" && end != "C" && end != "kg" &&
+                  end != "per_K" && end != "rad_per_s" && end != "kg_m2";
+  if (end == "deg") unit.symbol = "°";
+  return unit;
+}
+
+}  // namespace cli

@@ -1,0 +1,192 @@
+// What people see on a terminal: reports, colours, notes. script(1) gives the
+// programs one.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "cli/stream/terminal_report.hpp"
+#include "support/program.hpp"
+
+namespace contact::test {
+namespace {
+
+using cli::shown_unit;
+
+// Standard output and error of a command on a terminal, without the carriage
+// returns that it adds.
+std::string on_terminal(const ProgramFolder& folder,
+                        const std::string& command) {
+  std::string text =
+      folder.run("script -qec \"" + command + "\" /dev/null </dev/null").out;
+  std::erase(text, '\r');
+  return text;
+}
+
+std::size_t lines_of(std::string_view text) {
+  return static_cast<std::size_t>(std::ranges::count(text, '\n'));
+}
+
+const std::string bush =
+    "hinge-joint --joint data/joints/lined_bush_pressed.toml --reaction 10kN";
+
+TEST(ShownUnit, IsTheColumnsAndItsPrefixLeavesOneToAThousand) {
+  const auto shown = [](std::string_view column, double value) {
+    const cli::ShownUnit unit = shown_unit(column).scaled(value);
+    return unit.stem + ' ' + unit.text(value) + ' ' + unit.symbol;
+  };
+  EXPECT_EQ(shown("p_peak_Pa", 40531983.87547975), "p_peak 40.53 MPa");
+  EXPECT_EQ(shown("M_t_N_m", 10.785654177952162), "M_t 10.79 N m");
+  EXPECT_EQ(shown("M_t_N_m", 8), "M_t 8 N m");
+  EXPECT_EQ(shown("shift_m", 1.7167675155850423e-05), "shift 17.17 µm");
+  EXPECT_EQ(shown("theta0_deg", 100.64545841538), "theta0 100.6 °");
+  EXPECT_EQ(shown("contact_area_m2", 5.269783879586214e-4),
+            "contact_area 527.0 mm^2");
+  EXPECT_EQ(shown("stiffness_N_per_m", 475899034.56), "stiffness 475.9 MN/m");
+  // Both sides of a prefix: 999.96 would be printed as 1000.
+  EXPECT_EQ(shown("R_N", 999.94), "R 999.9 N");
+  EXPECT_EQ(shown("R_N", 999.96), "R 1.000 kN");
+  EXPECT_EQ(shown("R_N", 0), "R 0 N");
+  EXPECT_EQ(shown("R_N", -2500), "R -2.5 kN");
+  EXPECT_EQ(shown("x_m", HUGE_VAL), "x inf m");
+  // No units: a law's part, a coefficient, a count.
+  EXPECT_EQ(shown("f_M", 0.10785654), "f_M 0.1079 ");
+  EXPECT_EQ(shown("sigma_Z", 0.30000000000000004), "sigma_Z 0.3000 ");
+  EXPECT_EQ(shown("evaluations", 1234567), "evaluations 1234567 ");
+  // As given, in its own unit.
+  EXPECT_EQ(shown("geometry.radius_mm", 16000), "geometry.radius 16000 mm");
+}
+
+TEST(TerminalReport, OfOneRowHasTheAnswerBesideTheTextbooks) {
+  const ProgramFolder folder;
+  const std::string text = on_terminal(folder, bush);
+  const CsvTable csv = folder.table(bush);
+  EXPECT_TRUE(has_text(text, "friction torque")) << text;
+  const double more = 100 * (csv.at("M_t_N_m") / csv.at("M_textbook_N_m") - 1);
+  EXPECT_NEAR(more, 34.82, 0.01);
+  EXPECT_TRUE(has_text(text, "10.79 N m   textbook f0 R r 8 N m (+34.8 %)"))
+      << text;
+  for (const char* part :
+       {"100.6°", "40.53 MPa", "nominal 33.33 MPa", "lifts off at 2.838 kN",
+        "0.1079", "4.540 N m", "more: --all, --plot FILE, --format csv"}) {
+    EXPECT_TRUE(has_text(text, part)) << part << '\n' << text;
+  }
+  EXPECT_GE(lines_of(text), 8U) << text;
+  EXPECT_LE(lines_of(text), 16U) << text;
+  // The same in a pipe if it is asked for, but for what else there is.
+  const std::string piped = folder.run_well(bush + " --format report").out;
+  EXPECT_TRUE(has_text(text, piped.substr(0, piped.size() - 1))) << piped;
+  EXPECT_FALSE(has_text(piped, "more:"));
+  // All that CSV has, and is not empty, is there with --all.
+  const std::string all = folder.run_well(bush + " --format report --all").out;
+  std::size_t full = 0;
+  for (const std::string& name : csv.names()) full += !csv.text(name).empty();
+  EXPECT_EQ(lines_of(all), full + 2) << all;
+}
+
+TEST(TerminalReport, OfSeveralRowsIsATableOfWhatMatters) {
+  const ProgramFolder folder;
+  const std::string text = folder
+                               .run_well(
+                                   "hinge-joint --joint "
+                                   "data/joints/pin_joint.toml --reaction "
+                                   "1kN,2kN --set geometry.length_mm=30,50 "
+                                   "--format report")
+                               .out;
+  const std::string head = text.substr(0, text.find("\n  ", 60));
+  for (const char* name : {"geometry.length, mm", "R, kN", "M_t, N m",
+                           "theta0, °", "p_peak, MPa"}) {
+    EXPECT_TRUE(has_text(text, name)) << name << '\n' << text;
+  }
+  EXPECT_FALSE(has_text(text, "residual")) << text;
+  EXPECT_EQ(std::ranges::count(text, '\n'), 5 + 2) << text;
+}
+
+TEST(TerminalReport, OnlyWhereNothingElseIsAskedFor) {
+  const ProgramFolder folder;
+  const auto is_report = [&](const std::string& options) {
+    return has_text(on_terminal(folder, bush + options), "friction torque");
+  };
+  EXPECT_TRUE(is_report(""));
+  EXPECT_FALSE(is_report(" --format csv"));
+  EXPECT_FALSE(is_report(" --format json"));
+  EXPECT_FALSE(is_report(" --separator tab"));
+  EXPECT_FALSE(is_report(" --decimal-comma"));
+  EXPECT_FALSE(is_report(" --output -"));
+  EXPECT_FALSE(is_report(" | cat"));
+  EXPECT_FALSE(is_report(" --output o.csv"));
+  EXPECT_EQ(folder.read("o.csv"), folder.run_well(bush).out);
+}
+
+TEST(TerminalReport, ColoursVerdictsWhereTheyAreWanted) {
+  const ProgramFolder folder;
+  const std::string rest =
+      "hinge-joint --joint data/joints/pin_joint.toml --reaction-xyz 1000,0,0 "
+      "--moment-xyz 0,0,1";
+  const auto has_colour = [&](const std::string& command) {
+    const std::string text = on_terminal(folder, command);
+    EXPECT_TRUE(has_text(text, "holds")) << text;
+    return has_text(text, "\033[32mholds\033[0m");
+  };
+  EXPECT_TRUE(has_colour(rest));
+  EXPECT_TRUE(has_colour("NO_COLOR= " + rest));
+  EXPECT_FALSE(has_colour("NO_COLOR=1 " + rest));
+  EXPECT_TRUE(has_colour("NO_COLOR=1 " + rest + " --color always"));
+  EXPECT_FALSE(has_colour(rest + " --color never"));
+  EXPECT_FALSE(
+      has_text(folder.run_well(rest + " --format report").out, "\033"));
+  EXPECT_TRUE(has_text(
+      folder.run_well(rest + " --format report --color always").out, "\033"));
+  // Names in files speak to no terminal.
+  folder.write("j.toml",
+               "name = \"\\u001b[31m\"\nkind = \"pin\"\n[geometry]\n"
+               "radius_mm = 20\nradial_clearance_um = 40\n"
+               "length_mm = 50\n[materials]\npair = "
+               "\"data/materials/steel_bronze.toml\"\n[friction]\n"
+               "coefficient = 0.1\n");
+  EXPECT_FALSE(
+      has_text(on_terminal(folder, "hinge-joint --joint j.toml --reaction 1kN"),
+               "\033"));
+}
+
+TEST(TerminalReport, QuietLeavesNotesOutAndNoWarnings) {
+  const ProgramFolder folder;
+  const std::string fit =
+      "hinge-angle --joint pin --pair data/materials/steel_bronze.toml "
+      "--diameter 20mm --hole H7 --shaft f7 --load 1kN/m";
+  EXPECT_TRUE(has_text(folder.run_well(fit).err, "note: "));
+  EXPECT_FALSE(has_text(folder.run_well(fit + " --quiet").err, "note: "));
+  EXPECT_TRUE(has_text(folder.run_well(bush + " --quiet").err, "warning: "));
+}
+
+class Reports : public testing::TestWithParam<const char*> {};
+
+TEST_P(Reports, OfEveryProgramFitATerminal) {
+  const ProgramFolder folder;
+  const std::string text =
+      on_terminal(folder, std::string(GetParam()) + " 2>/dev/null");
+  EXPECT_GE(lines_of(text), 3U) << text;
+  EXPECT_LE(lines_of(text), 40U) << text;
+  EXPECT_FALSE(has_text(text, "\"")) << text;
+  // No number of more than four digits but whole ones.
+  EXPECT_FALSE(has_text(text, "0000000")) << text;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, Reports,
+    testing::Values(
+        "hinge-joint --joint data/joints/pin_joint.toml --reaction 10kN",
+        "hinge-angle --joint data/joints/pin_joint.toml --load 1kN:9kN:2kN",
+        "hinge-pressure --joint data/joints/pin_joint.toml --load 10kN",
+        "hinge-table --theta0 20:80:20 --alpha 0:90:30",
+        "hinge-table --theta0 20:80:20 --alpha 0:90:30 --quantity sigma_Z",
+        "hinge-duty --joint data/joints/pin_joint.toml --cycle "
+        "data/duty/pin_cycle.csv",
+        "hinge-identify --joint data/duty/torque_rig.toml --data "
+        "data/duty/torque_rig.csv",
+        "hinge-separation data/cases/door.toml",
+        "hinge-study data/studies/lined_bearing.toml --check"));
+
+}  // namespace
+}  // namespace contact::test
