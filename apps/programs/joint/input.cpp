@@ -15,13 +15,16 @@ using contact::Dimension;
 // The angle of a sweep, which a pin does not have.
 cli::Sweep angle_sweep(std::string_view option, const std::string& text,
                        const char* force, const cli::Allowed& allowed, bool pin,
-                       std::string_view pin_angle) {
+                       std::string_view fixed_angle) {
   if (pin && !text.empty()) {
     cli::refuse_beside(cli::given(option, text),
                        "--joint: a pin has no such angle");
   }
-  if (!pin && text.empty()) cli::refuse_without(force, option);
-  return {option, pin ? pin_angle : text, allowed, Dimension::angle};
+  if (!fixed_angle.empty()) {
+    return {option, fixed_angle, allowed, Dimension::angle};
+  }
+  if (text.empty()) cli::refuse_without(force, option);
+  return {option, text, allowed, Dimension::angle};
 }
 
 }  // namespace
@@ -51,23 +54,27 @@ Inputs::Inputs(const Options& options, const Setup& setup) {
                         "one of --reaction-xyz, --reaction, "
                         "--normal-force, --points (see --help)");
   }
-  rate_ = options.rate.value_or(1);
+  rates_ = rates_of(options);
   if (reaction) {
     forces_.emplace("--reaction", options.reaction, allowed_force,
                     Dimension::force);
+    // Without a force it has no direction.
+    const bool unloaded = forces_->size() == 1 && (*forces_)[0] == 0;
+    const bool any = pin || (unloaded && options.beta.empty());
     angles_ = angle_sweep("--beta", options.beta, "--reaction", allowed_beta,
-                          pin, "90");
+                          pin, any ? "90" : "");
   } else {
     question_ = Question::contact;
     forces_.emplace("--normal-force", options.normal_force, allowed_force,
                     Dimension::force);
     angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
-                          allowed_alpha, pin, "0");
+                          allowed_alpha, pin, pin ? "0" : "");
   }
   // A row for each, and for up to 35 pairs of laws, has to have a number.
   constexpr double most = 1e12;
   if (static_cast<double>(forces_->size()) *
-          static_cast<double>(angles_->size()) * static_cast<double>(lies()) >
+          static_cast<double>(angles_->size()) *
+          static_cast<double>(rates_->size()) * static_cast<double>(lies()) >
       most) {
     throw contact::Error(
         contact::detail::must_be(fmt::format("{} forces and {} angles",
@@ -78,9 +85,11 @@ Inputs::Inputs(const Options& options, const Setup& setup) {
 
 Input Inputs::operator[](std::size_t index) const {
   if (!forces_) return vectors_;
-  const std::size_t state = index / lies();
-  Input input = at((*forces_)[state / angles_->size()],
-                   (*angles_)[state % angles_->size()]);
+  const std::size_t turn = index / lies();
+  const std::size_t state = turn / rates_->size();
+  Input input =
+      at((*forces_)[state / angles_->size()],
+         (*angles_)[state % angles_->size()], (*rates_)[turn % rates_->size()]);
   if (placements_) {
     input.placement = (*placements_)[index % lies()];
     input.placement->axial_velocity = slide_;
@@ -88,10 +97,23 @@ Input Inputs::operator[](std::size_t index) const {
   return input;
 }
 
-Input Inputs::at(double force, double angle_deg) const {
+Input Inputs::at(double force, double angle_deg, double rate) const {
   return question_ == Question::contact
-             ? state_from_contact(force, angle_deg, rate_)
-             : state_from_reaction(force, angle_deg, rate_);
+             ? state_from_contact(force, angle_deg, rate)
+             : state_from_reaction(force, angle_deg, rate);
+}
+
+cli::Sweep rates_of(const Options& options) {
+  return {"--rate", options.rate.empty() ? "1" : options.rate, allowed_rate,
+          Dimension::angular_velocity};
+}
+
+double only_rate(const Options& options) {
+  const cli::Sweep rates = rates_of(options);
+  if (rates.size() > 1) {
+    cli::refuse_without(cli::given("--rate", options.rate), "one rate here");
+  }
+  return rates[0];
 }
 
 }  // namespace hinge_joint

@@ -11,7 +11,7 @@
 namespace hinge_joint {
 
 /// The states that the options describe: a pair of vectors, or all pairs of
-/// some forces and angles, or forces and tilts.
+/// some forces, angles and rates, or forces and tilts.
 class Inputs {
  public:
   /// Throws contact::Error for options that do not fit together, or values
@@ -20,7 +20,8 @@ class Inputs {
 
   Question question() const { return question_; }
   std::size_t size() const {
-    return forces_ ? angles_->size() * forces_->size() * lies() : 1;
+    return forces_ ? angles_->size() * forces_->size() * rates_->size() * lies()
+                   : 1;
   }
   Input operator[](std::size_t index) const;
 
@@ -32,8 +33,10 @@ class Inputs {
   /// The sweeps, angles running fastest; none of vectors.
   const std::optional<cli::Sweep>& forces() const { return forces_; }
   const std::optional<cli::Sweep>& angles() const { return angles_; }
-  /// The state for a pair of them.
-  Input at(double force, double angle_deg) const;
+  /// Rates, rad/s, which run faster than the angles.
+  const std::optional<cli::Sweep>& rates() const { return rates_; }
+  /// The state for three of them.
+  Input at(double force, double angle_deg, double rate) const;
 
  private:
   std::size_t lies() const { return placements_ ? placements_->size() : 1; }
@@ -42,10 +45,15 @@ class Inputs {
   Input vectors_ = {};
   std::optional<cli::Sweep> forces_;
   std::optional<cli::Sweep> angles_;
-  /// Run faster than the angles.
+  /// Run faster than the rates.
   std::optional<cli::Placements> placements_;
   double slide_ = 0;
-  double rate_ = 1;
+  std::optional<cli::Sweep> rates_;
 };
+
+/// --rate, rad/s; 1 if it is not given.
+cli::Sweep rates_of(const Options& options);
+/// The only one; throws contact::Error for several.
+double only_rate(const Options& options);
 
 }  // namespace hinge_joint

@@ -31,8 +31,8 @@ class Points {
         form_(find_form(header_, pin, all_questions)),
         columns_(header_, form_.columns),
         pin_(pin),
-        rate_(options.rate.value_or(1)) {
-    if (options.rate && form_.has_vectors()) {
+        rate_(only_rate(options)) {
+    if (!options.rate.empty() && form_.has_vectors()) {
       cli::refuse_beside("--rate", "the vectors of " + header_.place);
     }
   }

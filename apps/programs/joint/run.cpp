@@ -141,6 +141,7 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
     cli::refuse_without(
         "--plot", "a range of --reaction, --normal-force, --beta or --alpha");
   }
+  if (inputs.rates()->size() > 1) cli::refuse_without("--plot", "one --rate");
   if (setup.joints.size() > most_pairs_of_laws) {
     cli::refuse_without("--plot",
                         fmt::format("at most {} curves of joints, half-angle "

@@ -36,7 +36,7 @@ struct Options {
   std::string beta;
   std::string normal_force;
   std::string alpha;
-  std::optional<double> rate;  ///< rad/s
+  std::string rate;
   std::string points;
   cli::TiltOptions tilt;
   std::optional<double> slide;  ///< m/s

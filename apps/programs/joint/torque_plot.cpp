@@ -91,6 +91,7 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
   const bool over_angle = inputs.angles()->size() > inputs.forces()->size();
   const cli::Sweep& x = over_angle ? *inputs.angles() : *inputs.forces();
   const cli::Sweep& family = over_angle ? *inputs.forces() : *inputs.angles();
+  const double rate = (*inputs.rates())[0];
   const Labels labels(setup, inputs, over_angle);
 
   cli::LinePlot plot;
@@ -110,9 +111,9 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
       // Without a name: the axis says what is dashed.
       cli::Curve traditional{"", {}, {}, true, colour};
       for (const double value : cli::spread(x, most_points)) {
-        const Answer a = answer(
-            joint, inputs.question(),
-            over_angle ? inputs.at(member, value) : inputs.at(value, member));
+        const Answer a = answer(joint, inputs.question(),
+                                over_angle ? inputs.at(member, value, rate)
+                                           : inputs.at(value, member, rate));
         const double moment = contact::magnitude(a.solution().friction_moment);
         solved.x.push_back(value);
         solved.y.push_back(moment);
