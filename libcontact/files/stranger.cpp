@@ -25,6 +25,30 @@ bool has_word(std::string_view words, std::string_view word) {
 // and nobody is pointed to it.
 bool is_gone(const KnownKey& key) { return key.key == key.former; }
 
+// What people write for a key: symbols of the trade.
+constexpr std::pair<std::string_view, std::string_view> symbols[] = {
+    {"E", "youngs_modulus"}, {"nu", "poissons_ratio"}, {"mu", "coefficient"},
+    {"f", "coefficient"},    {"f0", "coefficient"},    {"D", "diameter"},
+    {"d", "diameter"},       {"R", "radius"},          {"r", "radius"},
+    {"L", "length"},         {"B", "length"},          {"T", "temperature"}};
+
+// The key of a symbol, with the symbol's unit: youngs_modulus_GPa of E_GPa.
+std::string key_of_symbol(const std::string& key,
+                          const std::vector<const KnownKey*>& known) {
+  const std::size_t end = std::min(key.find('_'), key.size());
+  for (const auto& [symbol, name] : symbols) {
+    if (key.substr(0, end) != symbol) continue;
+    for (const KnownKey* other : known) {
+      if (other->key != name) continue;
+      std::string spelling = std::string(name) + key.substr(end);
+      return unit_in(spelling, name, other->dimension) != nullptr
+                 ? spelling
+                 : std::string(name);
+    }
+  }
+  return {};
+}
+
 // The known spelling that a user has most likely meant by a key; "" for none:
 // its new name, one that is nearly the same, or the same but for an ending,
 // such as a unit that it does not take. One that is there was not meant, unless
@@ -46,7 +70,8 @@ std::string meant_by(const std::string& key, const toml::table& table,
       }
     }
   }
-  std::string meant = nearest(key, likely);
+  std::string meant = key_of_symbol(key, known);
+  if (meant.empty()) meant = nearest(key, likely);
   if (!meant.empty()) return meant;
   for (const std::string& other : likely) {
     if (key.starts_with(other + '_') && other.size() > meant.size()) {

@@ -1,9 +1,14 @@
 #include "cli/joint/friction_options.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <utility>
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/text.hpp"
+#include "libcontact/files/tables/friction_presets.hpp"
 
 namespace cli {
 namespace {
@@ -33,13 +38,33 @@ contact::ViscousLaw viscous_law(const std::string& text) {
   return contact::ViscousLaw(*k0, *k1);
 }
 
+// A number, or the middle of a published range.
+double dry_coefficient(const std::string& text) {
+  const auto all = contact::detail::friction_presets();
+  const auto preset =
+      std::ranges::find(all, text, &contact::detail::FrictionPreset::name);
+  if (preset != all.end()) return preset->middle();
+  if (parse_number(text)) {
+    return parse_quantity("--friction", text, Dimension::number, strength);
+  }
+  std::vector<std::string> names;
+  for (const auto& each : all) names.emplace_back(each.name);
+  const std::string near = contact::detail::nearest(text, names);
+  refuse(
+      "--friction", text,
+      strength.rule(false) +
+          (near.empty() ? near : fmt::format(": did you mean \"{}\"?", near)));
+}
+
 }  // namespace
 
 std::vector<Option> dry_friction_rows(FrictionOptions& o) {
+  const Reader read = [&o](const std::string& text) {
+    o.coefficient = dry_coefficient(text);
+  };
   return {
-      {"--friction",
-       number("--friction", o.coefficient, Dimension::number, strength),
-       "NUMBER", "f0 of f = f0 + A/p", "", "--viscous"},
+      {"--friction", read, "NUMBER|NAME",
+       "f0 of f = f0 + A/p, or a preset: steel_steel_greased", "", "--viscous"},
       {"--adhesion",
        number("--adhesion", o.adhesion, Dimension::stress, {0, largest, "Pa"}),
        "NUMBER", "A of f = f0 + A/p, Pa; default 0", "", "--viscous"}};
@@ -73,6 +98,10 @@ contact::FrictionModel make_friction(
   // A coefficient without an adhesion means none.
   if (options.coefficient) {
     return FrictionLaw(*options.coefficient, options.adhesion.value_or(0));
+  }
+  if (!of_joint && joint.is_plain_bearing) {
+    return FrictionLaw(dry_coefficient("steel_steel_greased"),
+                       options.adhesion.value_or(0));
   }
   if (!of_joint) {
     refuse_without(given("--joint", joint.joint()),

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "cli/joint/key_settings.hpp"
+#include "cli/joint/shipped.hpp"
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
@@ -37,6 +38,8 @@ struct KeyOption {
   const char* meaning;
   std::string_view needs = {};
   std::string_view excludes = {};
+
+  std::string_view flag_name() const { return flag; }
 };
 
 constexpr std::string_view wall_key = "wall.layer";
@@ -76,8 +79,7 @@ constexpr KeyOption key_options[] = {
      "of a fit or bearing: minimum, mean (default) or maximum clearance",
      "--pair; --hole or --bearing"},
     {"--bearing", "geometry.designation", as_text, 0, JointUse::contact, "NAME",
-     "in place of size and clearance: a spherical plain bearing, as GE50ES",
-     "--pair",
+     "in place of size and clearance: a spherical plain bearing, as GE50ES", "",
      "--radius --diameter --clearance --diametral-clearance --interference "
      "--hole"},
     {"--group", "geometry.clearance_group", as_text, 0, JointUse::contact,
@@ -149,7 +151,14 @@ contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
 
 contact::MaterialPair materials_of(const JointOptions& o) {
   if (!o.modulus_ratio.empty()) return {"", pair_of_modulus_ratio(o), {}};
-  if (!o.pair.empty()) return contact::read_material_pair(o.pair);
+  if (!o.pair.empty()) {
+    const std::string file = shipped_file(Shipped::materials, o.pair);
+    if (!is_file(file) && !std::filesystem::exists(file)) {
+      throw contact::Error(contact::detail::unknown(
+          "pair", o.pair, shipped_names(Shipped::materials)));
+    }
+    return contact::read_material_pair(file);
+  }
   const char* either =
       o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
   if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
@@ -162,7 +171,9 @@ contact::MaterialPair materials_of(const JointOptions& o) {
 bool is_pin(const JointOptions& o) {
   const std::string& kind = o.joint();
   if (kind == "pin" || kind == "ball" || kind.empty()) return kind == "pin";
-  refuse("--joint", kind, "ball, pin or a .toml file");
+  refuse("--joint", kind,
+         "ball, pin or a .toml file" +
+             shipped_hint(Shipped::joints, kind, {"ball", "pin"}));
 }
 
 // Checks the size of a joint without a file; false if it has none.
@@ -184,7 +195,8 @@ bool check_size(const JointOptions& o, bool pin) {
 
 // The table of a joint file that a material's file is; "" of a word.
 std::string backing_table(const JointOptions& o) {
-  const std::string backing = o.key("--backing");
+  const std::string backing =
+      shipped_file(Shipped::backings, o.key("--backing"));
   if (is_file(backing)) {
     if (!o.modulus_ratio.empty()) {
       refuse_beside(given("--backing", backing), "--modulus-ratio");
@@ -195,9 +207,28 @@ std::string backing_table(const JointOptions& o) {
                .toml_text();
   }
   if (!backing.empty() && backing != "rigid" && backing != "held") {
-    refuse("--backing", backing, "rigid, held or a material's .toml file");
+    refuse("--backing", backing,
+           "rigid, held or a material's .toml file" +
+               shipped_hint(Shipped::backings, backing, {"rigid", "held"}));
   }
   return "";
+}
+
+// What is refused may be a slip of a unit.
+contact::JointSpec spec_of(const std::string& text,
+                           const contact::KeySettings& settings,
+                           const contact::MaterialPair& materials,
+                           const JointOptions& o) {
+  try {
+    return contact::joint_of_file(
+        contact::TomlTable::from_text(text, "", contact::joint_keys(), {},
+                                      settings),
+        &materials);
+  } catch (const contact::Error& error) {
+    const std::vector<std::string> notes = length_notes(o);
+    if (notes.empty()) throw;
+    throw contact::Error(fmt::format("{}; {}", error.what(), notes[0]));
+  }
 }
 
 // A joint file in memory, whose keys the options are.
@@ -219,10 +250,7 @@ Joint joint_from_options(const JointOptions& o) {
     }
     settings.push_back(setting_of(option, given, has_size));
   }
-  contact::JointSpec spec =
-      contact::joint_of_file(contact::TomlTable::from_text(
-                                 text, "", contact::joint_keys(), {}, settings),
-                             &materials);
+  contact::JointSpec spec = spec_of(text, settings, materials, o);
   if (o.materials().empty()) spec.pressure_law = "cosine";  // the paper's
   const std::string& of = materials.name;
   Joint joint{.spec = spec,
@@ -294,6 +322,47 @@ Joint joint_of(const JointOptions& o, const std::string& name,
   return joint;
 }
 
+// Joints by the names of the shipped ones; a bearing by its designation alone
+// is a ball of steel in steel.
+void settle_joint(const Program& program, JointOptions& o) {
+  for (std::string& name : o.joints) {
+    if (name == "ball" || name == "pin" || is_file(name)) continue;
+    name = shipped_file(Shipped::joints, name);
+    if (!is_file(name)) is_pin(o);  // which refuses it
+  }
+  if (o.use == JointUse::pressure) return;
+  if (o.has("--bearing") && (o.joints.empty() || o.joint() == "ball")) {
+    o.joints = {"ball"};
+    if (o.pair.empty() && o.modulus_ratio.empty()) {
+      o.pair = "steel_steel";
+      o.is_plain_bearing = true;
+      note(program.name(),
+           fmt::format("bearing {}: a ball of steel in steel, as --pair "
+                       "steel_steel{}",
+                       o.key("--bearing"),
+                       o.use == JointUse::friction
+                           ? " --friction steel_steel_greased"
+                           : ""));
+    }
+  }
+  if (o.joints.empty()) {
+    throw contact::Error(
+        fmt::format("--joint is required (see {} --help)", program.name()));
+  }
+}
+
+// How a key of the file is set that an option is without one.
+std::string key_hint(const JointOptions& o, std::string_view flag) {
+  if (o.use == JointUse::pressure) return {};
+  const auto option =
+      std::ranges::find(key_options, flag, &KeyOption::flag_name);
+  if (option == std::end(key_options) || option->key == wall_key) return {};
+  const contact::KeySetting key = setting_of(*option, o.key(flag), true);
+  return fmt::format(
+      ": use --set {}={}", key.key,
+      std::string_view(key.value).starts_with('\'') ? o.key(flag) : key.value);
+}
+
 }  // namespace
 
 std::string JointOptions::materials() const {
@@ -312,10 +381,10 @@ void add_joint_options(Program& program, JointOptions& o) {
                          "before a .toml the flag may be left out"}
                 : Option{"--joint", &o.joints, "KIND|FILE",
                          "ball, pin, or a joint file; files more than once;\n"
-                         "before a .toml the flag may be left out",
-                         "", "", true},
+                         "before a .toml the flag may be left out"},
        {"--loading", &o.loading, "NAME",
         "force on the ball or pin: centre (default) or back:PSI"}});
+  program.add_check([&program, &o] { settle_joint(program, o); });
   if (!pressure) {
     program.add("Joint", {{"--set", &o.settings, "KEY=VALUES",
                            "a key of the joint file and its values, a list or "
@@ -325,7 +394,9 @@ void add_joint_options(Program& program, JointOptions& o) {
 
 void add_fileless_joint_options(Program& program, JointOptions& o) {
   std::vector<Option> rows = {
-      {"--pair", &o.pair, "FILE", "materials of the two bodies, a TOML file"}};
+      {"--pair", &o.pair, "NAME|FILE",
+       "materials of the two bodies: steel_bronze or another shipped pair,\n"
+       "or a TOML file"}};
   if (o.use != JointUse::friction) {
     rows.push_back({"--modulus-ratio", &o.modulus_ratio, "NUMBER",
                     "E1/E2, 0 to inf", "", "--pair"});
@@ -347,9 +418,8 @@ void add_fileless_joint_options(Program& program, JointOptions& o) {
   program.add_check([&program, &o, flags] {
     if (!is_file(o.joint())) return;
     for (const char* flag : flags) {
-      if (program.has(flag)) {
-        refuse_beside(flag, cli::given("--joint", o.joint()));
-      }
+      if (!program.has(flag)) continue;
+      refuse_beside(flag, cli::given("--joint", o.joint()) + key_hint(o, flag));
     }
   });
 }

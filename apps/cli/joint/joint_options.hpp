@@ -41,6 +41,8 @@ struct JointOptions {
   std::vector<std::string> laws = {};
   std::string limit_angle = {};
   std::vector<std::string> pressures = {};
+  /// A bearing by its designation alone, of steel in steel and greased.
+  bool is_plain_bearing = false;
   bool one_law = false;
   bool one_pressure = false;
 

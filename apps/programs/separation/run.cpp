@@ -12,6 +12,7 @@
 #include "cli/choice.hpp"
 #include "cli/interrupts.hpp"
 #include "cli/joint/key_settings.hpp"
+#include "cli/joint/shipped.hpp"
 #include "cli/output.hpp"
 #include "cli/output_names.hpp"
 #include "cli/quantity.hpp"
@@ -72,6 +73,7 @@ void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
 }
 
 Case case_of(const Options& o) {
+  cli::refuse_joint_file(program_name, o.case_file, "a case file");
   Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law},
                      cli::single_settings(o.settings));
   if (o.end_time == 0) return c;

@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "cli/interrupts.hpp"
+#include "cli/joint/shipped.hpp"
 #include "cli/number.hpp"
 #include "cli/output.hpp"
 #include "cli/progress.hpp"
@@ -263,6 +264,7 @@ void say_warnings(const Study& study) {
 
 cli::ExitStatus run(const Options& o) {
   cli::OutputNames names = check_outputs(o);
+  cli::refuse_joint_file(program, o.file, "a study file");
   const Study study(o.file, changes_of(o));
   if (!o.output.plot.empty()) {
     for (const std::string& file : picture_files(study, o.output.plot)) {

@@ -14,6 +14,10 @@ struct FrictionPreset {
   double least;
   double largest;
   std::string_view source;  ///< key of docs/references.md
+
+  /// A share of the way from the least to the largest; the middle.
+  double at(double share) const { return least + share * (largest - least); }
+  double middle() const { return at(0.5); }
 };
 
 /// All of them.

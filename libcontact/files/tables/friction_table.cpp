@@ -69,11 +69,10 @@ double coefficient_from_table(const TomlTable& friction) {
   for (const detail::FrictionPreset& preset : detail::friction_presets()) {
     names.emplace_back(preset.name);
   }
-  const auto& [name, least, largest, source] =
+  const detail::FrictionPreset& preset =
       detail::friction_presets()[friction.choice("preset", names)];
-  const double share =
-      friction.optional_number("preset_share", {0, 1}).value_or(0.5);
-  return least + share * (largest - least);
+  return preset.at(
+      friction.optional_number("preset_share", {0, 1}).value_or(0.5));
 }
 
 }  // namespace

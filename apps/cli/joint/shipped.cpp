@@ -1,0 +1,84 @@
+#include "cli/joint/shipped.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <utility>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/text.hpp"
+
+namespace cli {
+namespace {
+
+namespace fs = std::filesystem;
+
+// "" if it is not there.
+fs::path folder_of(Shipped kind) {
+  constexpr std::array<const char*, 3> names = {"joints", "materials",
+                                                "backings"};
+  std::error_code none;
+  const fs::path programs =
+      fs::read_symlink("/proc/self/exe", none).parent_path();
+  if (none) return {};
+  // Of an installation, of a build directory in the tree.
+  for (const char* data : {"../share/libcontact", "../../data"}) {
+    const fs::path folder =
+        programs / data / names[static_cast<std::size_t>(kind)];
+    if (fs::is_directory(folder, none)) return folder.lexically_normal();
+  }
+  return {};
+}
+
+}  // namespace
+
+std::vector<std::string> shipped_names(Shipped kind) {
+  std::vector<std::string> names;
+  const fs::path folder = folder_of(kind);
+  if (folder.empty()) return names;
+  std::error_code none;
+  for (const auto& file : fs::directory_iterator(folder, none)) {
+    if (file.path().extension() == ".toml") {
+      names.push_back(file.path().stem().string());
+    }
+  }
+  std::ranges::sort(names);
+  return names;
+}
+
+std::string shipped_file(Shipped kind, const std::string& name) {
+  if (name.empty() || name.find_first_of("./\\") != name.npos) return name;
+  std::error_code none;
+  if (fs::exists(name, none)) return name;
+  const auto all = shipped_names(kind);
+  if (std::ranges::find(all, name) == all.end()) return name;
+  const fs::path file = folder_of(kind) / (name + ".toml");
+  const fs::path near = file.lexically_proximate(fs::current_path(none));
+  return near.native().size() < file.native().size() ? near : file;
+}
+
+std::string shipped_hint(Shipped kind, std::string_view name,
+                         std::vector<std::string> words) {
+  std::ranges::copy(shipped_names(kind), std::back_inserter(words));
+  const std::string near = contact::detail::nearest(name, words);
+  return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
+}
+
+// Its first table ends what stands at the top.
+void refuse_joint_file(std::string_view program, const std::string& file,
+                       std::string_view wanted) {
+  std::ifstream in(file);
+  for (std::string line; std::getline(in, line) && !line.starts_with("[");) {
+    std::erase(line, ' ');
+    if (line.starts_with("kind=\"ball\"") || line.starts_with("kind=\"pin\"")) {
+      throw contact::Error(fmt::format("{} is a joint file; {} takes {}", file,
+                                       program, wanted));
+    }
+  }
+}
+
+}  // namespace cli
