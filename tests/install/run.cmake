@@ -30,6 +30,15 @@ if(EXISTS ${BUILD}/bin/hinge-angle)
   run(${prefix}/bin/hinge-angle --load 2000
     --joint ${prefix}/share/libcontact/joints/hip_cocr_uhmwpe_infinite.toml)
   message(STATUS "installed program and joint: ${output}")
+  run(${prefix}/bin/hinge-angle --load 2000 --joint hip_cocr_uhmwpe_infinite)
+  foreach(file man/man1/hinge-angle.1 zsh/site-functions/_hinge-angle
+      bash-completion/completions/hinge-angle
+      fish/vendor_completions.d/hinge-angle.fish)
+    file(SIZE ${prefix}/share/${file} size)
+    if(size LESS 1000)
+      message(FATAL_ERROR "share/${file} is not installed whole")
+    endif()
+  endforeach()
 endif()
 
 if(NOT EXISTS ${prefix}/share/doc/libcontact/LICENSE)
