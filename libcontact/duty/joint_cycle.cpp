@@ -264,11 +264,11 @@ double JointCycle::of_rims(const Instant& instant,
 
 double JointCycle::rim_share() const {
   if (!at_rims_) return 0;
-  const Quantity intensity = of_rims(&RimContact::intensity);
   double all = 0, at_rim = 0;
   for (const Instant& row : rows_.kept) {
     all += row.weight;
-    if (intensity(row) > 0) at_rim += row.weight;
+    const auto rims = joint_.rims(row.solution);
+    if (rims && rims->is_at_rim()) at_rim += row.weight;
   }
   return at_rim / all;
 }

@@ -21,7 +21,9 @@ struct SeatPlace {
 struct SeatRim {
   /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
   /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
-  /// pressure at the rim itself is infinite in the model.
+  /// pressure at the rim itself is infinite in the model. NaN at a rim where
+  /// the seat's body ends too (SideFace::free): the pressure there is that of
+  /// the corner, not of a punch.
   double intensity = std::numeric_limits<double>::quiet_NaN();
   double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
   /// How far the contact follows the rim to each side, rad; pi: all round.
@@ -75,6 +77,12 @@ struct RimContact {
   }
   /// Distance from the nearer rim, m.
   double gap() const { return std::min(rims[0].gap, rims[1].gap); }
+  /// Whether it reaches a rim.
+  bool is_at_rim() const {
+    return std::ranges::any_of(rims, [](const SeatRim& rim) {
+      return rim.intensity > 0 || rim.half_arc > 0;
+    });
+  }
   /// The larger K, Pa m^(1/2); above 0 at a rim.
   double intensity() const {
     return std::max(rims[0].intensity, rims[1].intensity);

@@ -130,6 +130,7 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
     const SeatEdge& edge = seat->edge();
     if (edge.radius > 0) toml.number("edge_radius_m", edge.radius);
     if (edge.angle) toml.number("edge_angle_rad", *edge.angle);
+    if (edge.side_face == SideFace::free) toml.text("side_face", "free");
     if (edge.report_distance != SeatEdge().report_distance) {
       toml.number("report_distance_rad", edge.report_distance);
     }

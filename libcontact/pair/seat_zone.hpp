@@ -5,6 +5,12 @@
 
 namespace contact {
 
+/// What the seat's body does beyond a rim.
+enum class SideFace {
+  goes_on,  ///< as the laws without rims have it: only the contact ends
+  free,     ///< it ends too, at a side face of SeatZone::side_angle()
+};
+
 /// How a seat is made at its rims, and how near to them pressures are reported.
 struct SeatEdge {
   /// Radius of the rounding along the meridian, or of a chamfer's blend, m; 0
@@ -15,6 +21,7 @@ struct SeatEdge {
   std::optional<double> angle = {};
   /// Distance of peak pressures and p v from rims, over the radius, (0, 1).
   double report_distance = 0.02;
+  SideFace side_face = SideFace::goes_on;
 
   friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
 };

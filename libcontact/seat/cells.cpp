@@ -72,6 +72,7 @@ SeatCells::SeatCells(const SeatWindow& of, int count, double thickness)
 }
 
 double SeatCells::shape(double v) const {
+  if (window.is_free) return 1;
   double square = 1;
   if (window.rim[0]) square *= 1 + edge_width / (v - window.from);
   if (window.rim[1]) square *= 1 + edge_width / (window.to - v);
@@ -79,6 +80,7 @@ double SeatCells::shape(double v) const {
 }
 
 double SeatCells::rim_shape(int rim) const {
+  if (window.is_free) return 0;
   const bool other = window.rim[1 - rim];
   return std::sqrt(edge_width *
                    (other ? 1 + edge_width / window.width() : 1.0));

@@ -13,12 +13,14 @@ struct SeatWindow {
   explicit SeatWindow(const SeatZone& zone)
       : from(zone.from()),
         to(zone.to()),
-        rim{zone.has_lower_rim(), zone.has_upper_rim()} {}
+        rim{zone.has_lower_rim(), zone.has_upper_rim()},
+        is_free(zone.edge().side_face == SideFace::free) {}
   double width() const { return to - from; }
   double angle(int end) const { return end == 0 ? from : to; }
 
   double from, to;
   std::array<bool, 2> rim;  ///< lower, upper
+  bool is_free;             ///< whether the body ends at a rim too
 };
 
 /// Cells of latitude over a window of a seat, and the shape that the pressure
@@ -27,7 +29,8 @@ struct SeatWindow {
 ///
 ///     g = prod sqrt(1 + b/s),   s = distance from the rim, rad,
 ///
-/// and the mean of w_i over the cell's surface 1.
+/// and the mean of w_i over the cell's surface 1. Where the body ends at the
+/// rim too there is no punch, and g = 1.
 struct SeatCells {
   /// @param count      of even cells over the window; those near a rim shrink
   ///                   by 1.25 from one to the next, so that there are more
@@ -38,7 +41,7 @@ struct SeatCells {
   int size() const { return static_cast<int>(mean_shape.size()); }
   /// g(v)
   double shape(double v) const;
-  /// lim g sqrt(s) at a rim: 0 the lower, 1 the upper one.
+  /// lim g sqrt(s) at a rim: 0 the lower, 1 the upper one; 0 where g = 1.
   double rim_shape(int rim) const;
   int rim_cell(int rim) const { return rim == 0 ? 0 : size() - 1; }
   /// Smallest cell, rad.

@@ -87,7 +87,11 @@ Eigen::MatrixXd tail(const SeatCells& cells, int degree) {
     if (!cells.window.rim[rim]) continue;
     const int i = cells.rim_cell(rim);
     const double strength = cells.mean_shape(i) * cells.rim_shape(rim);
-    sum(i, i) += strength * strength * std::sin(cells.window.angle(rim)) / n;
+    const double sine = std::sin(cells.window.angle(rim));
+    sum(i, i) += strength * strength * sine / n;
+    if (!cells.window.is_free) continue;
+    const double jump = cells.mean_shape(i);
+    sum(i, i) += jump * jump * sine / (2 * std::numbers::pi * n * n);
   }
   for (int i = 0; i + 1 < size; ++i) {
     const double v = cells.bound(i + 1);
@@ -118,7 +122,7 @@ void add_pole(int m, int degree, const SeatCells& cells,
 }  // namespace
 
 SeatCompliance::SeatCompliance(const LayeredPair& pair, const SeatCells& cells,
-                               int order)
+                               int order, const SideFaceCompliance* side_face)
     // Below 6 wave numbers a cell those at a rim oscillate.
     : degree(static_cast<int>(
           std::ceil(std::max(8 / cells.smallest(), 1.5 * order)))) {
@@ -151,6 +155,7 @@ SeatCompliance::SeatCompliance(const LayeredPair& pair, const SeatCells& cells,
     matrix.push_back(rest);
     matrix.back().noalias() += b.transpose() * (c.tail(terms).asDiagonal() * b);
     add_pole(m, degree, cells, square, matrix.back(), b);
+    if (side_face) matrix.back() += side_face->on(cells, m);
   }
   // A_m alone is nearly singular for large m, where narrow cells are alike.
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(cells.size());

@@ -5,6 +5,7 @@
 
 #include "libcontact/pair/layers.hpp"
 #include "libcontact/seat/cells.hpp"
+#include "libcontact/seat/side_face.hpp"
 
 namespace contact::detail {
 
@@ -18,8 +19,11 @@ namespace contact::detail {
 /// ∫ N_nm^2 dz = 1. Beyond the degree where the sum stops it goes on with
 /// c_n = 1/n and the singularities of w_i at rims and its jumps between cells.
 struct SeatCompliance {
-  /// @param order  M, the largest m
-  SeatCompliance(const LayeredPair& pair, const SeatCells& cells, int order);
+  /// @param order      M, the largest m
+  /// @param side_face  what is added where the body ends at the rims; may be
+  ///                   null
+  SeatCompliance(const LayeredPair& pair, const SeatCells& cells, int order,
+                 const SideFaceCompliance* side_face = nullptr);
 
   std::vector<Eigen::MatrixXd> matrix;   ///< A_m
   std::vector<Eigen::MatrixXd> inverse;  ///< A_m^-1, made regular: see there

@@ -12,6 +12,7 @@
 #include "libcontact/seat/friction.hpp"
 #include "libcontact/seat/readout.hpp"
 #include "libcontact/seat/rim_warning.hpp"
+#include "libcontact/seat/side_face_mesh.hpp"
 
 namespace contact {
 
@@ -72,6 +73,8 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
                   "longitudes", grid.longitudes, "16 to 720");
   const LayeredPair pair = pair_of(joint);
   surface_layer_ = radius_ * pair.relative_thickness();
+  // Says at once what its side faces do not allow.
+  if (has_free_side_face()) detail::SideFaceMesh(pair, zone);
   windows_ = std::make_unique<const detail::SeatWindows>(
       pair, zone, grid.cells, grid.longitudes,
       joint.geometry.radial_clearance());
@@ -107,6 +110,8 @@ bool SeatContact::is_free(const Eigen::Vector3d& force,
 
 std::optional<double> SeatContact::free_half_angle(
     const Eigen::Vector3d& force) const {
+  // A side face that is free yields to contacts before it too.
+  if (has_free_side_face()) return {};
   const HalfAngleResult result = contact_.half_angle(force.norm());
   if (result.status != Status::ok || !is_free(force, result.half_angle)) {
     return {};
@@ -129,6 +134,11 @@ SeatState SeatContact::confined(const Eigen::Vector3d& force,
   state.solution = std::move(solution);
   set_confined(detail::polar_angle(force), state);
   return state;
+}
+
+bool SeatContact::has_free_side_face() const {
+  return zone_.edge().side_face == SideFace::free &&
+         (zone_.has_lower_rim() || zone_.has_upper_rim());
 }
 
 double SeatContact::unit_force() const { return windows_->unit_force(); }
@@ -173,6 +183,9 @@ void SeatContact::set_confined(double direction, SeatState& state) const {
     const auto at = read.rim(rim);
     state.rims[rim].intensity =
         at.strength * unit * std::sqrt(2 * pi * radius_);
+    // The pressure there is not a punch's.
+    if (has_free_side_face() && at.strength > 0)
+      state.rims[rim].intensity = nan;
     state.rims[rim].longitude = is_axial ? nan : at.longitude;
     state.rims[rim].half_arc = at.half_arc;
   }
@@ -331,6 +344,17 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   const double endless = contact_.half_angle(state.force.norm()).half_angle;
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
+    if (has_free_side_face()) {
+      if (state.rims[rim].half_arc > 0) {
+        all.push_back(detail::message(
+            "the contact is at its {} rim, a corner of {:.4g} deg: nearer to "
+            "it "
+            "than {:.3g} mm the pressure is the corner's own, and not reported",
+            rim_names[rim], zone_.side_angle(rim) / degree,
+            radius_ * report_distance() * 1e3));
+      }
+      continue;
+    }
     if (!is_reached && !(state.rims[rim].distance < rim_warning_->reach(rim))) {
       continue;
     }

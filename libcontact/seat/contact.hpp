@@ -151,6 +151,7 @@ class SeatContact {
 
   // Whether a contact about a force reaches no rim.
   bool is_free(const Eigen::Vector3d& force, double half_angle) const;
+  bool has_free_side_face() const;
   // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
   // One that reaches none.

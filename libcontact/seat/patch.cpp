@@ -28,9 +28,10 @@ int columns_of(const Eigen::ArrayXXd& contact) {
 
 SeatPatchSolver::SeatPatchSolver(const LayeredPair& pair,
                                  const SeatWindow& window, int cells, int order,
-                                 double clearance)
+                                 double clearance,
+                                 const SideFaceCompliance* side_face)
     : cells_(window, cells, pair.relative_thickness()),
-      compliance_(pair, cells_, order),
+      compliance_(pair, cells_, order, side_face),
       order_(order),
       clearance_(clearance),
       root_(Eigen::RowVectorXd::Ones(order + 1)),

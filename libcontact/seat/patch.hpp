@@ -36,8 +36,10 @@ class SeatPatchSolver {
  public:
   /// @param order      M: longitudes pi j/M
   /// @param clearance  eps, m
+  /// @param side_face  see SeatCompliance
   SeatPatchSolver(const LayeredPair& pair, const SeatWindow& window, int cells,
-                  int order, double clearance);
+                  int order, double clearance,
+                  const SideFaceCompliance* side_face = nullptr);
 
   /// The contact at a shift, from the contact that it was in before.
   void solve(Eigen::Vector2d shift, SeatPatch& patch) const;

@@ -235,6 +235,7 @@ double SeatReadout::rim_strength(int rim, int j) const {
   const auto f = [&](int cell) {
     return cells_.mean_shape(cell) * patch_.pressure(cell, j);
   };
+  if (cells_.window.is_free) return f(i);
   const auto distance = [&](int cell) {
     return std::abs(cells_.mean_angle(cell) - cells_.window.angle(rim));
   };

@@ -51,7 +51,8 @@ class SeatReadout {
   Slip slip(const Eigen::Vector3d& axis, double rim_distance) const;
 
   struct Rim {
-    /// lim p sqrt(s), s in rad, where it is largest; 0 if not reached
+    /// lim p sqrt(s), s in rad, where it is largest; 0 if not reached. Where
+    /// the body ends there too, the mean of p in the last cell.
     double strength;
     double longitude;  ///< 0 or pi, there
     double half_arc;   ///< over which the contact follows the rim, rad

@@ -290,6 +290,9 @@ bool SeatTable::find(const Eigen::Vector3d& force, SeatState& state,
     state.rims[rim].intensity =
         numbers(intensity + rim) * pressure * std::sqrt(radius_);
     state.rims[rim].half_arc = std::min(numbers(arc + rim), pi);
+    if (contact_.has_free_side_face() && state.rims[rim].half_arc > 0) {
+      state.rims[rim].intensity = nan;
+    }
   }
   const SeatZone& zone = contact_.zone();
   state.lower_end = std::clamp(numbers(lower_end), zone.from(), zone.to());

@@ -96,8 +96,9 @@ class SeatTable::Maker {
                                          .pressure
                             : 0;
       }
-      to(intensity + rim) =
-          state.rims[rim].intensity / (pressure * std::sqrt(rho));
+      // None where the body ends too.
+      const double k = state.rims[rim].intensity;
+      to(intensity + rim) = std::isnan(k) ? 0 : k / (pressure * std::sqrt(rho));
       to(arc + rim) = state.rims[rim].half_arc;
     }
     const double middle = polar_angle(state.force);

@@ -65,12 +65,16 @@ std::shared_ptr<const SeatPatchSolver> SeatWindows::solver(int end,
   auto& one = solvers_[{end, step}];
   if (!one) {
     SeatWindow window(zone_);
+    if (window.is_free && !side_face_) {
+      side_face_ =
+          std::make_unique<const SideFaceCompliance>(pair_, zone_, order_);
+    }
     const double width = zone_.width() * std::exp2(-step / 2.0);
     if (step > 0 && end == 0) window.to = window.from + width;
     if (step > 0 && end == 1) window.from = window.to - width;
     if (step > 0) window.rim[1 - end] = false;
     one = std::make_shared<const SeatPatchSolver>(pair_, window, cells_, order_,
-                                                  clearance_);
+                                                  clearance_, side_face_.get());
   }
   return one;
 }

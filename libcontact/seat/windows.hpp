@@ -49,6 +49,7 @@ class SeatWindows {
   double clearance_;
   double unit_force_;
   mutable std::mutex making_;
+  mutable std::unique_ptr<const SideFaceCompliance> side_face_;
   mutable std::map<std::pair<int, int>, std::shared_ptr<const SeatPatchSolver>>
       solvers_;
 };

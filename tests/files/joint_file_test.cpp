@@ -251,6 +251,14 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(seat("cup_rad = 1\nedge_radius_um = 500\nedge_angle_rad = 1.5\n"
                  "report_distance_rad = 0.03"),
             SeatZone::cup(1).with_edge({500e-6, 1.5, 0.03}));
+  const auto free = parsed(
+      ball_file().edit("+", "[seat]\ncup_rad = 1\nside_face = \"free\""));
+  EXPECT_EQ(free.geometry.seat()->edge().side_face, SideFace::free);
+  EXPECT_EQ(parse_joint(free.canonical_text(), "text"), free);
+  EXPECT_EQ(seat("cup_rad = 1\nside_face = \"goes_on\""), SeatZone::cup(1));
+  EXPECT_ERROR(seat("cup_deg = 80\nside_face = \"free\"\nrim_setback_deg = 2"),
+               "j.toml:23: seat.side_face = \"free\" conflicts with "
+               "seat.rim_setback_deg (line 24)");
   const JointSpec turned =
       parsed(ball_file().edit("+",
                               "[seat]\ncup_rad = 1\nrim_setback_rad = 0.07\n"

@@ -83,6 +83,10 @@ std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
 
 // By a ring's width, a cup's opening, or polar angles.
 SeatZone angles_from_table(const TomlTable& seat, double radius) {
+  if (seat.optional_choice("side_face", {"goes_on", "free"}) == 1) {
+    seat.refuse_both("side_face", "rim_setback");
+    seat.refuse_both("side_face", "edge_radius");
+  }
   for (const auto& [key, other] : {std::pair{"ring_width", "cup"},
                                    {"ring_width", "lower_rim"},
                                    {"ring_width", "upper_rim"},
@@ -122,6 +126,10 @@ SeatEdge edge_from_table(const TomlTable& seat, double radius) {
   read("edge_radius", {0, radius, false, true}, edge.radius);
   read("edge_angle", {0, std::numbers::pi, true, true}, edge.angle);
   read("report_distance", {0, 1, true, true}, edge.report_distance);
+  if (const auto face =
+          seat.optional_choice("side_face", {"goes_on", "free"})) {
+    edge.side_face = static_cast<SideFace>(*face);
+  }
   return edge;
 }
 
@@ -293,6 +301,7 @@ KnownKeys geometry_keys() {
                              {"rim_setback", Dimension::angle},
                              {"edge_radius", Dimension::length},
                              {"edge_angle", Dimension::angle},
+                             {"side_face"},
                              {"report_distance", Dimension::angle},
                              {"axis"}}),
           table_key("relief", {{"kind"},

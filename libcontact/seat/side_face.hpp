@@ -1,0 +1,49 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "libcontact/pair/layers.hpp"
+#include "libcontact/pair/seat_zone.hpp"
+#include "libcontact/seat/cells.hpp"
+
+namespace contact::detail {
+
+/// How much more the body of a seat yields that ends at its rims, with side
+/// faces that are free, than the one of SeatCompliance, which goes on beyond
+/// them. Order by order in longitude
+///
+///     dA_m = (A_m of the body that ends) - (A_m of the body that goes on)
+///          = G^T (H_m + S_m^-1) ^-1 G,
+///
+/// G the displacement of the side faces of the body that ends under pressures
+/// on the seat, H_m its compliance there, S_m the stiffness of what would go
+/// on: a difference without cancellation, never negative. From finite elements
+/// of eight nodes on one mesh for both parts, with walls, liners and backing as
+/// they are. Side faces are cones, SeatZone::side_angle() to the seat; they cut
+/// the layers, and of a body without layers all of it. An elastic backing
+/// behind layers goes on beside them.
+///
+/// Elements follow the rim down to a thousandth of the radius or a 15th of the
+/// surface layer. Measured: docs/seats.md, "Free side faces".
+class SideFaceCompliance {
+ public:
+  /// @throws Error if the backing is held, or if a side face meets the axis or
+  ///   the other one inside the layers
+  SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order);
+
+  /// dA_m on the cells of a window of the zone, in units of 4 rho/E.
+  Eigen::MatrixXd on(const SeatCells& cells, int m) const;
+
+  /// Polar angles of the nodes on the seat.
+  const Eigen::ArrayXd& nodes() const { return nodes_; }
+
+ private:
+  Eigen::MatrixXd shares(const SeatCells& cells) const;
+
+  Eigen::ArrayXd nodes_;
+  std::vector<int> orders_;  // those that are solved; linear between them
+  std::vector<Eigen::MatrixXd> matrix_;  // by nodes
+};
+
+}  // namespace contact::detail
