@@ -105,13 +105,13 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
 
 bool SeatContact::is_free(const Eigen::Vector3d& force,
                           double half_angle) const {
+  // A side face that is free yields to contacts before it too.
+  if (has_free_side_face()) return false;
   return zone_.margin(detail::polar_angle(force), half_angle) >= 0;
 }
 
 std::optional<double> SeatContact::free_half_angle(
     const Eigen::Vector3d& force) const {
-  // A side face that is free yields to contacts before it too.
-  if (has_free_side_face()) return {};
   const HalfAngleResult result = contact_.half_angle(force.norm());
   if (result.status != Status::ok || !is_free(force, result.half_angle)) {
     return {};

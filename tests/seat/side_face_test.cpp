@@ -8,6 +8,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
+#include "libcontact/joint/joint.hpp"
 #include "libcontact/seat/contact.hpp"
 #include "libcontact/seat/ring_element.hpp"
 #include "libcontact/seat/table.hpp"
@@ -186,6 +187,25 @@ TEST(SideFace, HasNoPunchAtItsRim) {
   const SeatState small = seat.under({1, 0, 0});
   EXPECT_FALSE(small.is_at_rim());
   EXPECT_EQ(small.rims[1].intensity, 0);
+}
+
+// At the door of joints, before the rim too: the same contact.
+TEST(SideFace, IsInTheJoint) {
+  JointSpec spec = ring_joint();
+  spec.friction = FrictionLaw(0);
+  spec.geometry = spec.geometry.with_seat(with_side_face(ring(25), 65));
+  const Joint joint(spec);
+  const SeatContact seat(spec, *spec.geometry.seat());
+  for (const double load : {5.0, 300.0}) {
+    const JointSolution s =
+        joint.solve_contact({.normal_force = {spec.geometry.side() * load, 0, 0},
+                             .angular_velocity = Eigen::Vector3d::UnitZ()});
+    const auto rims = joint.rims(s);
+    const SeatState state = seat.under({load, 0, 0});
+    ASSERT_TRUE(rims);
+    EXPECT_FALSE(rims->is_free);
+    EXPECT_EQ(rims->peak_pressure, state.peak_pressure) << load;
+  }
 }
 
 TEST(SideFace, RefusesWhatItsElementsCannotBe) {
