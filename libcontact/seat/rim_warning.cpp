@@ -145,7 +145,8 @@ std::string RimWarning::sentence(int rim, bool is_reached, double direction,
                  "(docs/seats.md)");
   return message(
       "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
-      "deg to the seat, is free in truth: {}, pressures at the rim {}",
+      "deg to the seat, is free in truth: {}, pressures at the rim {}; "
+      "side_face = \"free\" of the [seat] computes it",
       is_reached ? "is at" : "ends beside", rim == 0 ? "lower" : "upper",
       corner / degree, size,
       corner < acute ? "fall to 0, and the largest is not there"

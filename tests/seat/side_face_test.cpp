@@ -13,9 +13,9 @@
 #include "libcontact/seat/ring_element.hpp"
 #include "libcontact/seat/table.hpp"
 #include "support/accuracy_report.hpp"
+#include "support/cup.hpp"
 #include "support/long_run.hpp"
 #include "support/reference_table.hpp"
-#include "support/seat.hpp"
 
 // Seats whose side faces are free, against finite elements of another program
 // and what has to hold of the elements themselves.
@@ -48,37 +48,30 @@ TEST(SideFace, OfCupsMatchesFiniteElements) {
   // middle, to which docs/seats.md gives 3e-3, and the reference's 2.6e-3.
   AccuracyReport pressure("p in the middle", 1e-2);
   AccuracyReport approach("approach", 5e-3);
-  const ReferenceTable table("edges/side_faces.csv");
+  const ReferenceTable table("side_face/cups.csv");
   std::string before;
   std::unique_ptr<const SeatContact> drawn, free;
   const int step = every(6);
   for (std::size_t i = 0; i < table.size(); i += step) {
     const auto row = table[i];
-    const JointSpec joint{
-        .geometry =
-            JointGeometry::ball(row.value("rho"), row.value("clearance")),
-        .inner = Material{row.value("E_inner"), row.value("nu_inner")},
-        .outer = LayeredBody({{row.value("thickness"),
-                               {row.value("E_outer"), row.value("nu_outer")}}},
-                             Backing::rigid())};
-    const std::string seat = row.text("material") + row.text("thickness") +
-                             row.text("v2_deg") + row.text("corner_deg");
+    const Cup cup = cup_of(row);
+    const std::string seat = row.text("seat") + row.text("t_over_rho") +
+                             row.text("rim_deg") + row.text("corner_deg");
     if (seat != before) {
-      const SeatZone zone = zone_of(row);
-      const double corner = row.value("corner_deg");
-      drawn = std::make_unique<const SeatContact>(joint, zone, few_longitudes);
+      drawn = std::make_unique<const SeatContact>(cup.joint(), cup.zone(),
+                                                  few_longitudes);
       free = std::make_unique<const SeatContact>(
-          joint, with_side_face(zone, corner), few_longitudes);
+          cup.joint(), with_side_face(cup.zone(), cup.corner), few_longitudes);
       before = seat;
     }
-    const Eigen::Vector3d force(0, 0, row.value("load"));
+    const Eigen::Vector3d force(0, 0, row.value("load_N"));
     const SeatState a = drawn->under(force), b = free->under(force);
     ASSERT_EQ(b.status, SeatStatus::ok) << row.label();
-    const double clearance = row.value("clearance");
+    const double clearance = cup.radius / 1000;
     pressure.add(b.pressure_at_load / a.pressure_at_load,
-                 1 + row.value("p_more_percent") / 100, row.label());
+                 1 + row.value("dp_percent") / 100, row.label());
     approach.add((b.shift.z() - clearance) / (a.shift.z() - clearance),
-                 1 + row.value("approach_more_percent") / 100, row.label());
+                 1 + row.value("da_percent") / 100, row.label());
   }
 }
 
@@ -197,9 +190,9 @@ TEST(SideFace, IsInTheJoint) {
   const Joint joint(spec);
   const SeatContact seat(spec, *spec.geometry.seat());
   for (const double load : {5.0, 300.0}) {
-    const JointSolution s =
-        joint.solve_contact({.normal_force = {spec.geometry.side() * load, 0, 0},
-                             .angular_velocity = Eigen::Vector3d::UnitZ()});
+    const JointSolution s = joint.solve_contact(
+        {.normal_force = {spec.geometry.side() * load, 0, 0},
+         .angular_velocity = Eigen::Vector3d::UnitZ()});
     const auto rims = joint.rims(s);
     const SeatState state = seat.under({load, 0, 0});
     ASSERT_TRUE(rims);
