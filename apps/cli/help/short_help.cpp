@@ -177,8 +177,8 @@ std::string troff(std::string_view text) {
 
 std::string short_help(const ProgramHelp& program) {
   std::string text = fmt::format("{}\n\n", program.does);
+  // The first ones are what is asked most.
   auto shown = examples(program.text);
-  std::ranges::stable_sort(shown, {}, &std::string_view::size);
   shown.resize(std::min<std::size_t>(shown.size(), 3));
   for (const std::string_view example : shown) {
     text += fmt::format("  {}\n", example);
