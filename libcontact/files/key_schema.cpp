@@ -1,6 +1,11 @@
 #include "libcontact/files/key_schema.hpp"
 
+#include <algorithm>
 #include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_units.hpp"
@@ -17,6 +22,86 @@ std::string joined(const Texts& all) {
     text += message("{}\"{}\": {}", text.empty() ? "" : ",\n", name, value);
   }
   return text;
+}
+
+// Some texts with commas between.
+std::string list(const std::vector<std::string>& all) {
+  std::string text;
+  for (const std::string& each : all) {
+    text += (text.empty() ? "" : ", ") + each;
+  }
+  return text;
+}
+
+// Tests for a word among words separated by blanks.
+bool has_word(std::string_view words, std::string_view word) {
+  const std::string all = message(" {} ", words);
+  return all.find(message(" {} ", word)) != all.npos;
+}
+
+// A key stands once, in one of its units.
+std::string two_spellings(const KnownKeys& keys) {
+  std::vector<std::string> pairs;
+  for (const KnownKey& key : keys) {
+    const auto names = detail::spellings(key.key, key.dimension);
+    for (std::size_t i = 0; i < names.size(); ++i) {
+      for (std::size_t j = 0; j < i; ++j) {
+        pairs.push_back(
+            message("{{\"required\": [\"{}\", \"{}\"]}}", names[j], names[i]));
+      }
+    }
+  }
+  return pairs.empty() ? "{}"
+                       : message("{{\"type\": \"object\", \"anyOf\": [{}]}}",
+                                 list(pairs));
+}
+
+// The keys that a table of one kind does not have.
+std::string not_of_kind(const KnownKeys& keys, std::string_view kind) {
+  Texts none;
+  const auto set = [&](const KnownKey& key, bool fits) {
+    for (const auto& name : detail::spellings(key.key, key.dimension)) {
+      if (fits) {
+        none.erase(name);
+      } else {
+        none[name] = "false";
+      }
+    }
+  };
+  const auto fits = [kind](const KnownKey& key) {
+    return key.kinds.empty() || has_word(key.kinds, kind);
+  };
+  for (const KnownKey& key : keys) {
+    if (!fits(key)) set(key, false);
+  }
+  // Keys of several kinds are there once for each.
+  for (const KnownKey& key : keys) {
+    if (fits(key)) set(key, true);
+  }
+  return message(
+      "{{\"if\": {{\"properties\": {{\"kind\": {{\"const\": \"{}\"}}}}, "
+      "\"required\": [\"kind\"]}}, \"then\": {{\"properties\": {{{}}}}}}}",
+      kind, joined(none));
+}
+
+// What the keys of a table ask of each other.
+void add_rules(const KnownKeys& keys, Texts& to) {
+  std::set<std::string> kinds;
+  for (const KnownKey& key : keys) {
+    std::string_view words = key.kinds;
+    while (!words.empty()) {
+      const std::size_t end = std::min(words.find(' '), words.size());
+      kinds.emplace(words.substr(0, end));
+      words.remove_prefix(std::min(end + 1, words.size()));
+    }
+  }
+  std::vector<std::string> rules;
+  for (const std::string& kind : kinds) {
+    if (!kind.empty()) rules.push_back(not_of_kind(keys, kind));
+  }
+  const std::string twice = two_spellings(keys);
+  if (twice != "{}") rules.push_back(message("{{\"not\": {}}}", twice));
+  if (!rules.empty()) to["allOf"] = message("[{}]", list(rules));
 }
 
 // "properties" of a table at a place, a JSON pointer.
@@ -40,6 +125,7 @@ std::string properties(const KnownKeys& keys, const std::string& place) {
         about["items"] = message("{{\"$ref\": \"{}\"}}", here);
         about["additionalProperties"] = "false";
         about["properties"] = properties(key.inside, here);
+        add_rules(key.inside, about);
       }
       all[name] = message("{{{}}}", joined(about));
     }
@@ -50,10 +136,12 @@ std::string properties(const KnownKeys& keys, const std::string& place) {
 }  // namespace
 
 std::string schema_text(const KnownKeys& keys) {
-  return message(
-      "{{\"$schema\": \"http://json-schema.org/draft-07/schema#\",\n\"type\": "
-      "\"object\",\n\"additionalProperties\": false,\n\"properties\": {}}}",
-      properties(keys, "#"));
+  Texts all = {{"$schema", "\"http://json-schema.org/draft-07/schema#\""},
+               {"type", "\"object\""},
+               {"additionalProperties", "false"},
+               {"properties", properties(keys, "#")}};
+  add_rules(keys, all);
+  return message("{{{}}}", joined(all));
 }
 
 }  // namespace contact

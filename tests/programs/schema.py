@@ -1,0 +1,72 @@
+"""The schemas that programs print: all shipped files are valid by them, and
+mistakes planted in these are found. python3-jsonschema checks."""
+
+import json
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import jsonschema
+
+programs = Path(sys.argv[1])
+data = Path(sys.argv[2])
+
+
+def validator(program):
+    text = subprocess.run(
+        [programs / program, "--schema"], check=True, capture_output=True, text=True
+    ).stdout
+    jsonschema.Draft7Validator.check_schema(json.loads(text))
+    return jsonschema.Draft7Validator(json.loads(text))
+
+
+def read(file):
+    return tomllib.loads((data / file).read_text())
+
+
+joint = validator("hinge-joint")
+case = validator("hinge-separation")
+study = validator("hinge-study")
+files = 0
+for schema, folder in ((joint, "joints"), (case, "cases"), (study, "studies")):
+    for file in sorted((data / folder).glob("*.toml")):
+        files += 1
+        for error in schema.iter_errors(tomllib.loads(file.read_text())):
+            sys.exit(f"{file}: {error.json_path}: {error.message[:200]}")
+assert files > 20, files
+
+
+def planted(schema, file, change):
+    document = read(file)
+    assert schema.is_valid(document)
+    change(document)
+    assert not schema.is_valid(document), (file, document)
+
+
+pin = "joints/pin_joint.toml"
+planted(joint, pin, lambda d: d["geometry"].update(radius_mn=25))
+planted(joint, pin, lambda d: d["geometry"].update(radial_clearence_um=25))
+planted(joint, pin, lambda d: d["geometry"].update(length_mm="25"))
+planted(joint, pin, lambda d: d["geometry"].update(length_mm=25, length_m=0.025))
+planted(joint, pin, lambda d: d.update(fricton={"coefficient": 0.1}))
+planted(joint, pin, lambda d: d.update(temperature=80.0))
+planted(case, "cases/soyuz.toml", lambda d: d["run"].update(ouput_step_s=1))
+planted(case, "cases/soyuz.toml", lambda d: d["body"][0].update(mass_lb=1))
+
+
+# A key of another kind of force.
+def key_of_another_kind(document):
+    kinds = {force["kind"]: force for force in document["force"]}
+    for key in {k for f in kinds.values() for k in f}:
+        for force in document["force"]:
+            has = case.is_valid(document)
+            before = dict(force)
+            force.setdefault(key, 1.0)
+            if has and not case.is_valid(document):
+                return
+            force.clear()
+            force.update(before)
+
+
+planted(case, "cases/soyuz.toml", key_of_another_kind)
