@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
 #include "cli/quantity.hpp"
 #include "libcontact/base/text.hpp"
