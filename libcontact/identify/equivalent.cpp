@@ -8,10 +8,12 @@
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
+#include "libcontact/joint/presliding/stiction.hpp"
 
 namespace contact {
 namespace {
@@ -121,6 +123,24 @@ EquivalentFriction equivalent_friction(const Joint& joint,
   e.preload = preload.value;
   e.arm_with_preload = best_arm(preload.value);
   return e;
+}
+
+LeastWrong equivalent_stiction(const Joint& joint,
+                               std::span<const Joint::Slip> states) {
+  if (states.empty()) {
+    throw Error(detail::needs("equivalent stiction", "at least one state"));
+  }
+  double low = std::numeric_limits<double>::infinity();
+  double high = 0;
+  for (const Joint::Slip& state : states) {
+    const JointSolution s = joint.solve(state);
+    const double way =
+        stiction_deformation(joint.contact(), s.normal_force, s.half_angle);
+    if (!(way > 0)) return {detail::nan, detail::nan};
+    low = std::min(low, way);
+    high = std::max(high, way);
+  }
+  return least_wrong(low, high);
 }
 
 LeastWrong equivalent_bending_arm(const JointSpec& pin,

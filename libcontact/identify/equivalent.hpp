@@ -41,6 +41,16 @@ struct EquivalentFriction {
 EquivalentFriction equivalent_friction(const Joint& joint,
                                        std::span<const Joint::Slip> states);
 
+/// Finds the deformation before sliding, m, that comes nearest to
+/// stiction_deformation() over some states of a joint: what Adams
+/// asks for; over rho the angle z_ss of LuGre, Dahl and MuJoCo's dcmotor. A
+/// stiffness follows from it with the load, sigma0 = M_s(R)/z_ss.
+/// @return the error over the states to 1e-13 (identify/equivalent_test.cpp);
+///         that of the formula comes on top. NaN where a state has none.
+/// @throws Error for no states
+LeastWrong equivalent_stiction(const Joint& joint,
+                               std::span<const Joint::Slip> states);
+
 /// Finds R_b of M = c R (1 + z/R_b), m: the bending arm of a pin whose load R
 /// stands off the middle by z, the bending moment over R.
 /// @param pin     with dry friction; laws are taken as exact

@@ -1,3 +1,4 @@
+#include "libcontact/joint/presliding/stiction.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace contact {
@@ -7,6 +8,10 @@ using Patch = ContactPatch;
 
 bool has_half_angle(const Patch& p) { return !std::isnan(p.half_angle); }
 bool has_interference(const Patch& p) { return p.contact.has_interference(); }
+double stiction(const Patch& p) {
+  return stiction_deformation(p.contact, p.normal_force, p.half_angle);
+}
+bool has_stiction(const Patch& p) { return !std::isnan(stiction(p)); }
 
 constexpr Quantity<Patch> of_patch[] = {
     {"half_angle", "theta0", Dimension::angle, "half-angle of the contact",
@@ -33,6 +38,14 @@ constexpr Quantity<Patch> of_patch[] = {
     {"contact_area", "", Dimension::area, "area of the contact",
      [](const Patch& p) { return p.contact.area(p.half_angle); }, "",
      has_half_angle},
+    // These two are those of presliding_quantities().
+    {"presliding_angle", "", Dimension::angle,
+     "turn before sliding, f0 D/rho; lined seats 1.2 to 4 times",
+     [](const Patch& p) { return stiction(p) / p.contact.geometry().radius(); },
+     "", has_stiction},
+    {"stiction_deformation", "", Dimension::length,
+     "slip before sliding, f0 D; lined seats 1.2 to 4 times",
+     [](const Patch& p) { return stiction(p); }, "", has_stiction},
     // From here on those of preload_quantities().
     {"interference_pressure", "p_0", Dimension::stress,
      "pressure of interference alone, the same all round",
@@ -167,6 +180,11 @@ std::span<const Quantity<ContactPatch>> patch_quantities() { return of_patch; }
 std::span<const Quantity<ContactPatch>> preload_quantities() {
   constexpr std::size_t count = 5;
   return std::span(of_patch).last<count>();
+}
+
+std::span<const Quantity<ContactPatch>> presliding_quantities() {
+  return patch_quantities().subspan(
+      std::size(of_patch) - preload_quantities().size() - 2, 2);
 }
 
 std::span<const Quantity<ContactApproach>> approach_quantities() {

@@ -31,6 +31,8 @@ std::span<const Quantity<ContactApproach>> approach_quantities();
 /// The last of these: columns of joints without clearance and with
 /// interference.
 std::span<const Quantity<ContactPatch>> preload_quantities();
+/// The two before these: columns of joints with an approach.
+std::span<const Quantity<ContactPatch>> presliding_quantities();
 
 /// Coefficients of pure friction, f = f0, over the contact.
 std::span<const Quantity<FrictionTriple>> coefficient_quantities();

@@ -102,6 +102,29 @@ TEST(Equivalent, NoOtherNumberIsLessWrong) {
   }
 }
 
+// The largest and the least way are missed alike.
+TEST(Equivalent, StictionLiesBetweenThatOfTheStates) {
+  const Joint joint({.geometry = JointGeometry::ball(0.02, 20e-6),
+                     .inner = steel,
+                     .outer = steel,
+                     .friction = FrictionLaw(0.15),
+                     .half_angle_law = "exact"});
+  const auto way = [&](const Joint::Slip& s) {
+    const JointSolution at = joint.solve(s);
+    return 0.15 * joint.contact().shift(at.normal_force, at.half_angle);
+  };
+  const auto e = equivalent_stiction(joint, sweep(100, 5000, {right}));
+  const double low = way(state(100, right));
+  const double high = way(state(5000, right));
+  EXPECT_GT(high, 1.1 * low);
+  EXPECT_NEAR(e.value / low - 1, e.largest_error, 1e-13);
+  EXPECT_NEAR(1 - e.value / high, e.largest_error, 1e-13);
+  EXPECT_TRUE(std::isnan(
+      equivalent_stiction(ball(FrictionLaw(0)), {{state(100, right)}}).value));
+  EXPECT_EQ(error_message([&] { equivalent_stiction(joint, {}); }),
+            "equivalent stiction requires at least one state");
+}
+
 // The best M0 + c R has three errors of alternating sign, by Chebyshev's
 // theorem: all triples are tried.
 TEST(Equivalent, PreloadIsThatOfAllTriples) {

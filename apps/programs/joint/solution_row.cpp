@@ -211,8 +211,10 @@ std::string_view contact_state_text(const Answer& a) {
 }
 
 bool have_preload(std::span<const AnswerColumn> columns) {
-  return std::any_of(columns.begin(), columns.end(),
-                     [](const AnswerColumn& c) { return c.of.index() == 5; });
+  return std::any_of(columns.begin(), columns.end(), [](const AnswerColumn& c) {
+    return c.name ==
+           contact::columns_of(contact::preload_quantities()[0])[0].name;
+  });
 }
 
 std::vector<AnswerColumn> answer_columns(const ColumnSets& with) {
@@ -223,7 +225,10 @@ std::vector<AnswerColumn> answer_columns(const ColumnSets& with) {
   if (with.rims) add_all(contact::rim_quantities());
   if (with.place) add(place_of_load, all);
   if (with.lie) add_all(contact::lie_quantities());
-  if (with.approach) add_all(contact::approach_quantities());
+  if (with.approach) {
+    add_all(contact::approach_quantities());
+    add_all(contact::presliding_quantities());
+  }
   if (with.preload) add_all(contact::preload_quantities());
   if (with.rest) {
     for (const std::string_view key : {"utilisation", "direction"}) {
