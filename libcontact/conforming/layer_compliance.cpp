@@ -15,7 +15,7 @@ namespace {
 // Balanced for large n: (U, n V, rS/(n G0), rT/G0), G0 that of the surface.
 using System = Eigen::Matrix4d;
 using States = Eigen::Matrix<double, 4, 2>;
-enum { u, v, s, t };
+enum { u, v, s, t, square_row, mean_row };
 
 // a y, summed in one order on all machines: roundings of the harmonics are the
 // largest in a contact with walls, and numbers should not depend on lanes.
@@ -305,22 +305,46 @@ double LayerCompliance::free_growth(std::span<const double> layers,
   return grown(0) - grown(1) / free(1) * free(0);
 }
 
+// The infinite hole of a pin, n = 1: r^-2, and a line force, whose displacement
+// is counted against 10 radii.
+LayerCompliance::States LayerCompliance::line_force(
+    const Harmonic& harmonic) const {
+  const double k = 3 - 4 * medium_->nu;
+  const double l = std::log(medium_radius_ / 10);
+  const double g2 = 2 * medium_->shear;
+  States y;
+  y.col(0) << -k * l + 1, -k * l, -g2 * (k + 2 * medium_->nu),
+      -g2 * (1 - 2 * medium_->nu);
+  y.col(1) << -1, 1, 2 * g2, -2 * g2;
+  return harmonic.balance().asDiagonal() * y;
+}
+
+// The two states that the far end allows.
+LayerCompliance::States LayerCompliance::far_end(
+    const Harmonic& harmonic) const {
+  States y = States::Zero();
+  if (medium_ && kind_ == JointKind::pin && harmonic.n == 1) {
+    y = line_force(harmonic);
+  } else if (medium_) {
+    y = harmonic.modes(*medium_, side_ == Side::inner).y;
+  } else if (backing_ == Backing::Kind::rigid) {
+    y(s, 0) = y(t, 1) = 1;
+  } else if (harmonic.n == 1) {
+    // Held: no displacement along the normal, no shear.
+    y(v, 0) = y(s, 1) = 1;
+  } else {
+    y(u, 0) = y(v, 1) = 1;
+  }
+  return y;
+}
+
 // From the far end to the contact, and there the state without shear.
 HarmonicCompliance LayerCompliance::layered(int n) const {
   const Shell& surface = shells_.front();
   const Harmonic harmonic{kind_, n, surface.elastic.shear};
   const double sign =
       (side_ == Side::inner ? 1 : -1) / (4 * n * harmonic.reference);
-  States y = States::Zero();
-  if (medium_) {
-    y = harmonic.modes(*medium_, side_ == Side::inner).y;
-  } else if (backing_ == Backing::Kind::rigid) {
-    y(s, 0) = y(t, 1) = 1;
-  } else if (n == 1) {  // held: no displacement along the normal, no shear
-    y(v, 0) = y(s, 1) = 1;
-  } else {
-    y(u, 0) = y(v, 1) = 1;
-  }
+  States y = far_end(harmonic);
   for (std::size_t i = shells_.size() - 1; i > 0; --i) {
     y = harmonic.advance(shells_[i], side_, y);
   }
@@ -345,18 +369,16 @@ HarmonicCompliance LayerCompliance::layered(int n) const {
 }
 
 // n = 1 of a solid inner body: a pressure cos t, balanced by a uniform body
-// force of size 1/rho, which q = r^2 carries; j is the mean over the volume
-// within r of the displacement along the force, over the dimension.
-double LayerCompliance::body_force() const {
-  if (shells_.empty()) return homogeneous(1);
-  enum { q = 4, j = 5 };
+// force of size 1/rho, which a row r^2 carries; the last is the mean over the
+// volume within r of the displacement along the force, over the dimension.
+// The regular solution, a translation, the particular solution.
+Eigen::Matrix<double, 6, 3> LayerCompliance::body_columns() const {
   const bool ball = kind_ == JointKind::ball;
   const double dimension = ball ? 3 : 2;
   const Harmonic harmonic{kind_, 1, 1};
   const Elastic& e = *medium_;
   const double square = medium_radius_ * medium_radius_;
   const double g = e.shear;
-  // The regular solution, a translation, the particular solution.
   Eigen::Matrix<double, 6, 3> y = Eigen::Matrix<double, 6, 3>::Zero();
   if (ball) {
     y.col(0) << -2 + 8 * e.nu, 6 - 4 * e.nu, -8 * g * (1 + e.nu),
@@ -374,23 +396,112 @@ double LayerCompliance::body_force() const {
     return (y(u, column) + (dimension - 1) * y(v, column)) / dimension;
   };
   for (const int column : {0, 2})
-    y(j, column) = along(column) / (dimension + 2);
-  y(j, 1) = 1 / dimension;
+    y(mean_row, column) = along(column) / (dimension + 2);
+  y(mean_row, 1) = 1 / dimension;
   for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
     Eigen::Matrix<double, 6, 6> a = Eigen::Matrix<double, 6, 6>::Zero();
     a.topLeftCorner<4, 4>() = harmonic.plain_system(shell->elastic);
-    a(s, q) = a(t, q) = -1;
-    a(q, q) = 2;
-    a(j, u) = 1 / dimension;
-    a(j, v) = (dimension - 1) / dimension;
-    a(j, j) = -dimension;
+    a(s, square_row) = a(t, square_row) = -1;
+    a(square_row, square_row) = 2;
+    a(mean_row, u) = 1 / dimension;
+    a(mean_row, v) = (dimension - 1) / dimension;
+    a(mean_row, mean_row) = -dimension;
     const int pieces = 1 + static_cast<int>(shell->width);
     a *= shell->width / pieces;
     for (int i = 0; i < pieces; ++i) y = exponential(a, y);
   }
+  return y;
+}
+
+double LayerCompliance::body_force() const {
+  if (shells_.empty()) return homogeneous(1);
+  const Eigen::Matrix<double, 6, 3> y = body_columns();
+  const double dimension = kind_ == JointKind::ball ? 3 : 2;
   const double regular = -y(t, 2) / y(t, 0);
-  const double translation = -dimension * (regular * y(j, 0) + y(j, 2));
+  const double translation =
+      -dimension * (regular * y(mean_row, 0) + y(mean_row, 2));
   return -(regular * y(u, 0) + y(u, 2) + translation) / 4;
+}
+
+Eigen::Matrix2d LayerCompliance::spheroidal(int n) const {
+  if (shells_.empty() && !medium_) return Eigen::Matrix2d::Zero();
+  const bool inner = side_ == Side::inner;
+  if (n == 1 && inner && medium_) {
+    const Eigen::Matrix<double, 6, 3> y = body_columns();
+    const double dimension = kind_ == JointKind::ball ? 3 : 2;
+    Eigen::Matrix2d displacement;
+    Eigen::Matrix2d traction;
+    for (const int i : {0, 1}) {
+      const auto of = y.col(2 * i);
+      traction.col(i) << of(s), of(t);
+      displacement.col(i).setConstant(-dimension *
+                                      of(mean_row));  // translation
+      displacement.col(i) += of.head<2>();
+    }
+    return displacement * traction.inverse();
+  }
+  const double shear =
+      shells_.empty() ? medium_->shear : shells_.front().elastic.shear;
+  const Harmonic harmonic{kind_, n, shear};
+  States y = far_end(harmonic);
+  for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
+    y = harmonic.advance(*shell, side_, y);
+  }
+  const Eigen::Vector4d unit = harmonic.balance().cwiseInverse();
+  const Eigen::Matrix2d c = unit.head<2>().asDiagonal() * y.topRows<2>() *
+                            y.bottomRows<2>().inverse() *
+                            unit.tail<2>().cwiseInverse().asDiagonal();
+  return inner ? c : -c;
+}
+
+// W = d r^own + g r^other, rQ = G (k - 1) W for r^k; amplitudes at the far
+// side.
+double LayerCompliance::toroidal(int n) const {
+  if (shells_.empty() && !medium_) return 0;
+  const bool ball = kind_ == JointKind::ball;
+  const bool inner = side_ == Side::inner;
+  const bool turns = ball ? n == 1 : true;
+  if (turns && inner && medium_) return turn_of_body();
+  const double growing = ball ? n : 1;
+  const double decaying = ball ? -n - 1 : -1;
+  const double own = inner ? growing : decaying;
+  const double other = inner ? decaying : growing;
+  double w = 1;
+  double rq = 0;
+  if (medium_) {
+    rq = medium_->shear * (own - 1);
+  } else if (backing_ == Backing::Kind::rigid || turns) {
+    w = 0;  // a held body by its outer surface
+    rq = 1;
+  }
+  for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
+    const double g = shell->elastic.shear;
+    const double q_own = g * (own - 1);
+    const double q_other = g * (other - 1);
+    const double regular = (q_other * w - rq) / (q_other - q_own);
+    const double added = (rq - q_own * w) / (q_other - q_own) *
+                         std::exp(-shell->width * std::abs(own - other));
+    w = regular + added;
+    rq = regular * q_own + added * q_other;
+  }
+  return (inner ? w : -w) / rq;
+}
+
+// A torque through the surface that an angular acceleration balances: the turn
+// W/r grows by Q r/G, Q in proportion to r^2; its mean over the moment of
+// inertia.
+double LayerCompliance::turn_of_body() const {
+  const double power = kind_ == JointKind::ball ? 7 : 6;
+  double radius = medium_radius_;
+  double within = std::pow(radius, power);
+  double sum = within / medium_->shear;
+  for (auto shell = shells_.rbegin(); shell != shells_.rend(); ++shell) {
+    radius *= std::exp(shell->width);
+    const double to = std::pow(radius, power);
+    sum += (to - within) / shell->elastic.shear;
+    within = to;
+  }
+  return sum / power;
 }
 
 }  // namespace contact::detail

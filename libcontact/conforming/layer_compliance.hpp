@@ -41,6 +41,20 @@ class LayerCompliance {
   /// @param n  harmonic, 0, 1, 2, ...
   HarmonicCompliance operator()(int n) const;
 
+  /// The displacement (U, V) of the surface, over rho, to tractions (S, T) of
+  /// one harmonic on it from the side of the contact, positive along the radius
+  /// and dY/dt, of size E: u_r = U Y, u_t = V dY/dt with Y = P_n^1(cos t)
+  /// cos(phi) or cos nt. The first is 4 c_n. n = 1 of a solid inner body:
+  /// balanced by a uniform body force, against the mean over its volume; of a
+  /// pin's infinite hole against 10 radii.
+  /// @param n  harmonic, 1, 2, ...
+  Eigen::Matrix2d spheroidal(int n) const;
+
+  /// The displacement along the circles to a toroidal traction; of balls n = 1,
+  /// 2, ..., of pins n = 0. The turn of a solid inner body is that of a uniform
+  /// angular acceleration, against its mean.
+  double toroidal(int n) const;
+
   /// Number of the first harmonics whose Dc_n count: what is beyond changes
   /// the load by less than 1e-12. 0 for a homogeneous body.
   int corrected() const;
@@ -58,6 +72,7 @@ class LayerCompliance {
   double free_growth(std::span<const double> layers, double behind) const;
 
  private:
+  using States = Eigen::Matrix<double, 4, 2>;
   /// A material with its modulus in units of E, as the equations need it.
   struct Elastic {
     Elastic(const Material& material, double unit);
@@ -78,6 +93,10 @@ class LayerCompliance {
   Eigen::Vector2d cross_mean(const Shell& shell, Eigen::Vector2d y) const;
   HarmonicCompliance layered(int n) const;
   double body_force() const;
+  Eigen::Matrix<double, 6, 3> body_columns() const;
+  double turn_of_body() const;
+  States line_force(const Harmonic& harmonic) const;
+  States far_end(const Harmonic& harmonic) const;
 
   JointKind kind_;
   Side side_;

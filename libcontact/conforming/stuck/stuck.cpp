@@ -1,0 +1,286 @@
+#include "libcontact/conforming/stuck/stuck.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <boost/math/special_functions/bessel.hpp>
+#include <cmath>
+#include <vector>
+
+#include "libcontact/base/constants.hpp"
+#include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/conforming/layer_compliance.hpp"
+
+// Stresses are series of few terms that have the square-root edge of the stuck
+// contact; the bodies' compliances act on their moments with the harmonics.
+// A a = B (motions), stiffness B^T A^-1 B.
+namespace contact::detail {
+namespace {
+
+using Eigen::ArrayXd;
+using Eigen::Matrix2d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Side = LayerCompliance::Side;
+
+// Compliances of both bodies, harmonics 1 to N in columns: of (U, n V) to
+// (S, n T), and of the toroidal ones.
+struct Compliances {
+  ArrayXd normal;      // C11
+  ArrayXd cross;       // C12
+  ArrayXd tangential;  // C22
+  ArrayXd toroidal;    // W; of pins n = 0 alone
+};
+
+Compliances compliances(JointKind kind, const LayeredPair& pair, int count) {
+  const LayerCompliance inner(kind, Side::inner, pair);
+  const LayerCompliance outer(kind, Side::outer, pair);
+  const bool ball = kind == JointKind::ball;
+  Compliances c{ArrayXd(count), ArrayXd(count), ArrayXd(count),
+                ArrayXd(ball ? count : 1)};
+  for (int n = 1; n <= count; ++n) {
+    const Matrix2d both = inner.spheroidal(n) + outer.spheroidal(n);
+    c.normal(n - 1) = both(0, 0);
+    c.cross(n - 1) = both(0, 1);
+    c.tangential(n - 1) = both(1, 1);
+    if (ball) c.toroidal(n - 1) = inner.toroidal(n) + outer.toroidal(n);
+  }
+  if (!ball) c.toroidal(0) = inner.toroidal(0) + outer.toroidal(0);
+  return c;
+}
+
+struct Size {
+  int terms;
+  int harmonics;
+};
+
+// Measured: half of N theta0 changes the stiffness by 1e-4, at 87 by 1e-3.
+Size size_of(const LayeredPair& pair, double half_angle) {
+  const double thickness = pair.relative_thickness();
+  const int terms = thickness < 0.04 ? 18 : thickness < 0.1 ? 14 : 12;
+  return {terms,
+          static_cast<int>(std::max({300 / half_angle, 24 / thickness, 64.0}))};
+}
+
+// Moments of the stresses of a contact, a row for each term.
+struct Moments {
+  MatrixXd normal;      // with the harmonics of sigma
+  MatrixXd tangential;  // of T
+  MatrixXd toroidal;    // of Q
+};
+
+// J_0 to J_last of x: upwards where that is stable.
+VectorXd bessel(int last, double x) {
+  using boost::math::cyl_bessel_j;
+  VectorXd j(last + 1);
+  for (int k = 0; k <= last; ++k) {
+    j(k) = k < 2 || x < last ? cyl_bessel_j(k, x)
+                             : 2 * (k - 1) / x * j(k - 1) - j(k - 2);
+  }
+  return j;
+}
+
+double stiffness_of(const MatrixXd& a, const VectorXd& b) {
+  return b.dot(a.ldlt().solve(b));
+}
+
+// sigma = T_(2k+1)(s)/sqrt(1 - s^2), tau = T_2k(s)/sqrt(1 - s^2), s = t/theta0.
+struct Pin {
+  MatrixXd a;
+  MatrixXd b;
+  int terms;
+
+  Pin(const LayeredPair& pair, double half_angle) {
+    const Size size = size_of(pair, half_angle);
+    const int count = size.harmonics;
+    const Compliances c = compliances(JointKind::pin, pair, count);
+    terms = size.terms;
+    MatrixXd odd(terms, count);
+    MatrixXd even(terms, count);
+    for (int n = 1; n <= count; ++n) {
+      const VectorXd j = bessel(2 * terms - 1, n * half_angle);
+      for (int k = 0; k < terms; ++k) {
+        const double sign = k % 2 == 0 ? half_angle : -half_angle;
+        even(k, n - 1) = sign * j(2 * k);
+        odd(k, n - 1) = sign * j(2 * k + 1);
+      }
+    }
+    const ArrayXd n = ArrayXd::LinSpaced(count, 1, count);
+    // n V = n C21 S + C22 n T, and n C21 = C12/n.
+    const VectorXd normal = pi * c.normal;
+    const VectorXd cross = pi * c.cross / n;
+    const VectorXd tangential = pi * c.tangential;
+    VectorXd turn = VectorXd::Zero(terms);
+    turn(0) = half_angle / 2;
+    // Beyond N, means of the products of Bessel functions.
+    const double tail = half_angle / (count + 0.5);
+    const MatrixXd ones = MatrixXd::Ones(terms, terms);
+    a.resize(2 * terms, 2 * terms);
+    a.topLeftCorner(terms, terms) =
+        odd * normal.asDiagonal() * odd.transpose() +
+        tail * count * c.normal(count - 1) * ones;
+    a.topRightCorner(terms, terms) =
+        odd * cross.asDiagonal() * even.transpose();
+    a.bottomLeftCorner(terms, terms) =
+        a.topRightCorner(terms, terms).transpose();
+    a.bottomRightCorner(terms, terms) =
+        even * tangential.asDiagonal() * even.transpose() +
+        2 * pi * c.toroidal(0) * turn * turn.transpose() +
+        tail * count * c.tangential(count - 1) * ones;
+    b = MatrixXd::Zero(2 * terms, 2);
+    b.col(0) << pi * odd.col(0), pi * even.col(0);
+    b.col(1).tail(terms) = 2 * pi * turn;
+  }
+};
+
+// The nodes of the moments of a ball's stresses: x = sin(t/2)/sin(theta0/2),
+// c = sqrt(1 - x^2) on [0, 1], sin t dt/sqrt(1 - x^2) = 4 sin^2(theta0/2) dc.
+struct CapNodes {
+  ArrayXd cosine;  // of t
+  ArrayXd sine;
+  MatrixXd normal;  // terms by nodes: x P_2k(c) with the weight
+  MatrixXd plus;    // P_2k(c)
+  MatrixXd minus;   // x^2 P_2k(c)
+
+  CapNodes(double half_angle, const Size& size) {
+    const int nodes =
+        static_cast<int>(size.harmonics * half_angle / 2 + 4 * size.terms + 60);
+    const GaussLegendre rule(2 * nodes);
+    const ArrayXd c = rule.node.tail(nodes);
+    const ArrayXd x = (1 - c * c).sqrt();
+    const double s0 = std::sin(half_angle / 2);
+    const ArrayXd half = s0 * x;
+    cosine = 1 - 2 * half * half;
+    sine = 2 * half * (1 - half * half).sqrt();
+    const ArrayXd weight = 4 * s0 * s0 * rule.weight.tail(nodes).array();
+    plus = (even_legendre(size.terms, c).array().colwise() * weight)
+               .matrix()
+               .transpose();
+    normal = plus * x.matrix().asDiagonal();
+    minus = normal * x.matrix().asDiagonal();
+  }
+};
+
+// Moments with the normalised P_n^1, blocks of harmonics at a time.
+Moments ball_moments(const CapNodes& nodes, const Size& size) {
+  constexpr int block = 64;
+  const int count = size.harmonics;
+  const Eigen::Index points = nodes.cosine.size();
+  MatrixXd value(points, block);
+  MatrixXd sum(points, block);  // of the derivative and P/sin t
+  MatrixXd difference(points, block);
+  Moments m{MatrixXd(size.terms, count), MatrixXd(size.terms, count),
+            MatrixXd(size.terms, count)};
+  ArrayXd before = ArrayXd::Zero(points);  // P_(n-1)/sin t
+  ArrayXd q = ArrayXd::Constant(points, std::sqrt(3.0) / 2);
+  for (int first = 1; first <= count; first += block) {
+    const int width = std::min(block, count + 1 - first);
+    for (int i = 0; i < width; ++i) {
+      const double n = first + i;
+      const double square = n * n;
+      const double slope = std::sqrt((2 * n + 1) / (2 * n - 1) * (square - 1));
+      const ArrayXd derivative = n * nodes.cosine * q - slope * before;
+      value.col(i) = nodes.sine * q;
+      sum.col(i) = derivative + q;
+      difference.col(i) = derivative - q;
+      const double next = (n + 1) * (n + 1);
+      const double up = std::sqrt((4 * next - 1) / (next - 1));
+      const double down = n == 1 ? 0
+                                 : std::sqrt((2 * n + 3) * (square - 1) /
+                                             ((2 * n - 1) * (next - 1)));
+      before = (up * nodes.cosine * q - down * before).eval();
+      before.swap(q);
+    }
+    const auto at = [&](MatrixXd& to) {
+      return to.middleCols(first - 1, width);
+    };
+    at(m.normal).noalias() = nodes.normal * value.leftCols(width);
+    at(m.tangential).noalias() = nodes.plus * sum.leftCols(width);
+    at(m.toroidal).noalias() = nodes.minus * difference.leftCols(width);
+  }
+  return m;
+}
+
+// sigma = x P_2k(c)/c, tau_t + tau_phi = P_2k(c)/c, tau_t - tau_phi =
+// x^2 P_2k(c)/c.
+struct Ball {
+  MatrixXd a;
+  MatrixXd b;
+  MatrixXd spin_a;
+  VectorXd spin_b;
+  int terms;
+
+  Ball(const LayeredPair& pair, double half_angle) {
+    const Size size = size_of(pair, half_angle);
+    const int count = size.harmonics;
+    terms = size.terms;
+    const Compliances c = compliances(JointKind::ball, pair, count);
+    const CapNodes nodes(half_angle, size);
+    const Moments m = ball_moments(nodes, size);
+    const ArrayXd n = ArrayXd::LinSpaced(count, 1, count);
+    const ArrayXd l = n * (n + 1);
+    MatrixXd t(2 * terms, count);
+    t << m.tangential / 2, m.toroidal / 2;
+    MatrixXd q = t;
+    q.bottomRows(terms) *= -1;
+    // Stresses at the edge, and the mean of the squares of P_n^1 there.
+    const ArrayXd edge =
+        even_legendre(terms, VectorXd::Zero(1)).row(0).transpose().array() *
+        std::sqrt(std::tan(half_angle / 2));
+    const MatrixXd tail = edge.matrix() * edge.matrix().transpose() *
+                          (std::sin(half_angle) / (count + 1));
+    const double normal = count * c.normal(count - 1);
+    const double along = count * c.tangential(count - 1);
+    const double around = count * c.toroidal(count - 1);
+    const auto product = [](const MatrixXd& x, const ArrayXd& w,
+                            const MatrixXd& y) -> MatrixXd {
+      return x * w.matrix().asDiagonal() * y.transpose();
+    };
+    a.resize(3 * terms, 3 * terms);
+    a.topLeftCorner(terms, terms) =
+        product(m.normal, c.normal, m.normal) + normal * tail;
+    a.topRightCorner(terms, 2 * terms) = product(m.normal, c.cross / l, t);
+    a.bottomLeftCorner(2 * terms, terms) =
+        a.topRightCorner(terms, 2 * terms).transpose();
+    auto shear = a.bottomRightCorner(2 * terms, 2 * terms);
+    shear = product(t, c.tangential / l, t) + product(q, c.toroidal / l, q);
+    const double same = (along + around) / 4;
+    const double mixed = (along - around) / 4;
+    shear.topLeftCorner(terms, terms) += same * tail;
+    shear.bottomRightCorner(terms, terms) += same * tail;
+    shear.topRightCorner(terms, terms) += mixed * tail;
+    shear.bottomLeftCorner(terms, terms) += mixed * tail;
+    const VectorXd z = nodes.cosine;
+    const VectorXd s = nodes.sine;
+    const VectorXd one = VectorXd::Ones(z.size());
+    b = MatrixXd::Zero(3 * terms, 2);
+    b.col(0) << nodes.normal * s, nodes.plus * (z + one) / 2,
+        nodes.minus * (z - one) / 2;
+    b.col(1).tail(2 * terms) << nodes.plus * (one + z) / 2,
+        nodes.minus * (one - z) / 2;
+    spin_a = product(m.normal, c.toroidal, m.normal) + around * tail;
+    spin_b = nodes.normal * s;
+  }
+};
+
+}  // namespace
+
+StuckStiffness stuck_stiffness(JointKind kind, const LayeredPair& pair,
+                               double half_angle) {
+  const bool is_known = half_angle >= 0.01 && half_angle <= 3.1 &&
+                        pair.relative_thickness() >= 1e-3;
+  if (!is_known) return {nan, nan, nan, nan, nan};
+  const auto of = [](const auto& contact, double unit, double spin) {
+    const int k = contact.terms;
+    const Matrix2d all =
+        contact.b.transpose() * contact.a.ldlt().solve(contact.b);
+    return StuckStiffness{unit * all(0, 0), unit * all(0, 1), unit * all(1, 1),
+                          spin,
+                          unit * stiffness_of(contact.a.topLeftCorner(k, k),
+                                              contact.b.col(0).head(k))};
+  };
+  if (kind == JointKind::pin) return of(Pin(pair, half_angle), 1, nan);
+  const Ball ball(pair, half_angle);
+  return of(ball, pi, 2 * pi * stiffness_of(ball.spin_a, ball.spin_b));
+}
+
+}  // namespace contact::detail
