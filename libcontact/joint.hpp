@@ -9,6 +9,7 @@
 #include "libcontact/joint/moment_set.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/presliding/stiction.hpp"
+#include "libcontact/joint/presliding/stuck_joint.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/thrust_face.hpp"
 #include "libcontact/joint/group.hpp"

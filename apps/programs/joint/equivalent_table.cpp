@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "cli/sweep.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/identify/equivalent.hpp"
+#include "libcontact/joint/presliding/stuck_joint.hpp"
 #include "libcontact/load_law/load_law.hpp"
 
 namespace hinge_joint {
@@ -120,6 +122,38 @@ void add_stiction(const contact::Joint& joint,
          {way.largest_error});
 }
 
+// The stuck contact at the largest load.
+void add_stuck(const Setup& setup, std::span<const contact::Joint::Slip> states,
+               cli::Report& to) {
+  const contact::Joint& joint = setup.joints[0].joint;
+  const auto largest = std::ranges::max_element(
+      states, {}, [](const auto& s) { return s.reaction.norm(); });
+  const contact::JointSolution s = joint.solve(*largest);
+  const contact::JointSpec& spec = setup.given[0].spec;
+  const contact::StuckJoint stuck =
+      stuck_joint(spec, joint.contact(), s.normal_force, s.half_angle);
+  if (std::isnan(stuck.load_stiffness)) return;
+  const auto add = [&](std::string_view name, double value,
+                       std::string_view meaning) {
+    if (!std::isnan(value)) to.add(name, value, meaning);
+  };
+  add("K_load_N_m_per_rad", stuck.load_stiffness,
+      "of the stuck contact at largest_R_N, which stays: across the load");
+  add("K_held_N_m_per_rad", stuck.held_stiffness,
+      "the same with the centre held");
+  add("K_spin_N_m_per_rad", stuck.spin_stiffness,
+      "the same about the load; also sigma0 of LuGre for spinning");
+  add("sigma0_N_m_per_rad", stuck.lugre_stiffness(),
+      "plain LuGre and dcmotor at largest_R_N: turns as far at M_s/2");
+  add("dahl_exponent", stuck.dahl_exponent(),
+      "Dahl and elastoplastic LuGre beside sigma0 = K_load");
+  add("breakaway_angle_rad", stuck.breakaway_angle(),
+      "turn at which the joint slides at largest_R_N");
+  for (const std::string& note : stuck_notes(spec, s.half_angle)) {
+    cli::warn("hinge-joint", note);
+  }
+}
+
 // Pins in endless holes and those with interference have no bending arm: how
 // they tilt is not known.
 void add_bending(const Setup& setup, const Inputs& inputs, double arm,
@@ -165,6 +199,7 @@ cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
   add_range(inputs, pin, report);
   add_numbers(e, f0, pin ? pin_names : ball_names, report);
   add_stiction(joint, states, report);
+  add_stuck(setup, states, report);
   if (pin) {
     add_load_law(joint, report);
     add_bending(setup, inputs, e.arm.value, report);
