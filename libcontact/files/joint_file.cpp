@@ -109,11 +109,14 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known,
       .outer =
           wall_from_table(table, geometry.radius(), materials.elastic.outer()),
       .friction = friction_from_table(table)};
+  const auto seat = table.optional_table("seat");
+  if (seat && seat->flag("left_out")) joint = joint.without_seat();
   take_plane_state(table, geometry.kind(), joint.inner, joint.outer);
   joint.conditions();  // refuses walls that do not fit the radius
   joint = at_temperatures(table, joint);
   // The default of a seat that ends is another one without_seat().
-  if (!geometry.seat()) joint.half_angle_law = joint.half_angle_law_name();
+  if (!joint.geometry.seat())
+    joint.half_angle_law = joint.half_angle_law_name();
   joint.pressure_law = joint.pressure_law_name();
   if (!joint.friction) joint.friction = materials.friction;
 

@@ -19,7 +19,9 @@ constexpr const char* confined = "a joint in a seat that ends";
 void check(const JointSpec& joint) {
   if (joint.friction &&
       std::holds_alternative<FrictionStress>(*joint.friction)) {
-    throw Error(needs(confined, "dry or viscous friction, or without_seat"));
+    throw Error(needs(confined,
+                      "dry or viscous friction, or without_seat (left_out = "
+                      "true in its [seat])"));
   }
   for (const std::string& law : {joint.half_angle_law, joint.pressure_law}) {
     if (!law.empty() && law != "exact") {

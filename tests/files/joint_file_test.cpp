@@ -274,6 +274,13 @@ TEST(JointFile, SeatsThatEnd) {
   const JointSpec endless = unnamed.without_seat();
   EXPECT_EQ(endless.half_angle_law_name(), default_half_angle_law);
   EXPECT_FALSE(parse_joint(endless.canonical_text(), "text").geometry.seat());
+  const JointSpec left_out =
+      parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\nleft_out = true\n"));
+  EXPECT_FALSE(left_out.geometry.seat());
+  EXPECT_EQ(left_out.geometry.drawn_seat(), SeatZone::cup(1));
+  EXPECT_TRUE(seat("cup_rad = 1\nleft_out = false"));
+  EXPECT_ERROR(seat("cup_rad = 1\nleft_out = 1"),
+               "j.toml:23: seat.left_out = 1 must be true or false");
   EXPECT_ERROR(
       seat("cup_deg = 80\nupper_rim_deg = 90"),
       "j.toml:22: seat.cup_deg = 80 conflicts with seat.upper_rim_deg (line "

@@ -579,7 +579,7 @@ TEST(JointInSeat, RefusesWhatItsModelDoesNotKnow) {
               s.friction = FrictionStress::stribeck(0.1, 0.05, 1e-3);
             }),
             "a joint in a seat that ends requires dry or viscous friction, or "
-            "without_seat");
+            "without_seat (left_out = true in its [seat])");
   EXPECT_EQ(refusal([](JointSpec& s) {
               s.outer.layers = {{1e-6, Material{1e9, 0.4}}};
             }),

@@ -245,7 +245,7 @@ JointGeometry geometry_from_table(
   const auto seat = joint.optional_table("seat");
   if (ball) {
     const auto whole = JointGeometry::ball(radius, clearance, inner_body);
-    if (bearing && !seat) {
+    if (bearing && (!seat || seat->has("left_out"))) {
       return whole.with_seat(SeatZone::ring(bearing->ring_width(), radius));
     }
     return seat ? whole.with_seat(zone_from_table(*seat, radius)) : whole;
@@ -294,7 +294,8 @@ KnownKeys geometry_keys() {
                                  {"designation"},
                                  {"clearance_group"},
                                  {"length", Dimension::length}}),
-          table_key("seat", {{"ring_width", Dimension::length},
+          table_key("seat", {{"left_out"},
+                             {"ring_width", Dimension::length},
                              {"cup", Dimension::angle},
                              {"lower_rim", Dimension::angle},
                              {"upper_rim", Dimension::angle},
