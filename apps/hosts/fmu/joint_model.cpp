@@ -96,7 +96,8 @@ struct State {
   int released;       // let go at the last event, and not yet under way
   int has_started;    // co-simulation: the initialization is over
   double widest = NAN, most = NAN;  // half-angle and pressure so far
-  contact_solution at_rim;          // the last one, for notes; or all 0
+  // For notes: the last one, or the first without a largest pressure; or all 0.
+  contact_solution at_rim;
 };
 
 class JointModel : public Model {
@@ -271,7 +272,12 @@ class JointModel : public Model {
     values_[peak_pressure] = now.solution.peak_pressure;
     state_.widest = std::fmax(state_.widest, now.solution.half_angle);
     state_.most = std::fmax(state_.most, now.solution.peak_pressure);
-    if (std::isnan(now.solution.half_angle)) state_.at_rim = now.solution;
+    // Of a contact without a largest pressure the maximum above says nothing.
+    const bool is_worst = state_.at_rim.normal_force > 0 &&
+                          std::isnan(state_.at_rim.peak_pressure);
+    if (std::isnan(now.solution.half_angle) && !is_worst) {
+      state_.at_rim = now.solution;
+    }
     values_[heat] = -dot(now.moment, now.angular_velocity);
     values_[wear] = wear_rate();
   }
