@@ -112,9 +112,10 @@ class FrictionMoment {
     contact_placement placement{};
     placement.size = sizeof placement;
     if (from_seat) std::copy_n(from_seat, 9, placement.from_seat);
+    const auto* const turned = from_seat ? &placement : nullptr;
     const char* const key = "friction_moment";
-    must(contact_joint_get(joint_.get(), &slip, &placement, memory_.get(), &key,
-                           1, moment));
+    must(contact_joint_get(joint_.get(), &slip, turned, memory_.get(), &key, 1,
+                           moment));
   }
 
  private:

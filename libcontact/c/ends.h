@@ -36,9 +36,9 @@ void contact_memory_free(contact_memory* memory);
  * three numbers. NaN where there is none, as of an angle about the contact's
  * axis at a rim.
  * placement: NULL: the axes of the seat are those of the vectors, and a pin is
- *     level. Its vectors are those of the call; a pin that is tilted, loaded at
- *     a place or slides along its axis requires slip.axis or a turn, dry
- *     friction, clearance and a wall with an end.
+ *     level and without end. Its vectors are those of the call; a pin that has
+ *     one ends, level or tilted, and requires slip.axis or a turn, dry friction,
+ *     clearance and a wall with an end.
  * memory: NULL, or the last solution, to begin from, which this one replaces: a
  *     contact at a rim takes a third to two thirds of the time (13 ms for 24 to
  *     39 ms) if R and Dw have changed by less than 1 %. Both agree within
@@ -65,7 +65,8 @@ contact_status contact_joint_pressures(const contact_joint* joint,
                                        double* pressures);
 
 /* The joint whose contact goes on beyond the rims of its seat: for comparison,
- * and where the direction of the load is unknown. */
+ * and where the direction of the load is unknown. A [seat] with a friction that
+ * it cannot have is left out by the setting {"seat.left_out", "true"}. */
 contact_status contact_joint_without_seat(const contact_joint* joint,
                                           contact_joint** endless);
 

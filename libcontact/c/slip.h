@@ -74,7 +74,7 @@ contact_status contact_joint_solve_contact(const contact_joint* joint,
                                            contact_solution* solution);
 
 /* Reasons to doubt a solution, one sentence per line, cut to `size` with its
- * final 0: what the model leaves out beside a rim of the seat, up to 18 %; how
+ * final 0: what the model leaves out beside a rim of the seat; how
  * far the contact goes beyond a rim in a joint without its seat. None if it is
  * not CONTACT_OK: the message of its call has said why. */
 contact_status contact_joint_solution_notes(const contact_joint* joint,

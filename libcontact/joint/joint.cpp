@@ -198,7 +198,7 @@ JointSolution refused(const Vector3d& reaction) {
 JointSolution Joint::solve_confined(
     const Slip& slip, const JointSolution& last,
     const SolveOptions& options) const noexcept {
-  if (slip.placement && slip.placement->ends_pin()) {
+  if (slip.placement && (is_pin() || slip.placement->ends_pin())) {
     if (tilted_) return tilted_->solve(slip, last, options);
     return refused(slip.reaction);
   }
@@ -280,7 +280,8 @@ JointSolution Joint::solve_from(const JointSolution::Memory& last,
 }
 
 JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
-  if (known.placement && known.placement->ends_pin()) [[unlikely]] {
+  if (known.placement && (is_pin() || known.placement->ends_pin()))
+      [[unlikely]] {
     if (tilted_) return tilted_->solve_contact(known);
     return refused(known.normal_force);
   }

@@ -7,7 +7,7 @@ namespace contact {
 
 /// How the halves of a joint whose contact ends lie to each other: where its
 /// seat is, or how its pin is tilted in the hole. Vectors are in the frame of
-/// the call.
+/// the call. A pin that is given one ends, level too; without one it goes on.
 struct Placement {
   /// Rotation from the axes of the body that has the seat, in which
   /// JointGeometry::seat() gives its axis, to those of the vectors.
@@ -21,7 +21,7 @@ struct Placement {
   /// Speed of the body along a pin's axis, m/s.
   double axial_velocity = 0;
 
-  /// Whether more is asked for than a level pin that turns.
+  /// Whether more is asked for than a level pin that turns: of a pin alone.
   bool ends_pin() const {
     return !tilt.isZero(0) || place == place || axial_velocity != 0;
   }

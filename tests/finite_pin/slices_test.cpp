@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/duty/joint_rating.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/joint/group.hpp"
@@ -220,6 +221,13 @@ TEST(Slices, HoldWhatSlowSlidingHas) {
   const RestSolution rest = joint.at_rest({r, axis, axis, &slides});
   EXPECT_EQ(rest.status, Status::ok);
   EXPECT_EQ(rest.utilisation, infinity);
+  // L is over the speed of turning, which there is none of.
+  const JointSolution along = joint.solve({r, Vector3d::Zero(), axis, &slides});
+  const auto rated = rating_of(joint, along, Vector3d::Zero());
+  EXPECT_GT(rated.pv_total, 0);
+  EXPECT_TRUE(std::isnan(rated.slip_coefficient));
+  const JointSolution both = joint.solve({r, axis, axis, &slides});
+  EXPECT_GT(rating_of(joint, both, axis).slip_coefficient, 1);
   // A step holds up to there, and lets go.
   const Matrix3d inertia = 10 * Matrix3d::Identity();
   const double limit = std::abs(pin.solve({5e4, 0}, {0, 0}, 1).moment.z());
@@ -290,29 +298,52 @@ TEST(Slices, PressuresSumToWhatTheyCarry) {
   EXPECT_EQ(joint.pressures(s, std::vector<Vector3d>{q.col(2)})[0], 0);
 }
 
-// A pin without relief that no placement tilts is endless, to the last bit.
-TEST(Slices, LevelPinStaysWhatItIs) {
+// A pin that is given how it lies ends, level too: a tilt of 0 is the limit of
+// small ones. One that is not is endless, to the last bit.
+TEST(Slices, LevelPinEndsWhereItsTiltIsGiven) {
   RandomSlips random(3);
-  const JointSpec spec = bush();
+  const JointSpec spec =
+      bush_of(FrictionLaw(0.1), Relief::none(), JointBody::carrier);
   const Joint joint(spec);
   const Joint endless(spec.contact());
-  const Placement level;
-  for (int i = 0; i < 200; ++i) {
+  int answers = 0;
+  const Placement level, nearly{.tilt = Vector3d(1e-12, -1e-12, 0)};
+  for (int i = 0; i < 100; ++i) {
     const Vector3d axis = random.direction();
-    const Joint::Slip slip{random.log_uniform(1, 3e5) * random.direction(),
-                           (random.uniform() - 0.5) * axis, axis, &level};
-    const JointSolution a = joint.solve(slip);
-    const JointSolution b =
-        endless.solve({slip.reaction, slip.angular_velocity, axis});
-    EXPECT_EQ(a.friction_moment, b.friction_moment);
-    EXPECT_EQ(a.normal, b.normal);
-    EXPECT_EQ(a.half_angle, b.half_angle);
-    EXPECT_EQ(a.peak_pressure, b.peak_pressure);
-    EXPECT_FALSE(joint.lie(a));
-    const Vector3d moment = axis;
-    EXPECT_EQ(joint.at_rest({slip.reaction, moment, axis, &level}).utilisation,
-              endless.at_rest({slip.reaction, moment, axis}).utilisation);
+    const Vector3d across = random.direction().cross(axis).normalized();
+    const Joint::Slip slip{random.log_uniform(1e3, 3e5) * across,
+                           (random.uniform() - 0.5) * axis, axis};
+    Joint::Slip placed = slip, tilted = slip;
+    placed.placement = &level;
+    tilted.placement = &nearly;
+    const JointSolution a = joint.solve(placed);
+    const JointSolution b = joint.solve(tilted);
+    ASSERT_EQ(a.status, b.status);
+    if (a.status != Status::ok) continue;  // a half-angle beyond 80 deg
+    ++answers;
+    ASSERT_TRUE(joint.lie(a));
+    // 1e-12 over the approach per length at 1 kN.
+    EXPECT_NEAR(a.peak_pressure / b.peak_pressure, 1, 1e-6);
+    EXPECT_LT((a.friction_moment - b.friction_moment).norm(),
+              1e-6 * b.friction_moment.norm());
+    const Joint::Hold hold{slip.reaction, axis, axis};
+    Joint::Hold placed_hold = hold, tilted_hold = hold;
+    placed_hold.placement = &level;
+    tilted_hold.placement = &nearly;
+    EXPECT_NEAR(joint.at_rest(placed_hold).utilisation /
+                    joint.at_rest(tilted_hold).utilisation,
+                1, 1e-6);
+    const JointSolution c = joint.solve(slip), d = endless.solve(slip);
+    EXPECT_EQ(c.friction_moment, d.friction_moment);
+    EXPECT_EQ(c.half_angle, d.half_angle);
+    EXPECT_EQ(c.peak_pressure, d.peak_pressure);
+    EXPECT_FALSE(joint.lie(c));
+    EXPECT_EQ(joint.at_rest(hold).utilisation,
+              endless.at_rest(hold).utilisation);
+    // The same contact, by the same law along the whole length.
+    EXPECT_NEAR(a.friction_moment.norm() / c.friction_moment.norm(), 1, 1e-2);
   }
+  EXPECT_GE(answers, 90);
 }
 
 TEST(Slices, WithoutLoadOrAxis) {

@@ -19,6 +19,10 @@ std::vector<Argument> Lies::behind(
     throw contact::Error(contact::detail::must_be(
         "tilt, place and axial_velocity", "those of a pin"));
   }
+  if (from_seat && joints.size() > 0 && joints[0].is_pin()) {
+    throw contact::Error(
+        contact::detail::must_be("from_seat", "that of a ball"));
+  }
   std::vector<Argument> all(others);
   if (from_seat) all.push_back(Argument::matrix("from_seat", *from_seat));
   if (tilt) all.emplace_back("tilt", *tilt, 3);

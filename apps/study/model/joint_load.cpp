@@ -69,6 +69,7 @@ void read_placement(const TomlTable& load,
     if (load.has(key) && geometry.kind() != contact::JointKind::pin) {
       load.needs(key, "a pin");
     }
+    to.ends_pin = to.ends_pin || load.has(key);
   }
   if (load.has("tilt") && load.has("load_at")) {
     load.must_be("tilt", "left out beside load_at, which finds it");
@@ -84,7 +85,7 @@ void read_placement(const TomlTable& load,
       load.optional_number("load_at", {-half, half}).value_or(placement.place);
   placement.axial_velocity =
       load.optional_number("slide", Interval::any()).value_or(0);
-  if (!placement.ends_pin()) return;
+  if (!to.ends_pin) return;
   for (const char* key : {"beta", vector_key}) {
     if (!load.has(key)) continue;
     load.must_be(key,

@@ -21,6 +21,7 @@ struct Load {
   double swing = 0;
   /// How a pin is tilted, loaded off its middle or slides; the axis is z.
   contact::Placement placement;
+  bool ends_pin = false;  ///< one is given
 
   Eigen::Vector3d angular_velocity() const { return {0, 0, rate}; }
   /// Refers to the load.
@@ -28,7 +29,7 @@ struct Load {
     return {.reaction = reaction,
             .angular_velocity = angular_velocity(),
             .axis = Eigen::Vector3d::UnitZ(),
-            .placement = &placement};
+            .placement = ends_pin ? &placement : nullptr};
   }
   /// The reaction turned in its plane with z, away from z, by an angle, rad.
   Eigen::Vector3d swung(double angle) const;
