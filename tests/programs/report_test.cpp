@@ -7,6 +7,7 @@
 #include <string>
 
 #include "cli/stream/terminal_report.hpp"
+#include "cli/stream/verdict.hpp"
 #include "support/program.hpp"
 
 namespace contact::test {
@@ -148,6 +149,13 @@ TEST(TerminalReport, ColoursVerdictsWhereTheyAreWanted) {
   EXPECT_FALSE(
       has_text(on_terminal(folder, "hinge-joint --joint j.toml --reaction 1kN"),
                "\033"));
+}
+
+TEST(Verdict, OfATableIsColoured) {
+  EXPECT_EQ(cli::with_coloured_verdicts("| a |     met |\n| b | not met |\n"),
+            "| a |\033[32m     met \033[0m|\n| b |\033[31m not met "
+            "\033[0m|\n");
+  EXPECT_EQ(cli::with_coloured_verdicts("| metal | x |\n"), "| metal | x |\n");
 }
 
 TEST(TerminalReport, QuietLeavesNotesOutAndNoWarnings) {

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/number.hpp"
+#include "cli/stream/verdict.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace cli {
@@ -76,21 +77,9 @@ std::string spaced(std::string text) {
   return text;
 }
 
-// "" of what is neither good nor bad.
-std::string_view colour_of(std::string_view word) {
-  constexpr std::string_view good[] = {"ok", "met", "holds", "within"};
-  constexpr std::string_view bad[] = {"not met",      "slips",  "not_converged",
-                                      "out_of_range", "missed", "out_of_seat",
-                                      "failed",       "ERROR"};
-  if (std::ranges::find(good, word) != std::end(good)) return "\033[32m";
-  if (std::ranges::find(bad, word) != std::end(bad)) return "\033[31m";
-  return "";
-}
-
-std::string coloured(const std::string& padded, std::string_view word,
-                     bool colour) {
-  const std::string_view begin = colour ? colour_of(word) : "";
-  return begin.empty() ? padded : fmt::format("{}{}\033[0m", begin, padded);
+std::string shown(const std::string& padded, std::string_view word,
+                  bool colour) {
+  return colour ? coloured(padded, word) : padded;
 }
 
 }  // namespace
@@ -161,7 +150,7 @@ std::optional<TerminalReport::Line> TerminalReport::plain_line(
     std::size_t at, const Row& row) const {
   if (row[at].empty()) return std::nullopt;
   return Line{spaced(shown_unit(names_[at]).stem),
-              coloured(with_unit(row[at], names_[at]), row[at], style_.colour),
+              shown(with_unit(row[at], names_[at]), row[at], style_.colour),
               ""};
 }
 
@@ -306,7 +295,7 @@ std::string TerminalReport::table_rows() {
       } else if (shown_[c] == quantity) {
         text += left(spaced(shown_unit(cell).stem), widths_[c]);
       } else {
-        text += coloured(left(cell, widths_[c]), cell, style_.colour);
+        text += shown(left(cell, widths_[c]), cell, style_.colour);
       }
     }
     end_line();

@@ -17,6 +17,8 @@
 #include "cli/stream/file_name.hpp"
 #include "cli/stream/quoting.hpp"
 #include "cli/stream/report.hpp"
+#include "cli/stream/verdict.hpp"
+#include "cli/stream/verdict.hpp"
 #include "programs/separation/output/history_file.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "programs/study/findings/pictures.hpp"
@@ -208,7 +210,12 @@ void write_results(const Options& o, const Study& study,
     if (o.output.output == "-") return;
   }
   cli::Output text("");
-  text.write(to_text(study, findings, command_of(o)));
+  const std::string said = to_text(study, findings, command_of(o));
+  if (o.output.report.colour) {
+    text.write_coloured(cli::with_coloured_verdicts(cli::terminal_text(said)));
+  } else {
+    text.write(said);
+  }
   text.commit();
 }
 

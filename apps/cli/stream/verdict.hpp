@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+/// Colours of verdicts on a terminal.
+namespace cli {
+
+/// A word, padded or not, in green if it is good, in red if it is bad.
+std::string coloured(std::string_view padded, std::string_view word);
+
+/// A Markdown table, printable, with its verdicts coloured.
+std::string with_coloured_verdicts(std::string_view table);
+
+}  // namespace cli
