@@ -107,7 +107,7 @@ TEST(Stuck, ThinLinersShear) {
     held[i] = unit * ball.turn / (pi * (2 * (1 - c) - across)) - 1;
     pin[i] = unit * of_pin.turn / (2 * angle) - 1;
   }
-  // Of the reference with t = 0.01.
+  // Measured by the reference at t = 0.01, to three digits.
   EXPECT_NEAR(spin[0], 0.034, 2e-3);
   EXPECT_NEAR(held[0], 0.029, 2e-3);
   EXPECT_NEAR(pin[0], 0.022, 2e-3);

@@ -40,7 +40,8 @@ TEST(StuckJoint, JointsAreThoseOfTheReference) {
     const StuckJoint stuck = stuck_under(spec, row.value("R_N"));
     load.add(stuck.load_stiffness, row.value("K_fixed_load_Nm_per_rad"),
              row.label());
-    // Of a reaction R, R_n = R/sqrt(1 + f^2); the change of theta0 is 3e-4.
+    // The file has the reaction R: R_n = R/sqrt(1 + f^2); the change of theta0
+    // is 3e-4.
     moment.add(stuck.friction_moment / std::hypot(1, row.value("f")),
                row.value("M_slide_Nm"), row.label());
     if (spec.geometry.kind() == JointKind::pin) {

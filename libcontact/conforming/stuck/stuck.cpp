@@ -64,8 +64,8 @@ Size size_of(const LayeredPair& pair, double half_angle) {
 // Moments of the stresses of a contact, a row for each term.
 struct Moments {
   MatrixXd normal;      // with the harmonics of sigma
-  MatrixXd tangential;  // of T
-  MatrixXd toroidal;    // of Q
+  MatrixXd tangential;  // the shear along t
+  MatrixXd toroidal;    // the shear around
 };
 
 // J_0 to J_last of x: upwards where that is stable.
@@ -135,7 +135,7 @@ struct Pin {
 // The nodes of the moments of a ball's stresses: x = sin(t/2)/sin(theta0/2),
 // c = sqrt(1 - x^2) on [0, 1], sin t dt/sqrt(1 - x^2) = 4 sin^2(theta0/2) dc.
 struct CapNodes {
-  ArrayXd cosine;  // of t
+  ArrayXd cosine;  // cos t
   ArrayXd sine;
   MatrixXd normal;  // terms by nodes: x P_2k(c) with the weight
   MatrixXd plus;    // P_2k(c)
@@ -166,7 +166,7 @@ Moments ball_moments(const CapNodes& nodes, const Size& size) {
   const int count = size.harmonics;
   const Eigen::Index points = nodes.cosine.size();
   MatrixXd value(points, block);
-  MatrixXd sum(points, block);  // of the derivative and P/sin t
+  MatrixXd sum(points, block);  // the derivative and P/sin t
   MatrixXd difference(points, block);
   Moments m{MatrixXd(size.terms, count), MatrixXd(size.terms, count),
             MatrixXd(size.terms, count)};

@@ -42,7 +42,7 @@ StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
         rho *
         contact.friction_at(half_angle, {0, 1}, {normal_force, 0}).sliding;
   }
-  // What is elastic of the turn slips as a held contact would, b = 1.5 of
+  // The elastic part of the turn slips as a held contact would, b = 1.5 of
   // Cattaneo; liners slip before they roll.
   result.shape = 1 + 0.5 * k.load() / k.turn +
                  0.8 * std::max(0.0, 1 - k.load() / k.frictionless);
