@@ -1,0 +1,95 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "multibody/system/system.hpp"
+
+/// Bodies on bodies: the paper's two steps on any tree, one instant, with
+/// hinge moments that may depend on the reactions.
+///
+/// Everything of a body is in its own axes (origin: centre of mass). The first
+/// step goes from the leaves to the roots: what is left of a body when the
+/// turn in its hinge is eliminated is a 6x6 matrix and a load of its parent.
+/// The second goes back with the accelerations. It is Featherstone's
+/// articulated-body algorithm; (1.3) to (1.5) of the paper are its case of
+/// depth 1, which Dynamics resolves faster.
+namespace multibody {
+
+/// A body and the hinge by which it hangs on its parent.
+struct ForestBody {
+  /// Index of the body it hangs on; -1: a root. Any order, no circle.
+  int parent = -1;
+  HingeKind kind = HingeKind::none;  ///< of a root: not used
+  bool held = false;                 ///< the hinge does not turn
+  /// A root alone: it stands in inertial space, mass and inertia do not count.
+  bool fixed = false;
+  double mass = 0;  ///< kg, > 0
+  /// About the centre of mass, kg m^2.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
+  /// Centre of the hinge from the centre of mass, body axes, m.
+  Eigen::Vector3d hinge_from_com = Eigen::Vector3d::Zero();
+  /// The same point from the parent's centre of mass, parent's axes, m.
+  Eigen::Vector3d hinge_from_parent_com = Eigen::Vector3d::Zero();
+  /// axis only: unit vector of the axis, body axes.
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+};
+
+/// Motion and loads of a body, its own axes.
+struct ForestState {
+  /// v_parent = rotation v_body; of a root: v_inertial.
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  /// Against the parent, rad/s; of a root: absolute. Held: not used.
+  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< without gravity, N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the com, N m
+  /// Moment of the hinge on the body about the hinge's centre, the opposite
+  /// on the parent: M = hinge_moment + slope R, with the reaction R. On an
+  /// axis the part along the axis counts; held: nothing.
+  Eigen::Vector3d hinge_moment = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();  ///< dM/dR, m
+};
+
+/// What an instant gives of a body, its own axes.
+struct ForestMotion {
+  Eigen::Vector3d acceleration;          ///< of the centre of mass, m/s^2
+  Eigen::Vector3d angular_acceleration;  ///< absolute, rad/s^2
+  /// Derivative in body axes of the velocity against the parent; root: 0.
+  Eigen::Vector3d relative_acceleration;
+  Eigen::Vector3d reaction;  ///< force of the hinge on the body, N; root: 0
+  /// Moment on the body about the hinge's centre, the moment by the law of
+  /// the hinge included, N m; root: 0.
+  Eigen::Vector3d reaction_moment;
+};
+
+/// A forest of bodies: each root with what hangs on it is solved by itself.
+class Forest {
+ public:
+  /// @throws contact::Error naming the body: a parent that is not there, a
+  ///   circle (with its bodies), a body that hangs on itself, a kind none on a
+  ///   parent, a mass that is not > 0 and finite, an inertia, point or axis
+  ///   that is not finite, an axis off the length 1 by more than 1e-6, a fixed
+  ///   body that is no root.
+  explicit Forest(std::vector<ForestBody> bodies);
+
+  int size() const { return static_cast<int>(bodies_.size()); }
+  /// Bodies in an order in which children come after parents.
+  const std::vector<int>& order() const { return order_; }
+
+  /// Accelerations and reactions in O(size). Error measured against Simbody
+  /// 3.7 on 18 trees of 2 to 64 bodies: 1e-11 of the largest component of its
+  /// quantity, 1e-10 for light links below a heavy tip. NaN where a hinge
+  /// cannot turn its body (no inertia about it), and in what hangs together
+  /// with it.
+  /// @param state    one for each body
+  /// @param gravity  inertial axes, m/s^2
+  /// @throws contact::Error if `state` has another size
+  std::vector<ForestMotion> solve(const std::vector<ForestState>& state,
+                                  const Eigen::Vector3d& gravity) const;
+
+ private:
+  std::vector<ForestBody> bodies_;
+  std::vector<int> order_;
+};
+
+}  // namespace multibody
