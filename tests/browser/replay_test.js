@@ -505,6 +505,27 @@ test('pictures and films are saved', async () => {
   });
 });
 
+test('the bodies stay in the canvas, for whoever takes a picture of the page',
+     async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page) => {
+    await page.evaluate(() => replay.go(1));
+    await page.waitForTimeout(500);
+    const colours = await page.evaluate(() => {
+      const view = document.getElementById('view');
+      const canvas = document.createElement('canvas');
+      canvas.width = view.width;
+      canvas.height = view.height;
+      const context = canvas.getContext('2d');
+      context.drawImage(view, 0, 0);
+      const {data} = context.getImageData(0, 0, view.width, view.height);
+      return new Set(new Uint32Array(data.buffer)).size;
+    });
+    // Shaded cylinders; one where nothing is left.
+    assert.ok(colours > 50, `${colours} colours`);
+  });
+});
+
 test('on a phone, in the dark and in the light nothing is wider than the screen',
      async () => {
   run(path.join(cases, 'platform.toml'), '--replay', 'a.html');

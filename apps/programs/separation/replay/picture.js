@@ -44,7 +44,8 @@ function cornersOf(body) {
 class Picture {
   constructor(canvas) {
     this.renderer = new THREE.WebGLRenderer(
-        {canvas, antialias: true, alpha: true});
+        // A picture of the page that comes a frame later has the bodies too.
+        {canvas, antialias: true, alpha: true, preserveDrawingBuffer: true});
     this.renderer.gammaOutput = true;
     this.renderer.setPixelRatio(Math.min(2, devicePixelRatio));
     this.size = data.size;
