@@ -15,7 +15,22 @@ out=demo-output
 mkdir -p "$out"
 PATH="$PWD/build/bin:$PATH"
 
-echo "Friction coefficients of a ball joint"
+# What is run, for the page at the end.
+commands=$(mktemp)
+trap 'rm -f "$commands"' EXIT
+title() {
+  echo "$1"
+  echo "# $1" >>"$commands"
+}
+run() {
+  echo "$*" >>"$commands"
+  command "$@"
+}
+for program in table angle pressure joint separation study; do
+  eval "hinge-$program() { run hinge-$program \"\$@\"; }"
+done
+
+title "Friction coefficients of a ball joint"
 grid=(--theta0 0:95:5 --alpha 0:90:7.5)
 hinge-table "${grid[@]}" --output "$out/friction_table.csv"
 {
@@ -36,7 +51,7 @@ picture() {
 hinge-table --theta0 10:90:10 --alpha 0:90:1 --quantity sigma_Z \
   --output "$out/sigma_Z.csv" $(picture sigma_Z)
 
-echo "Half-angles of real joints"
+title "Half-angles of real joints"
 half_angle() { # NAME LOADS
   hinge-angle --joint "data/joints/$1.toml" --load "$2" \
     --law all \
@@ -50,7 +65,7 @@ hinge-angle --joint ball --pair data/materials/steel_bronze.toml \
   --output "$out/half_angle_steel_bronze.csv" \
   $(picture half_angle_steel_bronze)
 
-echo "Friction moment of a joint, and the paper's examples"
+title "Friction moment of a joint, and the paper's examples"
 hinge-joint --joint data/joints/paper_example_2.toml --beta 30,60,90 \
   --reaction 1e4:2e6:1e4 --output "$out/friction_moment.csv" \
   $(picture friction_moment)
@@ -80,7 +95,7 @@ beside=(--beside data/reference/paper_examples.csv --format markdown)
   hinge-joint "${example_2[@]}" --trace "${beside[@]}"
 } >"$out/paper_examples.md"
 
-echo "Separation of four boosters"
+title "Separation of four boosters"
 hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
   --history "$out/soyuz.csv" --events "$out/soyuz_events.csv" \
   --replay "$out/soyuz.html" --replay "$out/soyuz.glb" $(picture soyuz)
@@ -92,22 +107,22 @@ hinge-separation data/cases/soyuz.toml --output "$out/soyuz.json" \
   done
 } >"$out/separation_comparison.md"
 
-echo "The same 1,705 times with scatter"
+title "The same 1,705 times with scatter"
 hinge-study data/studies/soyuz.toml --jobs "$(nproc)" \
   --journal "$out/soyuz_study.journal" --csv "$out/soyuz_study.csv" \
   --output "$out/soyuz_study.json" --report "$out/soyuz_study.html" \
   $(picture soyuz_study) \
   >"$out/soyuz_study.md"
 
-echo "Pressure of a hip joint"
+title "Pressure of a hip joint"
 hinge-pressure --joint data/joints/hip_cocr_uhmwpe_infinite.toml --load 2000 --pressure all \
   --output "$out/pressure_hip.csv" $(picture pressure_hip)
 
 if command -v gnuplot >/dev/null; then
-  echo "Figures 3, 4, 5, 8 and 9 of the paper, and limit half-angles"
-  plots/figures.sh build "$out/figures"
+  title "Figures 3, 4, 5, 8 and 9 of the paper, and limit half-angles"
+  run plots/figures.sh build "$out/figures"
 fi
-echo "Results are in $PWD/$out:"
-ls -R "$out"
+scripts/demo_index.sh "$out" "$commands"
+echo "Results are in $PWD/$out: open index.html there in a browser"
 echo "The other programs and libraries:" \
   "cmake --build --preset release --target installed"
