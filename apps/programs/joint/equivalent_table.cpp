@@ -112,7 +112,7 @@ void add_stiction(const contact::Joint& joint,
   to.add("presliding_angle_rad",
          way.value / joint.contact().geometry().radius(),
          "LuGre, Dahl, MuJoCo dcmotor: sigma0 = M_s(R)/z_ss with this z_ss, an "
-         "angle instead of a stiffness; metal within 20 %, lined seats 1.2 to "
+         "angle instead of a stiffness; metal within 21 %, lined seats 1.2 to "
          "4 times as much",
          {way.largest_error});
   to.add("stiction_deformation_m", way.value,

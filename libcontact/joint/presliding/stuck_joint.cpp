@@ -58,12 +58,25 @@ std::vector<std::string> stuck_notes(const JointSpec& joint,
                               joint.outer.layers.empty() &&
                               joint.inner.surface().youngs_modulus <
                                   std::numeric_limits<double>::infinity();
-  if (!is_homogeneous || !(half_angle > widest)) return {};
-  return {detail::message(
-      "half-angle {:.3g} deg: above 43 deg the stiffness of a stuck contact of "
-      "homogeneous bodies is that of the shaft's attachment as much as of the "
-      "contact; it is counted against the mean rotation of ball or pin",
-      half_angle / degree)};
+  std::vector<std::string> notes;
+  if (is_homogeneous && half_angle > widest) {
+    notes.push_back(detail::message(
+        "half-angle {:.3g} deg: above 43 deg the stiffness of a stuck contact "
+        "of homogeneous bodies is that of the shaft's attachment as much as of "
+        "the contact; it is counted against the mean rotation of ball or pin",
+        half_angle / degree));
+  }
+  const auto& zone = joint.geometry.drawn_seat();
+  const auto leave_out = [&](const char* what) {
+    notes.push_back(detail::message(
+        "the stiffness of the stuck contact leaves out {}", what));
+  };
+  if (zone && half_angle > zone->reach())
+    leave_out("the rims, which it reaches");
+  if (joint.relief.kind() != Relief::Kind::none)
+    leave_out("the relief of the pin");
+  if (joint.loading.is_back()) leave_out("that the load presses on the back");
+  return notes;
 }
 
 }  // namespace contact

@@ -54,8 +54,9 @@ struct StuckJoint {
 StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
                        double normal_force, double half_angle);
 
-/// A sentence if the stiffness is that of the shaft's attachment as much as of
-/// the contact: homogeneous bodies above 43 deg.
+/// A sentence each: if the stiffness is that of the shaft's attachment as much
+/// as of the contact (homogeneous bodies above 43 deg), and of rims that are
+/// reached, a relief and a load on the back, which it leaves out.
 std::vector<std::string> stuck_notes(const JointSpec& joint, double half_angle);
 
 }  // namespace contact
