@@ -9,6 +9,6 @@ cmake --preset release
 cmake --build --preset release
 status=0
 ctest --test-dir build --output-on-failure --no-tests=error \
-  --parallel "$(nproc)" || status=$?
+  --parallel "${CMAKE_BUILD_PARALLEL_LEVEL:-$(nproc)}" || status=$?
 grep '^skipped: ' build/Testing/Temporary/LastTest.log | sort -u || true
 exit $status
