@@ -19,6 +19,7 @@
 #include "cli/gnuplot.hpp"
 #include "cli/gone.hpp"
 #include "cli/help/short_help.hpp"
+#include "cli/joint/shipped.hpp"
 #include "cli/output.hpp"
 #include "cli/plot.hpp"
 #include "cli/quantity.hpp"
@@ -138,7 +139,8 @@ std::string stranger_message(const CLI::App& app, const std::string& program) {
 }
 
 // The words of the command line from the last one, as CLI11 parses them, with
-// --joint before a joint's file that is no option's value.
+// --joint before a joint's file, or the name of a shipped one, that is no
+// option's value.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   const bool has_joint = app.get_option_no_throw("--joint") != nullptr;
   std::vector<std::string> words;
@@ -150,7 +152,8 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
         before != nullptr && before->get_items_expected_max() > 0;
     const std::string word = is_value ? argv[i] : meant_option(app, argv[i]);
     if (has_joint && !is_value && !word.starts_with("-") &&
-        word.ends_with(".toml")) {
+        (word.ends_with(".toml") ||
+         shipped_file(Shipped::joints, word) != word)) {
       words.emplace_back("--joint");
     }
     words.push_back(word);

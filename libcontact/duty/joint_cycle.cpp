@@ -13,7 +13,6 @@
 #include "libcontact/duty/over_cycle.hpp"
 #include "libcontact/joint/contact_model.hpp"
 #include "libcontact/joint/contact_notes.hpp"
-#include "libcontact/joint/load_direction.hpp"
 
 namespace contact {
 namespace {

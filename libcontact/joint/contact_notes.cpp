@@ -1,12 +1,19 @@
 #include "libcontact/joint/contact_notes.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 
 #include "libcontact/base/constants.hpp"
-#include "libcontact/joint/load_direction.hpp"
 
 namespace contact {
+
+double detail::load_direction(const SeatZone& zone,
+                              const Eigen::Vector3d& load) {
+  const Eigen::Vector3d axis(zone.axis()[0], zone.axis()[1], zone.axis()[2]);
+  return std::atan2(axis.cross(load).norm(), axis.dot(load));
+}
 
 double rim_overlap(const JointContact& contact, const JointSolution& solution,
                    LoadDirection given) {

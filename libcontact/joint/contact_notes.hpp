@@ -22,6 +22,14 @@ enum class LoadDirection {
 double rim_overlap(const JointContact& contact, const JointSolution& solution,
                    LoadDirection direction = LoadDirection::vector);
 
+namespace detail {
+
+/// Polar angle of a load from a seat's axis, rad, both in the axes of the body
+/// that has the seat.
+double load_direction(const SeatZone& zone, const Eigen::Vector3d& load);
+
+}  // namespace detail
+
 /// Sentences to be said of many solutions of a joint, each once: limits
 /// that the largest contact has passed, and what the model of a seat that ends
 /// leaves out.

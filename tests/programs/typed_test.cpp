@@ -47,7 +47,7 @@ INSTANTIATE_TEST_SUITE_P(
               "hinge-pressure " + pin + " --load 10kN"},
         Alike{"hinge-angle " + pin + " --reaction 10kN",
               "hinge-angle " + pin + " --load 10kN"},
-        Alike{"hinge-angle --joint pin_joint --load 10kN",
+        Alike{"hinge-angle pin_joint --load 10kN",
               "hinge-angle " + pin + " --load 10kN"},
         Alike{"hinge-angle --pair steel_bronze" + sized + "--load 1kN/m",
               "hinge-angle" + bronze + sized + "--load 1kN/m"},
