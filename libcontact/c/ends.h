@@ -37,8 +37,8 @@ void contact_memory_free(contact_memory* memory);
  * axis at a rim.
  * placement: NULL: the axes of the seat are those of the vectors, and a pin is
  *     level and without end. Its vectors are those of the call; a pin that has
- *     one ends, level or tilted, and requires slip.axis or a turn, dry friction,
- *     clearance and a wall with an end.
+ *     one ends, level or tilted, and requires slip.axis or a turn, dry
+ *     friction, clearance and a wall with an end.
  * memory: NULL, or the last solution, to begin from, which this one replaces: a
  *     contact at a rim takes a third to two thirds of the time (13 ms for 24 to
  *     39 ms) if R and Dw have changed by less than 1 %. Both agree within
