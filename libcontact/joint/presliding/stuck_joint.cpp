@@ -73,8 +73,6 @@ std::vector<std::string> stuck_notes(const JointSpec& joint,
   };
   if (zone && half_angle > zone->reach())
     leave_out("the rims, which it reaches");
-  if (joint.relief.kind() != Relief::Kind::none)
-    leave_out("the relief of the pin");
   if (joint.loading.is_back()) leave_out("that the load presses on the back");
   return notes;
 }
