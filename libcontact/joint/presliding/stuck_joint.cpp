@@ -71,8 +71,9 @@ std::vector<std::string> stuck_notes(const JointSpec& joint,
     notes.push_back(detail::message(
         "the stiffness of the stuck contact leaves out {}", what));
   };
-  if (zone && half_angle > zone->reach())
+  if (zone && half_angle > zone->reach()) {
     leave_out("the rims, which it reaches");
+  }
   if (joint.loading.is_back()) leave_out("that the load presses on the back");
   return notes;
 }

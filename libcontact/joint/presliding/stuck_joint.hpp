@@ -56,8 +56,8 @@ StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
 
 /// A sentence each: if the stiffness is that of the shaft's attachment as much
 /// as of the contact (homogeneous bodies above 43 deg), and of rims that are
-/// reached and a load on the back, which it leaves out; JointSpec::notes() says
-/// it of a relief.
+/// reached and a load on the back, which it leaves out; JointSpec::own_notes()
+/// say it of a relief.
 std::vector<std::string> stuck_notes(const JointSpec& joint, double half_angle);
 
 }  // namespace contact
