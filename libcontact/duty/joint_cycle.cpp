@@ -278,7 +278,13 @@ JointCycle::Instant JointCycle::least_gap() const {
 }
 
 JointCycle::Instant JointCycle::largest_intensity() const {
-  return detail::largest_row(rows(), of_rims(&RimContact::intensity));
+  // At a rim without K the largest one is not known.
+  return detail::largest_row(rows(), [this](const Instant& i) {
+    const auto rims = joint_.rims(i.solution);
+    if (!rims) return detail::nan;
+    const double k = rims->intensity();
+    return std::isnan(k) && rims->is_at_rim() ? detail::infinity : k;
+  });
 }
 
 LargestContact JointCycle::largest_contact() const {

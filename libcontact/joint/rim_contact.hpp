@@ -83,9 +83,11 @@ struct RimContact {
       return rim.intensity > 0 || rim.half_arc > 0;
     });
   }
-  /// The larger K, Pa m^(1/2); above 0 at a rim.
+  /// The larger K, Pa m^(1/2); above 0 at a rim, NaN at one without K.
   double intensity() const {
-    return std::max(rims[0].intensity, rims[1].intensity);
+    const double k = std::max(rims[0].intensity, rims[1].intensity);
+    const bool is_known = k > 0 || !is_at_rim();
+    return is_known ? k : std::numeric_limits<double>::quiet_NaN();
   }
   /// The larger peak on a rounded rim, Pa; NaN if none is.
   double rim_pressure() const {

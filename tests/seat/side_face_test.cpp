@@ -170,6 +170,7 @@ TEST(SideFace, HasNoPunchAtItsRim) {
   const SeatState state = seat.under({300, 0, 0});
   EXPECT_TRUE(state.is_at_rim());
   EXPECT_TRUE(std::isnan(state.rims[1].intensity));
+  EXPECT_TRUE(std::isnan(state.intensity()));
   EXPECT_GT(state.rims[1].half_arc, 0.5);
   EXPECT_TRUE(std::isfinite(seat.pressure(state, {115 * degree, 0})));
   bool is_said = false;
@@ -180,6 +181,7 @@ TEST(SideFace, HasNoPunchAtItsRim) {
   const SeatState small = seat.under({1, 0, 0});
   EXPECT_FALSE(small.is_at_rim());
   EXPECT_EQ(small.rims[1].intensity, 0);
+  EXPECT_EQ(small.intensity(), 0);
 }
 
 // At the door of joints, before the rim too: the same contact.
