@@ -6,7 +6,10 @@ const {withPage} = require('../tests/browser/chromium.js');
 const [, , file, picture, time] = process.argv;
 
 withPage(file, {viewport: {width: 1240, height: 720}}, async (page) => {
-  await page.evaluate((t) => replay.go(t), Number(time));
+  await page.evaluate((t) => {
+    replay.go(t);
+    replay.update();
+  }, Number(time));
   await page.waitForTimeout(500);
   await page.screenshot({path: picture, quality: 86});  // of a .jpg
 });

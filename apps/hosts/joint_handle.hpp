@@ -112,7 +112,9 @@ class FrictionMoment {
     contact_placement placement{};
     placement.size = sizeof placement;
     if (from_seat) std::copy_n(from_seat, 9, placement.from_seat);
-    const auto* const turned = from_seat ? &placement : nullptr;
+    // A pin with a placement would end.
+    const bool is_seated = from_seat && seat_ != Seat::none;
+    const auto* const turned = is_seated ? &placement : nullptr;
     const char* const key = "friction_moment";
     must(contact_joint_get(joint_.get(), &slip, turned, memory_.get(), &key, 1,
                            moment));

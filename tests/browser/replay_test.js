@@ -509,7 +509,11 @@ test('the bodies stay in the canvas, for whoever takes a picture of the page',
      async () => {
   run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
   await withPage(file('a.html'), {}, async (page) => {
-    await page.evaluate(() => replay.go(1));
+    // The first picture takes a second on a busy machine; then a frame later.
+    await page.evaluate(() => {
+      replay.go(1);
+      replay.update();
+    });
     await page.waitForTimeout(500);
     const colours = await page.evaluate(() => {
       const view = document.getElementById('view');
