@@ -18,7 +18,6 @@
 #include "cli/stream/quoting.hpp"
 #include "cli/stream/report.hpp"
 #include "cli/stream/verdict.hpp"
-#include "cli/stream/verdict.hpp"
 #include "programs/separation/output/history_file.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "programs/study/findings/pictures.hpp"
