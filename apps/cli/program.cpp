@@ -122,7 +122,7 @@ std::string nearest_option(const CLI::App& app) {
       }
     }
     if (near.empty()) near = contact::detail::nearest(flag, names);
-    return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
+    return contact::detail::did_you_mean(near);
   }
   return {};
 }

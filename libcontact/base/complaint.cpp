@@ -15,9 +15,13 @@ std::string unknown(std::string_view kind, std::string_view word,
 
 std::string unknown(std::string_view kind, std::string_view shown,
                     std::string_view near, std::span<const std::string> known) {
-  std::string text = message("unknown {} \"{}\"", kind, shown);
-  if (!near.empty()) text += message(": did you mean \"{}\"?", near);
+  const std::string text =
+      message("unknown {} \"{}\"{}", kind, shown, did_you_mean(near));
   return known.empty() ? text : message("{} ({})", text, joined(known, ", "));
+}
+
+std::string did_you_mean(std::string_view near) {
+  return near.empty() ? "" : message(": did you mean \"{}\"?", near);
 }
 
 std::string either(std::span<const std::string> words) {

@@ -21,6 +21,9 @@ std::string unknown(std::string_view kind, std::string_view word,
 std::string unknown(std::string_view kind, std::string_view shown,
                     std::string_view near, std::span<const std::string> known);
 
+/// `: did you mean "NEAR"?`; "" if nothing is near.
+std::string did_you_mean(std::string_view near);
+
 /// "A, B or C"
 std::string either(std::span<const std::string> words);
 

@@ -1,12 +1,11 @@
 #include "cli/joint/friction_options.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <utility>
 
 #include "cli/quantity.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/tables/friction_presets.hpp"
 
@@ -49,11 +48,9 @@ double dry_coefficient(const std::string& text) {
   }
   std::vector<std::string> names;
   for (const auto& each : all) names.emplace_back(each.name);
-  const std::string near = contact::detail::nearest(text, names);
-  refuse(
-      "--friction", text,
-      strength.rule(false) +
-          (near.empty() ? near : fmt::format(": did you mean \"{}\"?", near)));
+  refuse("--friction", text,
+         strength.rule(false) + contact::detail::did_you_mean(
+                                    contact::detail::nearest(text, names)));
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -64,8 +65,7 @@ std::string shipped_file(Shipped kind, const std::string& name) {
 std::string shipped_hint(Shipped kind, std::string_view name,
                          std::vector<std::string> words) {
   std::ranges::copy(shipped_names(kind), std::back_inserter(words));
-  const std::string near = contact::detail::nearest(name, words);
-  return near.empty() ? near : fmt::format(": did you mean \"{}\"?", near);
+  return contact::detail::did_you_mean(contact::detail::nearest(name, words));
 }
 
 // Its first table ends what stands at the top.
