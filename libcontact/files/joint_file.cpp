@@ -115,8 +115,9 @@ JointSpec joint_of(const TomlTable& table, const MaterialPair* known,
   joint.conditions();  // refuses walls that do not fit the radius
   joint = at_temperatures(table, joint);
   // The default of a seat that ends is another one without_seat().
-  if (!joint.geometry.seat())
+  if (!joint.geometry.seat()) {
     joint.half_angle_law = joint.half_angle_law_name();
+  }
   joint.pressure_law = joint.pressure_law_name();
   if (!joint.friction) joint.friction = materials.friction;
 

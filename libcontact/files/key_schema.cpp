@@ -9,6 +9,7 @@
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/stranger.hpp"
 
 namespace contact {
 namespace {
@@ -31,12 +32,6 @@ std::string list(const std::vector<std::string>& all) {
     text += (text.empty() ? "" : ", ") + each;
   }
   return text;
-}
-
-// Tests for a word among words separated by blanks.
-bool has_word(std::string_view words, std::string_view word) {
-  const std::string all = message(" {} ", words);
-  return all.find(message(" {} ", word)) != all.npos;
 }
 
 // A key stands once, in one of its units.
@@ -69,7 +64,7 @@ std::string not_of_kind(const KnownKeys& keys, std::string_view kind) {
     }
   };
   const auto fits = [kind](const KnownKey& key) {
-    return key.kinds.empty() || has_word(key.kinds, kind);
+    return key.kinds.empty() || detail::has_word(key.kinds, kind);
   };
   for (const KnownKey& key : keys) {
     if (!fits(key)) set(key, false);

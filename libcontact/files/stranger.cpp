@@ -11,16 +11,6 @@
 namespace contact::detail {
 namespace {
 
-// Tests for a word among words separated by blanks.
-bool has_word(std::string_view words, std::string_view word) {
-  while (!words.empty()) {
-    const auto end = std::min(words.find(' '), words.size());
-    if (words.substr(0, end) == word) return true;
-    words.remove_prefix(std::min(end + 1, words.size()));
-  }
-  return false;
-}
-
 // A key that is its own former name: what reads it says what to write instead,
 // and nobody is pointed to it.
 bool is_gone(const KnownKey& key) { return key.key == key.former; }
@@ -82,6 +72,15 @@ std::string meant_by(const std::string& key, const toml::table& table,
 }
 
 }  // namespace
+
+bool has_word(std::string_view words, std::string_view word) {
+  while (!words.empty()) {
+    const auto end = std::min(words.find(' '), words.size());
+    if (words.substr(0, end) == word) return true;
+    words.remove_prefix(std::min(end + 1, words.size()));
+  }
+  return false;
+}
 
 std::vector<const KnownKey*> of_kind(const toml::table& table,
                                      const KnownKeys& keys) {

@@ -10,6 +10,9 @@
 
 namespace contact::detail {
 
+/// Tests for a word among words separated by blanks: KnownKey::kinds.
+bool has_word(std::string_view words, std::string_view word);
+
 /// Keys for the table's kind; all if the kind is missing or wrong.
 std::vector<const KnownKey*> of_kind(const toml::table& table,
                                      const KnownKeys& keys);

@@ -83,10 +83,6 @@ std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
 
 // By a ring's width, a cup's opening, or polar angles.
 SeatZone angles_from_table(const TomlTable& seat, double radius) {
-  if (seat.optional_choice("side_face", {"goes_on", "free"}) == 1) {
-    seat.refuse_both("side_face", "rim_setback");
-    seat.refuse_both("side_face", "edge_radius");
-  }
   for (const auto& [key, other] : {std::pair{"ring_width", "cup"},
                                    {"ring_width", "lower_rim"},
                                    {"ring_width", "upper_rim"},
@@ -129,6 +125,10 @@ SeatEdge edge_from_table(const TomlTable& seat, double radius) {
   if (const auto face =
           seat.optional_choice("side_face", {"goes_on", "free"})) {
     edge.side_face = static_cast<SideFace>(*face);
+  }
+  if (edge.side_face == SideFace::free) {
+    seat.refuse_both("side_face", "rim_setback");
+    seat.refuse_both("side_face", "edge_radius");
   }
   return edge;
 }
