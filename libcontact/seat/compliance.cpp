@@ -143,6 +143,8 @@ SeatCompliance::SeatCompliance(const LayeredPair& pair, const SeatCells& cells,
     v.head(some) = rule.angle.segment(k, some);
     functions.emplace_back(v);
   }
+  const auto more =
+      side_face ? side_face->on(cells) : std::vector<Eigen::MatrixXd>();
   Eigen::Array<double, Eigen::Dynamic, lanes> legendre(degree + 1, lanes);
   for (int m = 0; m <= order; ++m) {
     const int terms = degree - m + 1;
@@ -155,7 +157,7 @@ SeatCompliance::SeatCompliance(const LayeredPair& pair, const SeatCells& cells,
     matrix.push_back(rest);
     matrix.back().noalias() += b.transpose() * (c.tail(terms).asDiagonal() * b);
     add_pole(m, degree, cells, square, matrix.back(), b);
-    if (side_face) matrix.back() += side_face->on(cells, m);
+    if (side_face) matrix.back() += more[m];
   }
   // A_m alone is nearly singular for large m, where narrow cells are alike.
   Eigen::VectorXd mean = Eigen::VectorXd::Zero(cells.size());

@@ -103,17 +103,16 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
   return confined(force, near);
 }
 
-bool SeatContact::is_free(const Eigen::Vector3d& force,
-                          double half_angle) const {
+bool SeatContact::is_free(double direction, double half_angle) const {
   // A side face that is free yields to contacts before it too.
-  if (has_free_side_face()) return false;
-  return zone_.margin(detail::polar_angle(force), half_angle) >= 0;
+  return !has_free_side_face() && zone_.margin(direction, half_angle) >= 0;
 }
 
 std::optional<double> SeatContact::free_half_angle(
     const Eigen::Vector3d& force) const {
   const HalfAngleResult result = contact_.half_angle(force.norm());
-  if (result.status != Status::ok || !is_free(force, result.half_angle)) {
+  if (result.status != Status::ok ||
+      !is_free(detail::polar_angle(force), result.half_angle)) {
     return {};
   }
   return result.half_angle;
@@ -337,19 +336,18 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   if (std::isnan(state.peak_pressure) && state.area > 0) {
     all.push_back(detail::message(
         "no largest pressure: {:.3g} mm or more from the rims, the distance "
-        "that is reported, it is below the mean of the contact, {:.4g} MPa; K "
-        "tells what is at the rim",
-        radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6));
+        "that is reported, it is below the mean of the contact, {:.4g} MPa{}",
+        radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6,
+        has_free_side_face() ? "" : "; K tells what is at the rim"));
   }
-  const double endless = contact_.half_angle(state.force.norm()).half_angle;
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
     if (has_free_side_face()) {
       if (state.rims[rim].half_arc > 0) {
         all.push_back(detail::message(
             "the contact is at its {} rim, a corner of {:.4g} deg: nearer to "
-            "it "
-            "than {:.3g} mm the pressure is the corner's own, and not reported",
+            "it than {:.3g} mm the pressure is the corner's own, and not "
+            "reported",
             rim_names[rim], zone_.side_angle(rim) / degree,
             radius_ * report_distance() * 1e3));
       }
@@ -359,7 +357,8 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
       continue;
     }
     all.push_back(rim_warning_->sentence(
-        rim, is_reached, detail::polar_angle(state.force), endless));
+        rim, is_reached, detail::polar_angle(state.force),
+        contact_.half_angle(state.force.norm()).half_angle));
     add_rounding_notes(state, rim, all);
   }
   return all;

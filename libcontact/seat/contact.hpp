@@ -149,8 +149,8 @@ class SeatContact {
   friend class SeatTable;
   friend class detail::SeatModel;
 
-  // Whether a contact about a force reaches no rim.
-  bool is_free(const Eigen::Vector3d& force, double half_angle) const;
+  // Whether a contact about a polar angle is that of the seat without rims.
+  bool is_free(double direction, double half_angle) const;
   bool has_free_side_face() const;
   // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;

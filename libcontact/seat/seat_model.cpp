@@ -151,10 +151,9 @@ Matrix3d SeatModel::to_solution(const Placement* placement) const {
 // Whether a contact of the seat without end stays inside the rims.
 bool SeatModel::is_free(const JointSolution& s, const Matrix3d& turn) const {
   if (s.status != Status::ok || !(s.normal_force > 0)) return false;
-  if (grids_->contact.has_free_side_face()) return false;
   const SineCosine angle = between(turn.col(2), side_ * s.normal);
-  return grids_->contact.zone().margin(std::atan2(angle.sin, angle.cos),
-                                       s.half_angle) >= 0;
+  return grids_->contact.is_free(std::atan2(angle.sin, angle.cos),
+                                 s.half_angle);
 }
 
 // A solution of the seat without end, which keeps the axes of a placement.

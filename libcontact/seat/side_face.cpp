@@ -238,14 +238,21 @@ MatrixXd SideFaceCompliance::shares(const SeatCells& cells) const {
   return share;
 }
 
-MatrixXd SideFaceCompliance::on(const SeatCells& cells, int m) const {
-  const auto above = std::upper_bound(orders_.begin(), orders_.end() - 1, m);
-  const auto k = std::max<std::ptrdiff_t>(above - orders_.begin(), 1);
-  const double part =
-      double(m - orders_[k - 1]) / (orders_[k] - orders_[k - 1]);
+std::vector<MatrixXd> SideFaceCompliance::on(const SeatCells& cells) const {
   const MatrixXd share = shares(cells);
-  return share.transpose() * ((1 - part) * matrix_[k - 1] + part * matrix_[k]) *
-         share;
+  std::vector<MatrixXd> all;
+  MatrixXd last;
+  for (std::size_t k = 0; k < orders_.size(); ++k) {
+    const MatrixXd here = share.transpose() * matrix_[k] * share;
+    for (int m = static_cast<int>(all.size()); m < orders_[k]; ++m) {
+      const double part =
+          double(m - orders_[k - 1]) / (orders_[k] - orders_[k - 1]);
+      all.push_back((1 - part) * last + part * here);
+    }
+    all.push_back(here);
+    last = here;
+  }
+  return all;
 }
 
 }  // namespace contact::detail

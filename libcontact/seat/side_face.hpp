@@ -32,8 +32,9 @@ class SideFaceCompliance {
   ///   the other one inside the layers
   SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order);
 
-  /// dA_m on the cells of a window of the zone, in units of 4 rho/E.
-  Eigen::MatrixXd on(const SeatCells& cells, int m) const;
+  /// dA_0, dA_1, ..., dA_order on the cells of a window of the zone, in units
+  /// of 4 rho/E.
+  std::vector<Eigen::MatrixXd> on(const SeatCells& cells) const;
 
   /// Polar angles of the nodes on the seat.
   const Eigen::ArrayXd& nodes() const { return nodes_; }
