@@ -83,12 +83,15 @@ double stiffness_of(const MatrixXd& a, const VectorXd& b) {
   return b.dot(a.ldlt().solve(b));
 }
 
-// sigma = T_(2k+1)(s)/sqrt(1 - s^2), tau = T_2k(s)/sqrt(1 - s^2), s = t/theta0.
-struct Pin {
+// A and B of a contact, and how many of its unknowns are of sigma.
+struct Equations {
   MatrixXd a;
   MatrixXd b;
-  int terms;
+  int terms = 0;
+};
 
+// sigma = T_(2k+1)(s)/sqrt(1 - s^2), tau = T_2k(s)/sqrt(1 - s^2), s = t/theta0.
+struct Pin : Equations {
   Pin(const LayeredPair& pair, double half_angle) {
     const Size size = size_of(pair, half_angle);
     const int count = size.harmonics;
@@ -202,12 +205,9 @@ Moments ball_moments(const CapNodes& nodes, const Size& size) {
 
 // sigma = x P_2k(c)/c, tau_t + tau_phi = P_2k(c)/c, tau_t - tau_phi =
 // x^2 P_2k(c)/c.
-struct Ball {
-  MatrixXd a;
-  MatrixXd b;
+struct Ball : Equations {
   MatrixXd spin_a;
   VectorXd spin_b;
-  int terms;
 
   Ball(const LayeredPair& pair, double half_angle) {
     const Size size = size_of(pair, half_angle);
@@ -269,7 +269,7 @@ StuckStiffness stuck_stiffness(JointKind kind, const LayeredPair& pair,
   const bool is_known = half_angle >= 0.01 && half_angle <= 3.1 &&
                         pair.relative_thickness() >= 1e-3;
   if (!is_known) return {nan, nan, nan, nan, nan};
-  const auto of = [](const auto& contact, double unit, double spin) {
+  const auto of = [](const Equations& contact, double unit, double spin) {
     const int k = contact.terms;
     const Matrix2d all =
         contact.b.transpose() * contact.a.ldlt().solve(contact.b);
