@@ -1,6 +1,7 @@
 #include "cli/help/short_help.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -8,6 +9,8 @@
 
 #include "cli/quantity.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/half_angle/factory.hpp"
+#include "libcontact/pressure/factory.hpp"
 
 namespace cli {
 namespace {
@@ -73,17 +76,23 @@ std::string quoted(std::string_view text) {
 }
 
 // Words that a kind or a meaning names: those of enumerations.
-std::string_view words_of(const Option& row) {
+std::string words_of(const Option& row) {
+  const std::string_view given = row.flag;
+  if (given == "--law") {
+    return fmt::format("{} all",
+                       fmt::join(contact::half_angle_law_names(), " "));
+  }
+  if (given == "--pressure") {
+    return fmt::format("{} all", fmt::join(contact::pressure_law_names(), " "));
+  }
   constexpr std::pair<std::string_view, std::string_view> known[] = {
       {"--format", "csv json markdown latex report"},
       {"--color", "auto always never"},
-      {"--law", "hertz arctan tanh blend paper fitted exact all"},
-      {"--pressure", "cosine hertz exact all"},
       {"--fit-clearance", "minimum mean maximum"},
       {"--group", "C2 CN C3"},
       {"--separator", "; | tab ,"}};
   for (const auto& [flag, words] : known) {
-    if (flag == row.flag) return words;
+    if (flag == given) return std::string(words);
   }
   return {};
 }
@@ -149,7 +158,7 @@ std::string fish(const ProgramHelp& program) {
   for (const auto& [group, row] : program.options) {
     const std::string_view flag = row.flag;
     if (!flag.starts_with("--")) continue;
-    const std::string_view words = words_of(row);
+    const std::string words = words_of(row);
     text += fmt::format("complete -c {} -l {} {}-d '{}'\n", program.name,
                         flag.substr(2),
                         is_flag(row)     ? ""
