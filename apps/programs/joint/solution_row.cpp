@@ -211,10 +211,10 @@ std::string_view contact_state_text(const Answer& a) {
 }
 
 bool have_preload(std::span<const AnswerColumn> columns) {
-  return std::any_of(columns.begin(), columns.end(), [](const AnswerColumn& c) {
-    return c.name ==
-           contact::columns_of(contact::preload_quantities()[0])[0].name;
-  });
+  const std::string first =
+      contact::columns_of(contact::preload_quantities()[0])[0].name;
+  return std::ranges::find(columns, first, &AnswerColumn::name) !=
+         columns.end();
 }
 
 std::vector<AnswerColumn> answer_columns(const ColumnSets& with) {
