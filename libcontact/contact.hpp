@@ -23,4 +23,5 @@
 #include "libcontact/duty.hpp"
 #include "libcontact/identify.hpp"
 #include "libcontact/load_law.hpp"
+#include "libcontact/quantities.hpp"
 // clang-format on

@@ -86,8 +86,7 @@ const std::vector<std::string> for_programs = {
     "libcontact/joint/slip",
     "libcontact/files",
     "libcontact/c",
-    "libcontact/tools/reference",
-    "libcontact/quantities"};
+    "libcontact/tools/reference"};
 
 const fs::path root = CONTACT_SOURCE_DIR;
 

@@ -1,0 +1,11 @@
+#pragma once
+
+/// What results are made of: keys, symbols, dimensions and meanings.
+// clang-format off
+#include "libcontact/quantities/quantity.hpp"
+#include "libcontact/quantities/tables.hpp"
+#include "libcontact/quantities/seat.hpp"
+#include "libcontact/quantities/finite_pin.hpp"
+#include "libcontact/quantities/play.hpp"
+#include "libcontact/quantities/fit.hpp"
+// clang-format on
