@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <type_traits>
 
 namespace contact_hosts::mujoco {
 namespace {
@@ -18,6 +19,16 @@ Eigen::Map<VectorXd> mapped(mjtNum* numbers, int size) {
 // Force of the parent on a body, world axes.
 Vector3d reaction_on(const mjData* data, int body) {
   return Vector3d(data->cfrc_int + 6 * body + 3);
+}
+
+// mj_fullM() of MuJoCo 3.10 and later, and of those before.
+template <class Full, class Data>
+void full_inertia(Full full, const mjModel* model, Data* data, mjtNum* to) {
+  if constexpr (std::is_invocable_v<Full, const mjModel*, Data*, mjtNum*>) {
+    full(model, data, to);
+  } else {
+    full(model, to, data->qM);
+  }
 }
 
 }  // namespace
@@ -109,7 +120,7 @@ void HingeFriction::weigh(mjData* data) {
   const int nv = model_->nv;
   const double dt = model_->opt.timestep;
   inertia_.resize(nv, nv);
-  mj_fullM(model_, inertia_.data(), data->qM);
+  full_inertia(mj_fullM, model_, data, inertia_.data());
   inertia_.diagonal() += dt * mapped(model_->dof_damping, nv);
   if (has_damping_) damped_.compute(inertia_);
   VectorXd row(data->nefc > 0 ? nv : 0);
