@@ -10,8 +10,29 @@
 #include "python/file_joint.hpp"
 #include "python/initialised.hpp"
 
+namespace {
+
+// Made with a pybind11 before 2.12, arrays of NumPy 2 would be read wrongly.
+void check_numpy() {
+#if PYBIND11_VERSION_HEX < 0x020C0000
+  namespace py = pybind11;
+  const auto version =
+      py::module_::import("numpy").attr("__version__").cast<std::string>();
+  if (version.starts_with("0.") || version.starts_with("1.")) return;
+  throw py::import_error("libcontact was built with pybind11 " +
+                         std::to_string(PYBIND11_VERSION_MAJOR) + "." +
+                         std::to_string(PYBIND11_VERSION_MINOR) +
+                         ", which does not know NumPy " + version +
+                         ": build it with pybind11 2.12 or later, or take "
+                         "numpy<2");
+#endif
+}
+
+}  // namespace
+
 PYBIND11_MODULE(_core, m) {
   namespace py = pybind11;
+  check_numpy();
   py::options options;
   options.disable_function_signatures();
   py::register_exception<contact::Error>(m, "Error", PyExc_ValueError);
