@@ -1,8 +1,10 @@
 #include "cli/gnuplot.hpp"
 
 #include <fmt/format.h>
-#include <sys/mman.h>
 #include <unistd.h>
+#ifdef __linux__
+#include <sys/mman.h>
+#endif
 
 #include <array>
 #include <cerrno>
@@ -78,12 +80,25 @@ std::string why_not(const Kind& kind) {
 // Around what gnuplot says.
 constexpr std::string_view gnuplot_blanks = " \t\r\n^";
 
-// A file in memory by which another program is given or gives a text: no disk
-// is full for it, and no name of the user's is in the command that runs that
-// program.
+// A file in memory, which no full disk hinders; on a disk, without a name,
+// where the system has none.
+int unnamed_file() {
+#ifdef __linux__
+  return memfd_create("gnuplot", 0);
+#else
+  std::FILE* const file = std::tmpfile();
+  if (file == nullptr) return -1;
+  const int descriptor = dup(fileno(file));
+  std::fclose(file);
+  return descriptor;
+#endif
+}
+
+// A file by which another program is given or gives a text: no name of the
+// user's is in the command that runs that program.
 class MemoryFile {
  public:
-  MemoryFile() : descriptor_(memfd_create("gnuplot", 0)) {
+  MemoryFile() : descriptor_(unnamed_file()) {
     if (descriptor_ < 0) throw contact::Error(std::strerror(errno));
   }
   ~MemoryFile() { close(descriptor_); }

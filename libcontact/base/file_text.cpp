@@ -24,7 +24,7 @@ std::string file_text(const fs::path& file) {
     throw Error(message("{}: cannot be read: {}",
                         printable(file.string(), longest), why));
   };
-  if (has_control_characters(file.native())) {
+  if (has_control_characters(file.string())) {
     refuse("its name has control characters");
   }
   std::error_code error;
