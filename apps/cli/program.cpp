@@ -140,17 +140,21 @@ std::string stranger_message(const CLI::App& app, const std::string& program) {
 
 // The words of the command line from the last one, as CLI11 parses them, with
 // --joint before a joint's file, or the name of a shipped one, that is no
-// option's value.
+// option's value. The first one may be an option without its dashes: what is
+// to be done.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
-  const bool has_joint = app.get_option_no_throw("--joint") != nullptr;
+  const auto option = [&app](const std::string& word) {
+    return app.get_option_no_throw(word);
+  };
+  const bool has_joint = option("--joint") != nullptr;
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
-    const CLI::Option* before =
-        i > 1 ? app.get_option_no_throw(meant_option(app, argv[i - 1]))
-              : nullptr;
+    const CLI::Option* before = words.empty() ? nullptr : option(words.back());
     const bool is_value =
         before != nullptr && before->get_items_expected_max() > 0;
-    const std::string word = is_value ? argv[i] : meant_option(app, argv[i]);
+    std::string word = is_value ? argv[i] : meant_option(app, argv[i]);
+    const std::string verb = "--" + word;
+    if (i == 1 && option(verb) != nullptr) word = verb;
     if (has_joint && !is_value && !word.starts_with("-") &&
         (word.ends_with(".toml") ||
          shipped_file(Shipped::joints, word) != word)) {
