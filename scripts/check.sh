@@ -127,8 +127,8 @@ check_sanitize() {
 check_threads() {
   cmake --preset tsan
   cmake --build --preset tsan --target installed contact_python joint_rows \
-    half_angle_exact_test programs_threads_test programs_study_hinge_study_test \
-    separation_run_object_test study_study_test
+    {half_angle_accuracy,programs_tool,programs_study_tool}_test \
+    separation_identity_test study_contract_test
   ctest --preset tsan --no-tests=error --parallel "$(nproc)" \
     -R 'Threads|AnyThread|^Study|^BallStudy|^HingeStudy|Runs\.|ManyThreads'
   LD_PRELOAD=$(g++ -print-file-name=libtsan.so) ctest --preset tsan \
@@ -240,9 +240,8 @@ check_libcxx_quick() {
   install packages-libcxx.txt
   cmake --preset libcxx -B build-libcxx-quick -D CMAKE_BUILD_TYPE=Debug \
     -D CMAKE_CXX_FLAGS_DEBUG=-O0
-  local tests=(base_{complaint,gauss_legendre,inverse_root,number,simd}_test
-    base_{sine_cosine,support,units}_test conforming_pin_test
-    half_angle_laws_test pair_pair_test seat_zone_test) test
+  local tests=(base_{accuracy,contract}_test conforming_pin_test
+    half_angle_identity_test pair_accuracy_test seat_contract_test) test
   cmake --build build-libcxx-quick --target libcontact/all "${tests[@]}"
   for test in "${tests[@]}"; do "build-libcxx-quick/tests/$test"; done
 }
