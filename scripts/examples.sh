@@ -4,10 +4,11 @@
 #   scripts/examples.sh BUILD_DIR          runs all of them, rewrites the pages
 #   scripts/examples.sh BUILD_DIR --check  says what that would change, but for
 #       numbers that differ by 1e-9 or less, as on machines with other vectors
+# Commands of a block "console" run on a terminal, all others in a pipe.
 set -euo pipefail
 unset CDPATH
 if [ $# -lt 1 ] || [ "${2:---check}" != --check ]; then
-  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 PATH=$(cd "$1" && pwd)/bin:$PATH
@@ -16,11 +17,22 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 ln -s "$source/data" "$work/data"
 
-# A page with the examples run again; errors and warnings come last.
+# What a command prints in a pipe, or on a terminal; in a pipe errors come last.
+in_pipe() { # COMMAND
+  eval "$1" 2>errors </dev/null || true
+  cat errors
+}
+in_console() { # COMMAND
+  NO_COLOR=1 script -qec "$1" /dev/null </dev/null | tr -d '\r' || true
+}
+
+# A page with the examples run again.
 with_examples() { # <PAGE
-  local line more in_block='' in_output=''
+  local line more in_block='' in_output='' where
   while IFS= read -r line; do
     case $line in
+      '```console') where=console ;;&
+      '```') where=pipe ;;&
       '```'*) [ "$in_block" ] && in_block='' || in_block=yes ;;&
       '$ '* | '```'*) in_output='' ;;
     esac
@@ -31,8 +43,7 @@ with_examples() { # <PAGE
       printf '%s\n' "$more"
       line=${line%\\}$more
     done
-    (cd "$work" && eval "${line#'$ '}" 2>errors </dev/null) || true
-    cat "$work/errors"
+    (cd "$work" && "in_$where" "${line#'$ '}")
     in_output=yes
   done
 }
