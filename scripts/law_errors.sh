@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Largest errors of the half-angle laws against the exact contact, as the
-# tables of libcontact/docs/half_angle.md:
+# tables of libcontact/docs/explanation/half_angle.md:
 #   scripts/law_errors.sh BUILD_DIR
 # prints them. Loads from 1e-6 to 1e8 of the load parameter.
 set -euo pipefail

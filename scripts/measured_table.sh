@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What others measured or computed beside ours: the tables of
-# libcontact/docs/measured.md:
+# libcontact/docs/explanation/measured.md:
 #   scripts/measured_table.sh BUILD_DIR
 # prints them. Docs.MeasuredTable checks that they are those of the page.
 set -euo pipefail

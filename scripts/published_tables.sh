@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Published contacts beside ours: the tables of
-# libcontact/docs/against_the_world.md:
+# libcontact/docs/explanation/against_the_world.md:
 #   scripts/published_tables.sh BUILD_DIR
 # prints them. Docs.PublishedTables checks that they are those of the page.
 set -euo pipefail

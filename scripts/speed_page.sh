@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The pages libcontact/docs/speed.md and speed_motion.md, from the benchmarks:
+# The pages libcontact/docs/reference/speed.md and speed_motion.md, from the benchmarks:
 #   scripts/speed_page.sh BUILD_DIR [REPETITIONS]
 # builds and runs them, repetitions (21) interleaved at random, and puts the
 # least time of each into scripts/PAGE.md.in: {NAME} is a benchmark's time in ns,
@@ -92,7 +92,7 @@ write_page() { # PAGE
         rest = substr(rest, RSTART + RLENGTH)
       }
       print line rest
-    }' "$results" "scripts/$1.md.in" >"libcontact/docs/$1.md"
+    }' "$results" "scripts/$1.md.in" >"libcontact/docs/reference/$1.md"
 }
 
 write_page speed

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Joints with the walls they have and with seats that have no end: the table of
-# libcontact/docs/walls_matter.md:
+# libcontact/docs/how-to/walls_matter.md:
 #   scripts/walls_table.sh BUILD_DIR
 # prints it. Docs.WallsTable checks that it is that of the page.
 set -euo pipefail

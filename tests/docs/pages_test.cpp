@@ -1,12 +1,12 @@
 // Targets of the pages' references exist: files and headings that links name,
-// and the names in the tables of NOTATION.md.
+// and the names in the tables of the notation.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
 #include <fstream>
-#include <map>
+#include <iterator>
 #include <regex>
 #include <set>
 #include <sstream>
@@ -23,6 +23,7 @@ namespace {
 namespace fs = std::filesystem;
 
 const fs::path root = CONTACT_SOURCE_DIR;
+const fs::path docs = root / "libcontact/docs";
 
 std::string contents(const fs::path& file) {
   std::ostringstream text;
@@ -128,8 +129,7 @@ TEST(Pages, CiteEverySourceAndNoOther) {
     }
   }
   std::set<std::string> rows;
-  for (const std::string& line :
-       prose(root / "libcontact/docs/references.md")) {
+  for (const std::string& line : prose(docs / "reference/references.md")) {
     const auto key = matches(line, R"re(^\| <a id="([\w-]+)"></a>\1 \|)re");
     // The rows of a table, but for its head and the line below that.
     if (line.starts_with("| ") && !line.starts_with("| key")) {
@@ -141,24 +141,39 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   EXPECT_EQ(cited, rows);
 }
 
-// Longer pages are lists to look things up in.
-TEST(Pages, FitOnThreeScreens) {
-  const std::map<std::string, std::string> longer = {
-      {"CHANGELOG.md", "every version's changes"},
-      {"libcontact/NOTATION.md", "every symbol, in one place to compare"}};
-  for (const fs::path& page : pages()) {
-    if (longer.contains(fs::relative(page, root).string())) continue;
-    const std::string text = contents(page);
-    EXPECT_LE(std::ranges::count(text, '\n'), 150) << page;
+std::ptrdiff_t words(const std::string& text) {
+  std::istringstream stream(text);
+  return std::distance(std::istream_iterator<std::string>(stream), {});
+}
+
+// Words of the README are all that is in it, those of pages are their prose.
+TEST(Pages, ForUsersAreReadInFiveMinutes) {
+  EXPECT_LE(words(contents(root / "README.md")), 900);
+  for (const char* folder : {"tutorials", "how-to", "explanation"}) {
+    for (const auto& entry : fs::directory_iterator(docs / folder)) {
+      std::string text;
+      for (const std::string& line : prose(entry)) {
+        if (!line.starts_with("|")) text += line + '\n';
+      }
+      EXPECT_LE(words(text), 1200) << entry;
+    }
   }
 }
 
-// The first words below the title say who reads on: "For developers: ...".
-TEST(Pages, SayForWhomTheyAre) {
-  for (const fs::path& page : pages()) {
-    if (page == root / "README.md" || page == root / "CHANGELOG.md") continue;
-    const std::string text = contents(page);
-    EXPECT_TRUE(text.substr(text.find('\n')).starts_with("\n\nFor ")) << page;
+// A page is found by the index of its folder, and that by the index of all.
+TEST(Pages, AreInAnIndex) {
+  const auto expect_link = [](const fs::path& index, const std::string& link) {
+    EXPECT_NE(contents(index).find("](" + link + ')'), std::string::npos)
+        << index << " has no link to " << link;
+  };
+  for (const auto& folder : fs::directory_iterator(docs)) {
+    if (!folder.is_directory()) continue;
+    const fs::path index = folder.path() / "index.md";
+    expect_link(docs / "index.md", folder.path().filename() / "index.md");
+    for (const auto& entry : fs::directory_iterator(folder)) {
+      if (entry.path() == index) continue;
+      expect_link(index, entry.path().filename());
+    }
   }
 }
 
@@ -181,7 +196,7 @@ TEST(Pages, HaveOneVersion) {
 }
 
 TEST(Pages, TimesOfTheReadmeAreMeasured) {
-  const std::string measured = contents(root / "libcontact/docs/speed.md");
+  const std::string measured = contents(docs / "reference/speed.md");
   int times = 0;
   for (const std::string& line : prose(root / "README.md")) {
     if (!std::regex_search(line, std::regex(R"(^\|.*\d [nm]s )"))) continue;
@@ -209,7 +224,7 @@ std::vector<std::set<std::string>> headers() {
 TEST(Notation, NamesAreInTheHeaders) {
   const auto known = headers();
   int count = 0;
-  for (const std::string& line : prose(root / "libcontact" / "NOTATION.md")) {
+  for (const std::string& line : prose(docs / "reference/notation.md")) {
     if (!line.starts_with("| ")) continue;
     for (const std::string& name : matches(line, "`([^`]+)`")) {
       ++count;
@@ -232,7 +247,7 @@ std::vector<std::string> cells(const std::string& line) {
 // in the same unit.
 TEST(Notation, HasTheSymbolsOfColumns) {
   std::vector<std::vector<std::string>> rows;
-  for (const std::string& line : prose(root / "libcontact" / "NOTATION.md")) {
+  for (const std::string& line : prose(docs / "reference/notation.md")) {
     if (line.starts_with("| ")) rows.push_back(cells(line));
   }
   int units = 0;
@@ -260,7 +275,7 @@ TEST(Notation, HasTheSymbolsOfColumns) {
 // Tables of laws have a row for each entry of the registries, in its words.
 TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
   const auto page = [](const std::string& name) {
-    std::string text = contents(root / "libcontact/docs" / name);
+    std::string text = contents(docs / name);
     std::erase(text, '`');
     return text;
   };
@@ -270,15 +285,15 @@ TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
         "\n| " + std::string(first) + " | " + std::string(second);
     EXPECT_NE(text.find(row), text.npos) << row;
   };
-  const std::string half_angle = page("half_angle.md");
+  const std::string half_angle = page("explanation/half_angle.md");
   for (const auto* law : contact::detail::half_angle_entries()) {
     expect_row(half_angle, law->about.name, law->about.meaning);
   }
-  const std::string pressure = page("pressure.md");
+  const std::string pressure = page("explanation/pressure.md");
   for (const auto* law : contact::detail::pressure_entries()) {
     expect_row(pressure, law->about.name, law->shape);
   }
-  const std::string stress = page("friction_stress.md");
+  const std::string stress = page("how-to/friction_stress.md");
   for (const auto* law : contact::detail::stress_entries()) {
     expect_row(stress, '"' + std::string(law->name) + '"', law->meaning);
   }

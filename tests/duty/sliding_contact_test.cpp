@@ -87,7 +87,7 @@ TEST(SlidingContact, Reference) {
   }
 }
 
-// Closed forms at a = 90 deg (docs/duty.md).
+// Closed forms at a = 90 deg (docs/how-to/duty.md).
 TEST(SlidingContact, PlacesOfSpinning) {
   AccuracyReport places("theta of the largest p v, rad", 1e-12);
   const JointGeometry ball = JointGeometry::ball(0.014, 1e-4);

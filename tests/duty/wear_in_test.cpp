@@ -117,7 +117,8 @@ TEST(WearIn, SlidingCoefficientOfAWornInBall) {
   EXPECT_EQ(report.size(), 29u);
 }
 
-// Values of WornPressure for such a ball, docs/pressure_laws.md; the limits.
+// Values of WornPressure for such a ball, docs/internals/pressure_laws.md; the
+// limits.
 TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
   const WornPressure law(JointKind::ball);
   double largest = 0;

@@ -316,7 +316,8 @@ TEST_P(DryFrictionMethod, ReflectionBeyondTheHemisphere) {
   }
 }
 
-// I[p] = (J[1] - c I[1])/2 for every slip axis (docs/elliptic_form.md).
+// I[p] = (J[1] - c I[1])/2 for every slip axis
+// (docs/internals/elliptic_form.md).
 TEST_P(DryFrictionMethod, ForceFollowsFromTheAreaIntegrals) {
   const Method& f = GetParam();
   for (const double theta0 : theta0_values) {

@@ -166,10 +166,10 @@ TEST(ExactLaw, GoesOnByTheGap) {
   EXPECT_LT(last, limit);
 }
 
-// docs/fitted_laws.md, "The extremes": rigid bodies, nu from 0 to 0.5, Ebar
-// from 1e-6 to 1e6, half-angles from 1e-4 deg to 1e-3 deg from the limit, loads
-// to 1e8. Only nearly incompressible inner bodies in nearly rigid outer ones
-// end before their limit.
+// docs/internals/fitted_laws.md, "The extremes": rigid bodies, nu from 0 to
+// 0.5, Ebar from 1e-6 to 1e6, half-angles from 1e-4 deg to 1e-3 deg from the
+// limit, loads to 1e8. Only nearly incompressible inner bodies in nearly rigid
+// outer ones end before their limit.
 TEST(ExactLaw, ReachesTheExtremes) {
   // At 175 deg F is 1e-7, which leaves theta0 nine digits.
   AccuracyReport report("extremes, theta0 -> load -> theta0", 1e-10);

@@ -175,8 +175,8 @@ TEST(FittedLaw, ClosedFormsAgreeWithFiftyDigits) {
       };
       const std::string name =
           std::to_string(theta) + " " + std::to_string(constant);
-      // Both kinds as docs/fitted_laws.md writes them; absolute where F
-      // changes its sign. Below 1e-12 fifty digits cancel as well.
+      // Both kinds as docs/internals/fitted_laws.md writes them; absolute where
+      // F changes its sign. Below 1e-12 fifty digits cancel as well.
       const Real pin = c * c - constant * (2 * s * s * s * s - c * c * log(c));
       report.add_error(double(abs(value(JointKind::pin) - pin)), name);
       if (theta < 1e-12) continue;

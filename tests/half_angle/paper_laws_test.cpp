@@ -416,7 +416,8 @@ double largest_error(const char* file, const char* load_column,
 }
 
 // The paper's laws in percent, on the loads of the reference tables;
-// docs/half_angle.md has more loads and laws (apps/hinge_angle_test.cpp).
+// docs/explanation/half_angle.md has more loads and laws
+// (apps/hinge_angle_test.cpp).
 struct LargestErrors {
   double modulus_ratio;
   double arctan;

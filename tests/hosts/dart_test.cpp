@@ -75,7 +75,8 @@ TEST(HostDart, HingeHoldsUpToItsLimit) {
   }
 }
 
-// docs/pendulum.md: 44.37 s; a step of 1 ms, of first order, gives 43.523 s.
+// docs/tutorials/pendulum.md: 44.37 s; a step of 1 ms, of first order,
+// gives 43.523 s.
 TEST(HostDart, PendulumRests) {
   Pendulum w(5, {0.1, 0.1, 0.02}, {0, 0, -0.4}, 1e-3);
   w.joint->setPositions(Vector3d(1, 0, 0));

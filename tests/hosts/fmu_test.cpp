@@ -405,7 +405,7 @@ TEST_P(Versions, SayWhatIsWrong) {
             "modelDescription.xml");
 }
 
-/// The pendulum of docs/simulator.md.
+/// The pendulum of docs/how-to/simulator.md.
 struct Pendulum {
   static constexpr double mass = 5;
   Vector3d weight{0, 0, -9.81 * mass};

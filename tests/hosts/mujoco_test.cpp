@@ -53,7 +53,7 @@ struct World {
   }
 };
 
-/// The pendulum of docs/pendulum.md.
+/// The pendulum of docs/tutorials/pendulum.md.
 const std::string pendulum =
     "<body><joint name='hip' type='ball'/><inertial mass='5' pos='0 0 -.4' "
     "diaginertia='.1 .1 .02'/></body>";
@@ -99,7 +99,7 @@ double time_to_rest(World& world, HingeFriction& friction) {
 }
 
 // The page's program, whose step is of first order too, says 43.61 s; both come
-// within 0.02 s of it as the step is halved (docs/pendulum.md).
+// within 0.02 s of it as the step is halved (docs/tutorials/pendulum.md).
 TEST(HostMujoco, PendulumRestsAndStaysToTheLastBit) {
   World world(pendulum);
   HingeFriction friction(world.model);
@@ -270,7 +270,7 @@ TEST(HostMujoco, DampingDoesNotCreep) {
   }
 }
 
-// 0.12 deg a minute and more: what docs/simulator.md says of a torque.
+// 0.12 deg a minute and more: what docs/how-to/simulator.md says of a torque.
 TEST(HostMujoco, TorqueAloneCreeps) {
   World world(pendulum);
   HingeFriction friction(world.model);

@@ -88,8 +88,8 @@ TEST(HostOde, HingeHoldsUpToItsLimit) {
   }
 }
 
-// docs/pendulum.md: 44.37 s; steps of 1, 0.5 and 0.25 ms, of first order, give
-// 43.298, 43.808 and 44.075 s.
+// docs/tutorials/pendulum.md: 44.37 s; steps of 1, 0.5 and 0.25 ms, of first
+// order, give 43.298, 43.808 and 44.075 s.
 TEST(HostOde, PendulumRests) {
   World w(5, {0.1, 0.1, 0.02}, 0, 0);
   dBodySetPosition(w.body, 0, 0.4 * std::sin(1), -0.4 * std::cos(1));

@@ -71,7 +71,7 @@ struct World {
   double rate() const { return state.getU().normInf(); }
 };
 
-/// The pendulum of docs/pendulum.md.
+/// The pendulum of docs/tutorials/pendulum.md.
 template <class Mobilizer = MobilizedBody::Ball>
 void add_pendulum(World& w, const Vec3& rate = {0, 1, 0.5}) {
   const Body::Rigid body(

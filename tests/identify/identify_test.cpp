@@ -347,8 +347,8 @@ TEST(Identify, Slopes) {
 }
 
 // Loads that hardly differ tell nothing: the correlation and the standard
-// errors of the table in docs/identify.md, which are those of many data of
-// relative error delta, over delta/sqrt(N).
+// errors of the table in docs/how-to/identify.md, which are those of many data
+// of relative error delta, over delta/sqrt(N).
 TEST(Identify, LoadRatioDecides) {
   const JointContact truth =
       steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));

@@ -548,7 +548,8 @@ TEST(JointSweep, RandomInputsAndPaths) {
   // g and b by atan2: one rounding each.
   EXPECT_LE(sweep.angle_excess, 5e-16);
   EXPECT_EQ(sweep.scanned, 10000U);
-  // Several roots need contacts beyond the hemisphere (docs/joint.md).
+  // Several roots need contacts beyond the hemisphere
+  // (docs/explanation/joint.md).
   EXPECT_GT(sweep.several_roots_limit, std::numbers::pi / 2);
   EXPECT_EQ(sweep.paths, 100U);
   // Inputs 1e-12 apart change the result by some 1e-12.

@@ -1,5 +1,5 @@
 // Torque of bushes with interference over that with a clearance, as in
-// docs/measured.md: what a measured ratio of 1.50 would ask for.
+// docs/explanation/measured.md: what a measured ratio of 1.50 would ask for.
 #include <gtest/gtest.h>
 
 #include <boost/math/tools/toms748_solve.hpp>

@@ -318,7 +318,7 @@ TEST(JointSteps, SatisfyTheEquationsOfAllJoints) {
     }
   }
   RecordProperty("most_sweeps", most);
-  // None of them by g++, one by clang with libc++ (docs/simulator.md).
+  // None of them by g++, one by clang with libc++ (docs/how-to/simulator.md).
   EXPECT_LE(failed, 1);
   EXPECT_LT(most, 200);
   EXPECT_GT(holding, 100);

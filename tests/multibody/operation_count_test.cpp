@@ -140,7 +140,7 @@ TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
   }
 }
 
-// The table in apps/multibody/equations.md.
+// The table in libcontact/docs/internals/equations.md.
 TEST(OperationCount, IsWhatTheReadmeSays) {
   const auto evaluation = [](Mix mix) {
     return line_of([=](int l) { return Exploiting(mix, l).evaluate(); });

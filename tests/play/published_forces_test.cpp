@@ -10,7 +10,7 @@
 #include "play/reference_joint.hpp"
 
 // The laws of the literature against the exact one, as the table of
-// docs/play.md has it, which was made by another program.
+// docs/how-to/play.md has it, which was made by another program.
 namespace {
 
 using namespace contact;

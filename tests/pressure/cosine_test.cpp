@@ -149,7 +149,7 @@ TEST(CosinePressure, PeakIsNotTheAmplitude) {
 }
 
 TEST(CosinePressure, OverstatesThePeak) {
-  // docs/pressure.md: against exact peaks, by joint.
+  // docs/explanation/pressure.md: against exact peaks, by joint.
   const ReferenceTable table("conforming/pressure_friction.csv");
   double least[2] = {1, 1};
   double most[2] = {0, 0};

@@ -618,7 +618,7 @@ TEST(ExactPressure, ReachesTheLimitOfNearlyIncompressibleBodies) {
 }
 
 TEST(MixturePressure, IsWithinItsErrorsOfTheExactPressure) {
-  // Pairs that are not on the grid of the fit; docs/pressure.md.
+  // Pairs that are not on the grid of the fit; docs/explanation/pressure.md.
   AccuracyReport ball_sum("S, ball", 0.012);
   AccuracyReport ball_peak("peak, ball", 0.04);
   AccuracyReport pin_sum("S, pin", 0.001);

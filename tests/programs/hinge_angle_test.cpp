@@ -273,7 +273,8 @@ TEST(HingeAngle, LoadedThroughTheBack) {
               ExactPressure(kind, pair, loading).peak(half_angle) *
                   (kind == JointKind::ball ? std::numbers::pi : 2));
   }
-  // docs/conforming.md: 66.55 deg under a force at the centre, 73.13 here.
+  // docs/explanation/conforming.md: 66.55 deg under a force at the
+  // centre, 73.13 here.
   const auto ball = [&](const std::string& options) {
     return run(JointKind::ball, options);
   };
@@ -484,7 +485,7 @@ std::vector<std::vector<std::string>> page_rows(const std::string& page_name,
 }
 
 TEST(HingeAngle, CostsAreThoseOfThePage) {
-  const auto rows = page_rows("speed.md", "| | hertz | arctan");
+  const auto rows = page_rows("reference/speed.md", "| | hertz | arctan");
   ASSERT_EQ(rows.size(), 2U);
   for (const auto& row : rows) {
     const CsvTable table = ProgramFolder().table(
@@ -499,11 +500,13 @@ TEST(HingeAngle, CostsAreThoseOfThePage) {
   }
 }
 
-// The first table of "How good are the formulas" in docs/half_angle.md.
+// The first table of "How good are the formulas" in
+// docs/explanation/half_angle.md.
 TEST(HingeAngle, DocumentedErrorsAreMeasured) {
   const ProgramFolder folder;
   int rows = 0;
-  for (const auto& cells : page_rows("half_angle.md", "| Ebar | pin:")) {
+  for (const auto& cells :
+       page_rows("explanation/half_angle.md", "| Ebar | pin:")) {
     ASSERT_EQ(cells.size(), 9U);
     for (int joint = 0; joint < 2; ++joint) {
       const CsvTable table = folder.table(

@@ -305,7 +305,7 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
   EXPECT_EQ(rounded.at(1, "K_low"), intensity);
   EXPECT_EQ(rounded.at(1, "p_rim_low_Pa"),
             seat.rounded_rim(intensity, 0.5e-3).peak_pressure);
-  // Without end the same load presses less (docs/seats.md).
+  // Without end the same load presses less (docs/explanation/seats.md).
   const auto open = folder.run_well(run + "100kN --summary");
   EXPECT_TRUE(has_text(open.err, "where a contact in the middle of the seat"));
   EXPECT_TRUE(has_text(

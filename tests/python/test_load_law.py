@@ -247,7 +247,7 @@ class Pins(unittest.TestCase):
 
     # A pin of another size than that of the page's numbers.
     def test_pairs_of_the_page(self):
-        page = (source / "libcontact/docs/equivalent.md").read_text()
+        page = (source / "libcontact/docs/how-to/equivalent.md").read_text()
         pairs = re.findall(r"^\| steel [^|]*\|(.*, 0\..*)\|$", page, re.M)
         self.assertEqual(len(pairs), 5)
         for pair in pairs:

@@ -16,7 +16,7 @@ class Pages(unittest.TestCase):
     def test_results_become_a_frame(self):
         line = re.search(
             r"`(pandas\.DataFrame.*?)`",
-            (source / "apps/python/README.md").read_text())[1]
+            (source / "libcontact/docs/reference/python.md").read_text())[1]
         hip = libcontact.Joint.from_file(hip_file)
         s = hip.solve(*(a.reshape(2, 3, 3) for a in random_rows(6)))
         frame = eval("__import__('pandas')" + line.removeprefix("pandas"), {"s": s})
@@ -27,7 +27,7 @@ class Pages(unittest.TestCase):
             frame.friction_moment_z, s.friction_moment[..., 2].ravel())
 
     def test_journals_become_a_frame(self):
-        page = (source / "apps/programs/study/several_machines.md").read_text()
+        page = (source / "libcontact/docs/how-to/several_machines.md").read_text()
         lines = re.search(r"    import pandas, sqlite3\n(    .*\n)*", page)[0]
         journal = re.search(r'connect\("(.*?)"\)', lines)[1]
         study = source / "data/studies/lined_bearing.toml"

@@ -175,7 +175,8 @@ void compare_all(const SeatContact::Grid& grid, Reports to, int step = 1) {
 TEST(Seat, MatchesTheReference) {
   compare_all({.cells = 48, .longitudes = 180}, Reports(Limits()), every(4));
 }
-// Limits are the column Grid{} of docs/seats.md over the bars, and a little.
+// Limits are the column Grid{} of docs/explanation/seats.md over the bars, and
+// a little.
 TEST(Seat, DefaultGridMatchesTheReference) {
   compare_all({}, Reports(Limits{.load = 5.5,
                                  .pressure = 1.5,

@@ -45,7 +45,8 @@ SeatZone ring(double half_width_deg) {
 
 TEST(SideFace, OfCupsMatchesFiniteElements) {
   // 8.7e-3 and 4.6e-3 seen; 6e-3 of the pressures are the reading of the
-  // middle, to which docs/seats.md gives 3e-3, and the reference's 2.6e-3.
+  // middle, to which docs/explanation/seats.md gives 3e-3, and the
+  // reference's 2.6e-3.
   AccuracyReport pressure("p in the middle", 1e-2);
   AccuracyReport approach("approach", 5e-3);
   const ReferenceTable table("side_face/cups.csv");
@@ -139,7 +140,7 @@ TEST(SideFace, FarFromTheContactChangesNothing) {
   const SeatState near = seat.under(force), exact = endless.under(force);
   EXPECT_TRUE(exact.is_free);
   EXPECT_FALSE(near.is_free);
-  // Those of the grid: docs/seats.md.
+  // Those of the grid: docs/explanation/seats.md.
   EXPECT_NEAR(near.pressure_at_load / exact.pressure_at_load, 1, 3e-3);
   EXPECT_NEAR(near.shift.z() / exact.shift.z(), 1, 1e-4);
 }

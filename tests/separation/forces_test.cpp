@@ -465,7 +465,7 @@ TEST(ForceKinds, HaveTheirOwnKeys) {
 // case_file.md has a row for each kind with its keys and no others.
 TEST(ForceKinds, AreOnThePage) {
   std::string page = contact::detail::file_text(
-      CONTACT_SOURCE_DIR "/apps/separation/case_file.md");
+      CONTACT_SOURCE_DIR "/libcontact/docs/reference/case_file.md");
   page = page.substr(page.find("## Forces"));
   page.resize(page.find("## Clearances"));
   std::vector<std::string> rows;

@@ -79,8 +79,9 @@ void run_fixed_point(const RandomSlip& input, const JointSolution& s,
 }
 
 // Whether tan psi - f/cos a changes its sign once only, where the solver says
-// (psi: the angle at Dw of the triangle of Dw, n and R; docs/joint.md): a
-// scan in ln tan psi, dense at the root and 12 decades wide.
+// (psi: the angle at Dw of the triangle of Dw, n and R;
+// docs/explanation/joint.md): a scan in ln tan psi, dense at the root and 12
+// decades wide.
 bool has_one_root(const RandomSlip& input, const JointSolution& s) {
   const double sin_b = s.reaction_direction.sin;
   const double cos_b = std::abs(s.reaction_direction.cos);
@@ -130,7 +131,7 @@ class Path {
                                rate_turn * start_.rate});
   }
 
-  // Whether there may be several roots (docs/joint.md).
+  // Whether there may be several roots (docs/explanation/joint.md).
   bool may_fold() const {
     return start_.joint.contact().half_angle_law().limit_half_angle() > pi / 2;
   }

@@ -103,7 +103,7 @@ class Joint(FileText, _core.Joint):
             coefficient=0.0587)
 
     Keywords are the keys of joint files with their units (libcontact's
-    docs/joint_file.md): those of [geometry], [materials] and [friction] without
+    docs/reference/joint_file.md): those of [geometry], [materials] and [friction] without
     their tables; `half_angle`, `pressure`, `friction` (names of laws),
     `loading`, `wall` and `coating` as in the file. None is left out. Whole
     tables may be given as dicts.

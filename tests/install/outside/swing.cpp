@@ -1,5 +1,5 @@
-// The pendulum on a ball joint of docs/pendulum.md, moved by the library that
-// finds rest and slip itself: it swings, spins, stops, holds.
+// The pendulum on a ball joint of docs/tutorials/pendulum.md, moved by the
+// library that finds rest and slip itself: it swings, spins, stops, holds.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>
