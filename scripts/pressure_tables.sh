@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What the pressure laws make of contacts, and of the paper's examples: tables
-# of libcontact/docs/explanation/pressure.md and pressure_accuracy.md:
+# of libcontact/docs/explanation/pressure.md and reference/accuracy.md:
 #   scripts/pressure_tables.sh BUILD_DIR
 # prints them. Docs.PressureTables checks that they are those of the pages.
 set -euo pipefail

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The pages libcontact/docs/reference/speed.md and speed_motion.md, from the benchmarks:
+# The page libcontact/docs/reference/speed.md, from the benchmarks:
 #   scripts/speed_page.sh BUILD_DIR [REPETITIONS]
 # builds and runs them, repetitions (21) interleaved at random, and puts the
-# least time of each into scripts/PAGE.md.in: {NAME} is a benchmark's time in ns,
+# least time of each into scripts/speed.md.in: {NAME} is a benchmark's time in ns,
 # {NAME#COUNTER} a counter of it, {X : Y} a ratio of two of those or of a number
 # and one of them; "-" stands for times that could not be measured.
 set -euo pipefail
@@ -21,7 +21,7 @@ trap 'rm -f "$results"' EXIT
 # the page names.
 measure() { # PROGRAM
   local names
-  names=$(grep -ohE "[{ ]$1/[^ #}]+" scripts/speed*.md.in |
+  names=$(grep -ohE "[{ ]$1/[^ #}]+" scripts/speed.md.in |
     sed "s,^.$1/,," | sort -u | paste -sd '|')
   cmake --build "$build" --target "$1_bench" >&2
   "$build/bench/$1_bench" --benchmark_filter="^($names)\$" \
@@ -45,55 +45,50 @@ for program in friction pressure half_angle conforming joint duty finite_pin mul
   measure $program
 done
 
-write_page() { # PAGE
-  awk -v repetitions="$repetitions" \
-    -v date="$(date +%Y-%m-%d)" \
-    -v processor="$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)" \
-    -v compiler="$("$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' \
-      "$build/CMakeCache.txt")" --version | head -1)" '
-    # Significant digits; as many decimals below 1.
-    function show(x, digits, unit) {
-      for (unit = 1; unit * 10 ^ digits <= x; unit *= 10) {}
-      if (unit > 1) return sprintf("%.0f", int(x / unit + 0.5) * unit)
-      for (unit = 1; unit <= x; unit *= 10) --digits
-      return sprintf("%." digits "f", x)
+awk -v repetitions="$repetitions" \
+  -v date="$(date +%Y-%m-%d)" \
+  -v processor="$(sed -n 's/^model name\s*: //p' /proc/cpuinfo | head -1)" \
+  -v compiler="$("$(sed -n 's/^CMAKE_CXX_COMPILER:[A-Z]*=//p' \
+    "$build/CMakeCache.txt")" --version | head -1)" '
+  # Significant digits; as many decimals below 1.
+  function show(x, digits, unit) {
+    for (unit = 1; unit * 10 ^ digits <= x; unit *= 10) {}
+    if (unit > 1) return sprintf("%.0f", int(x / unit + 0.5) * unit)
+    for (unit = 1; unit <= x; unit *= 10) --digits
+    return sprintf("%." digits "f", x)
+  }
+  function value(name) {
+    if (name ~ /^[0-9.e-]+$/) return name + 0
+    if (name !~ /#/) name = name "#ns"
+    return name in least ? least[name] : "-"
+  }
+  function expanded(name, pair) {
+    if (name in word) return word[name]
+    if (split(name, pair, " : ") == 1) {
+      pair[2] = value(name)
+      if (pair[2] == "-" || name ~ /#/ && pair[2] == int(pair[2])) return pair[2]
+      return show(pair[2], 3)
     }
-    function value(name) {
-      if (name ~ /^[0-9.e-]+$/) return name + 0
-      if (name !~ /#/) name = name "#ns"
-      return name in least ? least[name] : "-"
+    if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
+    return show(value(pair[1]) / value(pair[2]), 2)
+  }
+  BEGIN {
+    word["repetitions"] = repetitions
+    word["date"] = date
+    word["processor"] = processor
+    word["compiler"] = compiler
+  }
+  FNR == NR {
+    if (!($1 in least) || $2 < least[$1]) least[$1] = $2
+    next
+  }
+  {
+    rest = $0
+    line = ""
+    while (match(rest, /[{][^}]*[}]/)) {
+      line = line substr(rest, 1, RSTART - 1) \
+        expanded(substr(rest, RSTART + 1, RLENGTH - 2))
+      rest = substr(rest, RSTART + RLENGTH)
     }
-    function expanded(name, pair) {
-      if (name in word) return word[name]
-      if (split(name, pair, " : ") == 1) {
-        pair[2] = value(name)
-        if (pair[2] == "-" || name ~ /#/ && pair[2] == int(pair[2])) return pair[2]
-        return show(pair[2], 3)
-      }
-      if (value(pair[1]) == "-" || value(pair[2]) == "-") return "-"
-      return show(value(pair[1]) / value(pair[2]), 2)
-    }
-    BEGIN {
-      word["repetitions"] = repetitions
-      word["date"] = date
-      word["processor"] = processor
-      word["compiler"] = compiler
-    }
-    FNR == NR {
-      if (!($1 in least) || $2 < least[$1]) least[$1] = $2
-      next
-    }
-    {
-      rest = $0
-      line = ""
-      while (match(rest, /[{][^}]*[}]/)) {
-        line = line substr(rest, 1, RSTART - 1) \
-          expanded(substr(rest, RSTART + 1, RLENGTH - 2))
-        rest = substr(rest, RSTART + RLENGTH)
-      }
-      print line rest
-    }' "$results" "scripts/$1.md.in" >"libcontact/docs/reference/$1.md"
-}
-
-write_page speed
-write_page speed_motion
+    print line rest
+  }' "$results" scripts/speed.md.in >libcontact/docs/reference/speed.md

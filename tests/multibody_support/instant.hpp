@@ -55,7 +55,7 @@ struct BodyResult {
 
 /// Accelerations and reactions of an instant.
 ///
-/// Accuracy: libcontact/docs/internals/multibody_accuracy.md, first row.
+/// Accuracy: libcontact/docs/reference/accuracy.md, "Bodies on hinges".
 struct InstantResult {
   Eigen::Vector3d acceleration;                ///< carrier axes, m/s^2
   Eigen::Vector3d acceleration_minus_gravity;  ///< V'_0
