@@ -142,7 +142,7 @@ std::string RimWarning::sentence(int rim, bool is_reached, double direction,
            : std::string(
                  "pressures in the middle and the approach are larger as a "
                  "rule, by how much is known of other seats alone "
-                 "(docs/seats.md)");
+                 "(docs/explanation/seats.md)");
   return message(
       "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
       "deg to the seat, is free in truth: {}, pressures at the rim {}; "

@@ -1,0 +1,9 @@
+// Formulas between \( \) and \[ \], as arithmatex leaves them, by KaTeX.
+document.addEventListener('DOMContentLoaded', () => {
+  renderMathInElement(document.body, {
+    delimiters: [
+      {left: '\\(', right: '\\)', display: false},
+      {left: '\\[', right: '\\]', display: true},
+    ],
+  });
+});
