@@ -55,6 +55,9 @@ def on_page_markdown(markdown, page, config, files):
         here = posixpath.dirname(page.file.src_path) or "."
         return f"[{text}]({posixpath.relpath(place, here)}{mark}{anchor})"
 
+    if page.file.src_path == f"{DOCS}/reference/index.md":
+        doxygen = '<a href="../../../cpp/index.html">Doxygen pages</a>'
+        markdown = markdown.replace("Doxygen pages", doxygen)
     return LINK.sub(on_site, markdown)
 
 
