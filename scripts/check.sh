@@ -51,6 +51,8 @@ check_long() {
 }
 
 check_english() {
+  echo "words in the place of nouns (scripts/english.py --habits says where):" \
+    "$(python3 scripts/english.py --habits | tail -1)"
   python3 scripts/english.py
 }
 

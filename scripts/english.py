@@ -4,9 +4,11 @@
 Lists the comment blocks of C, C++ and Python that open with one of OPENINGS, as
 FILE:LINE: first line. A block is a run of comment lines, a trailing comment or
 a docstring. "Whether" may open the docstring of a bool. Exit status 1 if any
-are found. With --count: their number by folder.
+are found. With --count: their number by folder. With --habits, which blocks
+nothing: the places in comments and pages where one of HABITS stands in for a
+noun, and their numbers.
 
-    scripts/english.py [--count] [FOLDER...]
+    scripts/english.py [--count | --habits] [FOLDER...]
 """
 import ast
 import collections
@@ -19,6 +21,16 @@ import tokenize
 OPENINGS = "what whoever who whose whether of where that those".split()
 FOLDERS = ["libcontact", "apps", "tests", "scripts", "plots"]
 SUFFIXES = (".hpp", ".cpp", ".h", ".c", ".py")
+
+# Words that stand in for a noun: after these no noun of their own comes before.
+BEFORE = r"\b(?:of|to|for|by|in|on|at|than|from|with|is|are|and|as|has|says?|beside)\s+"
+HABITS = {
+    "that of": r"\b(?:that|those)\s+of\b",
+    "of which": r"\bof\s+(?:which|whom)\b",
+    "what": BEFORE + r"what\b",
+    "who": BEFORE + r"who\b|\bwhoever\b",
+    "nobody": r"\bnobody\b",
+}
 
 # First line of a block: why it may stay.
 EXCEPTIONS = {}
@@ -85,6 +97,47 @@ def blocks(path):
             yield line, words.split("\n")[0], function
 
 
+def texts(path):
+    """Line and text of each comment block and docstring, or of a page's prose."""
+    text = path.read_text()
+    if path.suffix == ".md":
+        code = re.compile(r"^```.*?^```", re.S | re.M)
+        yield 0, code.sub(lambda block: "\n" * block[0].count("\n"), text)
+        return
+    python = path.suffix == ".py"
+    block, start, last = "", 0, None
+    for line, _, words in (python_comments if python else c_comments)(text):
+        if block and line == last + 1:
+            block += "\n" + words
+        else:
+            yield start, block
+            block, start = words, line
+        last = line + words.count("\n")
+    yield start, block
+    if python:
+        for line, words, _ in docstrings(text):
+            yield line, words
+
+
+def habits(folders):
+    """Prints where HABITS are, and how many."""
+    found = collections.Counter()
+    for folder in folders:
+        for path in sorted(pathlib.Path(folder).rglob("*")):
+            if path.suffix not in (*SUFFIXES, ".md"):
+                continue
+            if "node_modules" in path.parts:
+                continue
+            for line, text in texts(path):
+                for habit, pattern in HABITS.items():
+                    for match in re.finditer(pattern, text, re.I):
+                        found[habit] += 1
+                        at = line + text.count("\n", 0, match.start()) + 1
+                        words = " ".join(text[match.start() : match.end() + 40].split())
+                        print(f"{path}:{at}: {habit}: {words}")
+    print(", ".join(f"{habit}: {number}" for habit, number in found.most_common()))
+
+
 def is_clumsy(words, about_bool):
     opening = re.match(r"\W*(\w*)", words).group(1).lower()
     if opening == "whether" and about_bool:
@@ -93,6 +146,9 @@ def is_clumsy(words, about_bool):
 
 
 def main(arguments):
+    if "--habits" in arguments:
+        habits([a for a in arguments if a != "--habits"] or FOLDERS)
+        return 0
     count = "--count" in arguments
     by_folder = collections.Counter()
     total = 0

@@ -1,4 +1,4 @@
-"""What mkdocs does not know of the repository: its menu, and where it ends."""
+"""Makes the menu of the pages' indexes, and text of links that leave the site."""
 import pathlib
 import posixpath
 import re
