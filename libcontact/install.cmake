@@ -23,6 +23,11 @@ install(FILES
   ${PROJECT_BINARY_DIR}/contactConfig.cmake
   ${PROJECT_BINARY_DIR}/contactConfigVersion.cmake
   DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/contact)
+install(FILES ${PROJECT_SOURCE_DIR}/cmake/libcontactConfig.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/libcontact)
+install(FILES ${PROJECT_BINARY_DIR}/contactConfigVersion.cmake
+  DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/libcontact
+  RENAME libcontactConfigVersion.cmake)
 foreach(pc contact.pc contact-files.pc)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/${pc}.in
     ${PROJECT_BINARY_DIR}/${pc} @ONLY)

@@ -41,9 +41,12 @@ if(EXISTS ${BUILD}/bin/hinge-angle)
   endforeach()
 endif()
 
-if(NOT EXISTS ${prefix}/share/doc/libcontact/LICENSE)
-  message(FATAL_ERROR "the licence is not installed")
-endif()
+foreach(file LICENSE README.md libcontact/docs/tutorials/first_steps.md
+    plots/hinge.png)
+  if(NOT EXISTS ${prefix}/share/doc/libcontact/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 
 # What fails says why.
 function(run_fails expected)
