@@ -29,9 +29,15 @@ joint = validator("hinge-joint")
 case = validator("hinge-separation")
 study = validator("hinge-study")
 files = 0
-for schema, folder in ((joint, "joints"), (case, "cases"), (study, "studies")):
+for schema, folder, name in (
+    (joint, "joints", "joint"), (case, "cases", "case"), (study, "studies", "study")
+):  # fmt: skip
+    shipped = json.loads((data / f"schemas/{name}.json").read_text())
+    assert shipped == schema.schema, f"data/schemas/{name}.json is not as printed"
     for file in sorted((data / folder).glob("*.toml")):
         files += 1
+        first = file.read_text().partition("\n")[0]
+        assert first == f"#:schema ../schemas/{name}.json", (file, first)
         for error in schema.iter_errors(tomllib.loads(file.read_text())):
             sys.exit(f"{file}: {error.json_path}: {error.message[:200]}")
 assert files > 20, files
