@@ -463,6 +463,55 @@ class Arguments(unittest.TestCase):
         self.assertEqual(hip.replace({key: np.array(0.1)})[key], 0.1)
 
 
+class Habits(unittest.TestCase):
+    def test_say_what_is_meant(self):
+        metal = libcontact.materials["carbon steel"]
+        for call, said in (
+            (lambda: libcontact.materials["uhmwpe"], "there is 'UHMWPE'"),
+            (lambda: libcontact.examples["hip_cup"],
+             "there is 'joints/hip_cup.toml'"),
+            (lambda: libcontact.examples["joints/hip_cap.toml"],
+             "there is 'joints/hip_cup.toml'"),
+            (lambda: libcontact.Joint("hip.toml"),
+             "Joint.from_file('hip.toml') reads a file"),
+            (lambda: libcontact.Joint(radius_mm=2), "requires kind"),
+            (lambda: libcontact.Joint(kind="ball", clearance_um=50, inner=metal),
+             "Did you mean 'radial_clearance_um'?"),
+            (lambda: hip.replace(radios_mm=16), "Did you mean 'radius_mm'?"),
+            (lambda: hip.tabulated(), "requires loads or table"),
+        ):  # fmt: skip
+            with self.assertRaises((TypeError, KeyError, ValueError)) as caught:
+                call()
+            self.assertIn(said, str(caught.exception))
+
+    def test_replace_takes_the_keywords_of_joints(self):
+        self.assertEqual(hip.replace(radius_mm=16),
+                         hip.replace({"geometry.radius_mm": 16}))
+        thin = hip.replace({"wall.layer[1].thickness_mm": 4}, radius_mm=16)
+        self.assertEqual((thin.radius, thin["wall.layer[1].thickness_mm"]),
+                         (0.016, 4))
+
+    def test_without_matplotlib_plots_say_what_they_need(self):
+        done = python(
+            "import sys; sys.modules['matplotlib'] = None\n"
+            "import libcontact\n"
+            "libcontact.Joint.from_file("
+            "libcontact.examples['joints/pin_joint.toml']).plot(1e3)")
+        self.assertIn("ImportError: plot() requires matplotlib", done.stderr)
+
+    def test_without_its_compiled_part_the_package_says_what_to_build(self):
+        package = Path(libcontact.__file__).resolve().parent
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "libcontact").mkdir()
+            for file in package.glob("*.py"):
+                (Path(folder) / "libcontact" / file.name).write_text(
+                    file.read_text())
+            done = python("import libcontact",
+                          env=os.environ | {"PYTHONPATH": folder})
+        self.assertIn("has no compiled _core for Python 3.", done.stderr)
+        self.assertIn("--target contact_python", done.stderr)
+
+
 class Files(unittest.TestCase):
     def test_have_keys_as_dicts_have(self):
         self.assertIn("geometry.radius_mm", hip)

@@ -12,10 +12,34 @@ by NumPy's rules; vectors are (..., 3).
 Whatever is wrong with an input raises Error, with the messages of the programs.
 Contacts that leave the theory, or what their materials bear, give a
 ContactWarning; Joint.notes() has their numbers.
+
+What there is:
+
+    Joint, Joints       a joint of a file or keywords; many that differ
+    joint.solve()       friction and contact under a reaction: a Solution
+    joint.at_rest()     whether it holds
+    joint.step()        a step of a simulator
+    joint.cycle()       a duty cycle: a Cycle with energy, wear() and wear_in()
+    joint.plot(), plot_pressure(), and plot() of results, by matplotlib
+    Play                joints with play
+    Case, Run, study    separations of bodies, and many of them with scatter
+    identify()          friction parameters from measured moments
+    half_angle(), pressure(), friction_coefficients()   laws alone
+    materials, examples what comes with the package
 """
 
 import enum
+import importlib.util
+import sys
 from typing import TYPE_CHECKING
+
+if importlib.util.find_spec(f"{__name__}._core") is None:
+    raise ImportError(
+        f"libcontact in {__path__[0]} has no compiled _core for Python "
+        f"{sys.version_info.major}.{sys.version_info.minor}: build it by cmake "
+        "--build build --target contact_python, for the Python that CMake has "
+        "found, or pip install the folder of the project"
+    )
 
 from . import _calls, _results, study  # the first two complete _core
 from ._case import Case, Event, Outcome, Run

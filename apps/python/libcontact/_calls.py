@@ -3,7 +3,7 @@
 import difflib
 import functools
 import inspect
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection
 from typing import Any, ParamSpec, TypeVar
 
 from . import _core
@@ -12,14 +12,16 @@ P = ParamSpec("P")
 R = TypeVar("R")
 
 
-def meant(word: str, known: Iterable[str]) -> str:
+def meant(word: str, known: Collection[str]) -> str:
     """The end of a sentence about a word that is not known."""
-    near = difflib.get_close_matches(word, list(known), 1)
+    # clearance_um is a part of a name.
+    whole = sorted((k for k in known if word in k), key=len)
+    near = whole or difflib.get_close_matches(word, known, 1)
     return f". Did you mean '{near[0]}'?" if near else ""
 
 
 def unexpected_keyword(
-    function: str, keyword: str, known: Iterable[str]
+    function: str, keyword: str, known: Collection[str]
 ) -> TypeError:
     return TypeError(
         f"{function}() got an unexpected keyword argument '{keyword}'"

@@ -1,18 +1,52 @@
 """Files that come with the package, and the materials in them."""
 
+import difflib
 import functools
 import tomllib
 from collections.abc import Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 if TYPE_CHECKING:
     from . import _core
 
 _data = Path(__file__).parent / "data"
+Value = TypeVar("Value")
 
-examples: Mapping[str, Path] = MappingProxyType(
+
+def _known(all_of: Mapping[str, Value], name: str) -> Value:
+    """The one of this name, or a KeyError that says which are like it."""
+    try:
+        return all_of[name]
+    except KeyError:
+        lower = str(name).lower()
+        near = [known for known in all_of if lower in known.lower()]
+        near = near or difflib.get_close_matches(str(name), all_of, 3)
+        said = f"there is {', '.join(map(repr, near or all_of))}"
+        raise KeyError(f"{name}: {said}") from None
+
+
+class Examples(Mapping[str, Path]):
+    """Files by name."""
+
+    def __init__(self, files: Mapping[str, Path]) -> None:
+        self._all = files
+
+    def __getitem__(self, name: str) -> Path:
+        return _known(self._all, name)
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._all)
+
+    def __len__(self) -> int:
+        return len(self._all)
+
+    def __repr__(self) -> str:
+        return f"<libcontact.examples: {', '.join(self)}>"
+
+
+examples = Examples(
     {
         f"{folder}/{file.name}": file
         for folder in ("backings", "cases", "duty", "joints", "materials", "studies")
@@ -36,7 +70,7 @@ class Materials(Mapping[str, "_core.Material"]):
         return dict(sorted(named.items()))
 
     def __getitem__(self, name: str) -> "_core.Material":
-        return self._all[name]  # type: ignore[no-any-return]
+        return _known(self._all, name)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._all)

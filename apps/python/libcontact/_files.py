@@ -204,16 +204,25 @@ class FileText:
         text = Path(path).read_text(encoding="utf-8")
         return cls._of(text, str(path), str(Path(path).absolute().parent), ())
 
-    def replace(self, keys: Mapping[str, object]) -> Self:
+    @staticmethod
+    def _key_of(keyword: str) -> str:
+        """The key of a file that a keyword stands for."""
+        return keyword
+
+    def replace(
+        self, keys: Mapping[str, object] | None = None, /, **keywords: object
+    ) -> Self:
         """The same with other values of some keys.
 
         keys: names as in the file, with its tables: "geometry.radius_mm",
             "wall.layer[1].thickness_mm", "body[booster].mass_t". A key takes
             the place of the same one in another unit. Keys of files that the
             file names are keys of the table that names them.
+        keywords: of a joint, those of Joint(): replace(radius_mm=16).
         """
         settings = dict(self._settings)
-        for key, value in keys.items():
+        named = {self._key_of(k): value for k, value in keywords.items()}
+        for key, value in (dict(keys or {}) | named).items():
             key = self._here(key)
             settings.pop(key, None)
             settings[key] = value_text(value)

@@ -13,6 +13,7 @@ from . import _core
 from ._calls import unexpected_keyword, with_known_keywords
 from ._files import FileText, toml_text
 from ._joints import Joints
+from ._plots import plot_cycle, plot_joint, plot_pressure, plot_wear
 from ._results import html_table
 
 Key = float | str | Mapping[str, object] | Sequence[object] | None
@@ -120,7 +121,16 @@ class Joint(FileText, _core.Joint):
 
     if not TYPE_CHECKING:  # the stub of _core has all keys
 
-        def __init__(self, *, kind: str, **keys: Key) -> None:
+        def __init__(
+            self, *file: object, kind: str | None = None, **keys: Key
+        ) -> None:
+            if file:
+                raise TypeError(
+                    f"Joint() takes keywords; Joint.from_file({file[0]!r}) "
+                    "reads a file"
+                )
+            if kind is None:
+                raise TypeError("Joint() requires kind, \"ball\" or \"pin\"")
             _check_keywords("Joint", keys)
             text = _joint_text({"name": "joint", "kind": kind} | keys)
             try:
@@ -138,6 +148,13 @@ class Joint(FileText, _core.Joint):
 
     def _kept(self) -> tuple[Any, ...]:
         return *self._more[:2], None
+
+    @staticmethod
+    def _key_of(keyword: str) -> str:
+        _check_keywords("Joint.replace", [keyword])
+        if keyword in _table_of:
+            return f"{_table_of[keyword]}.{keyword}"
+        return keyword
 
     def without_seat(self) -> "Joint":
         """The joint in a seat without end, for comparison and where a seat has
@@ -207,6 +224,9 @@ class Joint(FileText, _core.Joint):
             and clearance do not count.
         """
         return Joints(self, keys)
+
+    plot = plot_joint
+    plot_pressure = plot_pressure
 
     @with_known_keywords
     def cycle(
@@ -288,6 +308,7 @@ class Wear:
     cross_shear: NDArray[np.float64]
     cell_area: float
     volume_defect: float
+    plot = plot_wear
     deepest_point: NDArray[np.float64]
     deepest_pv_integral: float
     deepest_cross_shear: float
@@ -332,6 +353,8 @@ class _Made:
 
 class Cycle(_Made, _core.Cycle):
     """A joint on a duty cycle, see Joint.cycle(). It may be pickled."""
+
+    plot = plot_cycle
 
     @property
     def mean_heat(self) -> float:

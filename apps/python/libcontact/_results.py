@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _core
+from ._plots import plot_solution
 
 #: As many rows are printed.
 _most = 4
@@ -236,6 +237,7 @@ def _attach() -> None:
         if isinstance(of, type) and hasattr(of, "_rows"):
             for name, function in manners.items():
                 setattr(of, name, function)
+    _core.Solution.plot = plot_solution  # type: ignore
     _core.Cycle.__repr__ = _cycle_repr  # type: ignore
     _core.Cycle._repr_html_ = _cycle_html  # type: ignore
     _core.Fit.__repr__ = _fit_repr  # type: ignore

@@ -20,7 +20,7 @@ import shutil
 import subprocess
 import sysconfig
 import tempfile
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import Executor, as_completed
 from pathlib import Path
 
@@ -67,6 +67,7 @@ def run(
     seed: int | None = None,
     part: int = 100,
     folder: str | os.PathLike[str] | None = None,
+    progress: Callable[[int, int], object] | None = None,
 ) -> str:
     """Runs a study by an executor; returns the table for people.
 
@@ -75,6 +76,7 @@ def run(
     runs, seed  instead of the file's
     part     rows of a part
     folder   where parts are kept that are done; STUDY.parts
+    progress  called after each part with how many are done and all
     """
     name = os.fspath(study)
     choice = [
@@ -92,11 +94,15 @@ def run(
         for rows, file in files.items()
         if not file.exists()
     }
+    left = len(futures)
     for future in as_completed(futures):
         # Whole or not at all, whenever this program is killed.
         unfinished = futures[future].with_suffix(".unfinished")
         unfinished.write_bytes(future.result())
         unfinished.rename(futures[future])
+        left -= 1
+        if progress:
+            progress(len(files) - left, len(files))
     parts = [str(file) for file in files.values()]
     return _hinge_study(
         name,
