@@ -111,6 +111,26 @@ TEST(Pages, LinksLeadSomewhere) {
   EXPECT_GT(links, 50);
 }
 
+// data/ledger.csv has the rows of the ledger's page, without its links.
+TEST(Pages, LedgerIsThePages) {
+  const std::regex link(R"(\[([^\]]*)\]\([^)]*\))");
+  const std::string text = std::regex_replace(
+      contents(root / "libcontact/docs/explanation/measured.md"), link, "$1");
+  std::vector<std::string> page;
+  std::istringstream lines(text.substr(text.find("| source")));
+  for (std::string line; std::getline(lines, line) && !line.empty();) {
+    if (!line.starts_with("| ---")) page.push_back(line);
+  }
+  std::vector<std::string> rows;
+  std::istringstream csv(contents(root / "data/ledger.csv"));
+  for (std::string row; std::getline(csv, row);) {
+    row = std::regex_replace(row, std::regex("\",\""), " | ");
+    rows.push_back("| " + row.substr(1, row.size() - 2) + " |");
+  }
+  EXPECT_GT(rows.size(), 20U);
+  EXPECT_EQ(rows, page);
+}
+
 // A source is cited by the key of its row of references.md:
 // "references.md#KEY", a link in pages and plain text in docstrings and data
 // files.
