@@ -1,5 +1,7 @@
 #include "multibody/dynamics/dynamics.hpp"
 
+#include "multibody/dynamics/tree_kernel.hpp"
+
 namespace multibody {
 namespace {
 
@@ -12,9 +14,15 @@ contact::InstructionSet useful(contact::InstructionSet set,
 }  // namespace
 
 Dynamics::Dynamics(const System& system, contact::InstructionSet set)
-    : constants_(std::make_unique<SystemConstants>(system)),
-      kernel_(
-          detail::make_dynamics_kernel(*constants_, useful(set, *constants_))) {
+    : constants_(std::make_unique<SystemConstants>(system)) {
+  if (system.is_star()) {
+    kernel_ =
+        detail::make_dynamics_kernel(*constants_, useful(set, *constants_));
+  } else {
+    auto tree = std::make_unique<detail::TreeKernel>(system);
+    tree_ = tree.get();
+    kernel_ = std::move(tree);
+  }
   for (const Link& link : system.links()) {
     kinds_.push_back(link.kind);
     modes_.push_back(link.kind == HingeKind::none ? JointMode::released
@@ -28,6 +36,13 @@ void Dynamics::set_mode(int body, JointMode mode) {
   modes_[body] = mode;
   layout_ = StateLayout(kinds_, modes_);
   kernel_->set_mode(body, mode);
+}
+
+void Dynamics::fitting_moments(std::span<const Vec3<double>> moments,
+                               std::span<const Eigen::Matrix3d> slopes,
+                               std::span<Vec3<double>> to) {
+  assert(tree_);
+  tree_->fitting_moments(moments, slopes, to);
 }
 
 void Dynamics::evaluate(const double* state,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Core>
 #include <cassert>
 #include <memory>
 #include <span>
@@ -10,9 +11,14 @@
 
 namespace multibody {
 
+namespace detail {
+class TreeKernel;
+}
+
 /// Accelerations and reactions of a carrier with its bodies, resolved in two
-/// steps (TwoStep), one motion in double precision. The work is proportional
-/// to the number of bodies; no call but the constructor and set_mode allocates.
+/// steps, one motion in double precision: of a star by TwoStep, of a deeper
+/// tree by Forest. The work is proportional to the number of bodies; no call
+/// but the constructor, set_mode and the first evaluation allocates.
 ///
 /// Everything is in link axes (Link::axes). NaN in gives NaN out.
 ///
@@ -27,6 +33,8 @@ class Dynamics {
                     contact::InstructionSet set = contact::instruction_set());
 
   int size() const { return static_cast<int>(modes_.size()); }
+  /// Bodies hang on bodies.
+  bool is_tree() const { return tree_ != nullptr; }
   JointMode mode(int body) const { return modes_[body]; }
   const std::vector<JointMode>& modes() const { return modes_; }
   /// Changes what a joint does. Turning and held joints have the same numbers
@@ -96,8 +104,18 @@ class Dynamics {
   void reactions(const VectorRows& force, const VectorRows* moment) const {
     kernel_->reactions(force, moment);
   }
-  /// C_i: link axes to carrier axes; 0 if released.
+  /// C_i: link axes to parent axes; 0 if released.
   Mat3<double> axes(int body) const { return kernel_->axes(body); }
+
+  /// Of a deeper tree alone, after an evaluation, which stays as it is: moments
+  /// of friction M_i = m_i + S_i R_i with the reactions R_i that all of them
+  /// cause, in O(size). Link axes.
+  /// @param moments  m_i; ignored where a joint is held or released
+  /// @param slopes   S_i, m; on an axis the row of z counts
+  /// @param to       M_i; 0 where a joint is held or released
+  void fitting_moments(std::span<const Vec3<double>> moments,
+                       std::span<const Eigen::Matrix3d> slopes,
+                       std::span<Vec3<double>> to);
 
  private:
   std::vector<HingeKind> kinds_;
@@ -105,6 +123,7 @@ class Dynamics {
   StateLayout layout_;
   std::unique_ptr<const SystemConstants> constants_;
   std::unique_ptr<detail::DynamicsKernel> kernel_;
+  detail::TreeKernel* tree_ = nullptr;  // the kernel, of a deeper tree
 };
 
 }  // namespace multibody

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/LU>
 #include <vector>
 
+#include "multibody/dynamics/forest_part.hpp"
 #include "multibody/system/system.hpp"
 
 /// Bodies on bodies: the paper's two steps on any tree, one instant, with
@@ -48,6 +50,9 @@ struct ForestState {
   /// axis the part along the axis counts; held: nothing.
   Eigen::Vector3d hinge_moment = Eigen::Vector3d::Zero();
   Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();  ///< dM/dR, m
+  /// Of a fixed root: its accelerations, as ForestMotion has them.
+  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
+  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
 };
 
 /// What an instant gives of a body, its own axes.
@@ -60,6 +65,14 @@ struct ForestMotion {
   /// Moment on the body about the hinge's centre, the moment by the law of
   /// the hinge included, N m; root: 0.
   Eigen::Vector3d reaction_moment;
+};
+
+/// What an instant needs besides: a place for it, to use again.
+class ForestWork {
+  friend class Forest;
+  std::vector<detail::ForestPart> parts;
+  std::vector<Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>> roots;
+  bool is_sloped = false;
 };
 
 /// A forest of bodies: each root with what hangs on it is solved by itself.
@@ -75,6 +88,14 @@ class Forest {
   int size() const { return static_cast<int>(bodies_.size()); }
   /// Bodies in an order in which children come after parents.
   const std::vector<int>& order() const { return order_; }
+  const ForestBody& body(int i) const { return bodies_[i]; }
+
+  /// @param parent  the body's own, or -1: a root from now on
+  void set_hinge(int body, int parent, bool held) {
+    bodies_[body].parent = parent;
+    bodies_[body].held = held;
+  }
+  void set_fixed(int root, bool fixed) { bodies_[root].fixed = fixed; }
 
   /// Accelerations and reactions in O(size). Error measured against Simbody
   /// 3.7 on 18 trees of 2 to 64 bodies: 1e-11 of the largest component of its
@@ -86,6 +107,17 @@ class Forest {
   /// @throws contact::Error if `state` has another size
   std::vector<ForestMotion> solve(const std::vector<ForestState>& state,
                                   const Eigen::Vector3d& gravity) const;
+
+  /// The same in two parts, without gravity, which moves all bodies alike.
+  /// Nothing allocates but the first time. First what depends on positions,
+  /// velocities, active loads and slopes:
+  /// @param sloped  false: slopes count as 0, for less work
+  void prepare(const std::vector<ForestState>& state, bool sloped,
+               ForestWork& work) const;
+  /// Then the rest, also for other hinge moments and accelerations of fixed
+  /// roots.
+  void respond(const std::vector<ForestState>& state, ForestWork& work,
+               std::vector<ForestMotion>& to) const;
 
  private:
   std::vector<ForestBody> bodies_;

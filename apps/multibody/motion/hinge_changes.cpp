@@ -118,9 +118,19 @@ void HingeChanges::stop(int body, std::vector<double>& state) {
   const Matrix3d r0 = view_.motions()[0].rotation;
   Map<Vector3d>(&state[StateLayout::velocity]) += r0 * vec3(jump.linear);
   Map<Vector3d>(&state[StateLayout::angular_velocity]) += vec3(jump.angular);
+  // Of bodies that were released: they may carry the hinge.
+  std::vector<double> jumps(still.size());
+  impulse_.rates(still.data(), {0, 0, 0}, jumps.data());
   for (int i = 0; i < coupled_.size(); ++i) {
-    if (modes[i] != JointMode::turning) continue;
     double* s = &state[equations_.offset(i)];
+    if (modes[i] == JointMode::released) {
+      const double* jump_of = &jumps[equations_.offset(i)];
+      for (const int k :
+           {StateLayout::velocity, StateLayout::angular_velocity}) {
+        Map<Vector3d>(s + k) += Map<const Vector3d>(jump_of + k);
+      }
+    }
+    if (modes[i] != JointMode::turning) continue;
     const Vector3d a = vec3(impulse_.relative_acceleration(i));
     set_relative_rate(links[i], s, relative_rate(links[i], s) + a);
   }

@@ -143,11 +143,19 @@ Vector3d MotionSample::acceleration(int place) const {
         &now_->rates[equations_.offset(body) + v]);
   }
   // (F + R)/m and gravity
-  const Link& link = equations_.system.links()[body];
-  const Vector3d force = vec3(now_->friction.forces.bodies[body].force) +
-                         vec3(hinges().reaction(body).force);
-  return equations_.gravity +
-         motions()[place].rotation * link.axes * force / link.mass;
+  const std::vector<Link>& links = equations_.system.links();
+  Hinges hinges = this->hinges();
+  const auto axes = [&](int i) -> Matrix3d {
+    return motions()[1 + i].rotation * links[i].axes;
+  };
+  Vector3d force =
+      axes(body) * (vec3(now_->friction.forces.bodies[body].force) +
+                    vec3(hinges.reaction(body).force));
+  for (int i = 0; i < equations_.size(); ++i) {
+    if (links[i].parent != body) continue;
+    force -= axes(i) * vec3(hinges.reaction(i).force);
+  }
+  return equations_.gravity + force / links[body].mass;
 }
 
 Vector3d MotionSample::angular_acceleration(int place) const {

@@ -70,14 +70,13 @@ const double* StepPath::numbers(int first, int count, double time) {
 }
 
 BodyMotion StepPath::place(int body, double time) {
-  const BodyMotion carrier =
-      carrier_at(numbers(0, StateLayout::body_size, time));
-  if (body == 0) return carrier;
+  if (body == 0) return carrier_at(numbers(0, StateLayout::body_size, time));
   const Link& link = equations_.system.links()[body - 1];
   const JointMode mode = equations_.modes()[body - 1];
+  const BodyMotion parent = place(1 + link.parent, time);
   const double* own = numbers(equations_.offset(body - 1),
                               StateLayout::link_size(link.kind, mode), time);
-  return body_at(link, mode, own, carrier);
+  return body_at(link, mode, own, parent);
 }
 
 }  // namespace multibody

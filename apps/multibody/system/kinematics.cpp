@@ -22,15 +22,14 @@ BodyMotion free_body(const double* s, const Matrix3d& axes) {
 
 template <class Hinge>
 BodyMotion hung_body(Hinge hinge, const Link& link, const double* s,
-                     const BodyMotion& carrier) {
-  const Matrix3d r = carrier.rotation * hinge.rotation(link, s);
-  const Vector3d w = carrier.angular_velocity + r * hinge.rate(s);
-  const Vector3d place = carrier.rotation * link.hinge;
+                     const BodyMotion& parent) {
+  const Matrix3d r = parent.rotation * hinge.rotation(link, s);
+  const Vector3d w = parent.angular_velocity + r * hinge.rate(s);
+  const Vector3d place = parent.rotation * link.hinge;
   const Vector3d arm = link.arm * Vector3d(r.col(Hinge::traits.arm_axis));
-  return {
-      carrier.position + place - arm,
-      carrier.velocity + carrier.angular_velocity.cross(place) - w.cross(arm),
-      r * link.axes.transpose(), w, hinge.angle(s)};
+  return {parent.position + place - arm,
+          parent.velocity + parent.angular_velocity.cross(place) - w.cross(arm),
+          r * link.axes.transpose(), w, hinge.angle(s)};
 }
 
 void normalise_at(double* q) { Eigen::Map<Eigen::Vector4d>(q).normalize(); }
@@ -55,21 +54,21 @@ BodyMotion carrier_at(const double* s) {
 }
 
 BodyMotion body_at(const Link& link, JointMode mode, const double* s,
-                   const BodyMotion& carrier) {
+                   const BodyMotion& parent) {
   if (mode == JointMode::released) return free_body(s, link.axes);
-  return with_hinge(link.kind, [&](auto hinge) {
-    return hung_body(hinge, link, s, carrier);
-  });
+  return with_hinge(
+      link.kind, [&](auto hinge) { return hung_body(hinge, link, s, parent); });
 }
 
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies) {
   bodies[0] = carrier_at(state);
-  for (int i = 0; i < system.size(); ++i) {
+  for (const int i : system.order()) {
     const double angle = bodies[1 + i].hinge_angle;
-    bodies[1 + i] = body_at(system.links()[i], modes[i],
-                            state + layout.offset(i), bodies[0]);
+    const Link& link = system.links()[i];
+    bodies[1 + i] = body_at(link, modes[i], state + layout.offset(i),
+                            bodies[1 + link.parent]);
     if (modes[i] == JointMode::released) bodies[1 + i].hinge_angle = angle;
   }
 }

@@ -12,18 +12,19 @@ namespace multibody {
 /// Between states and what applications see: bodies in body axes and
 /// inertial ones. Nothing allocates.
 
-/// C of a body on the carrier: link axes to carrier axes.
+/// C of a body in its hinge: link axes to parent axes.
 Eigen::Matrix3d relative_rotation(const Link& link, const double* link_state);
 /// Relative angular velocity, link axes.
 Eigen::Vector3d relative_rate(const Link& link, const double* link_state);
 void set_relative_rate(const Link& link, double* link_state,
                        const Eigen::Vector3d& rate);
 
-/// The carrier, and a body on it or released (then without a hinge angle).
+/// The carrier, and a body on its parent or released (then without a hinge
+/// angle).
 /// @param numbers  its own
 BodyMotion carrier_at(const double* numbers);
 BodyMotion body_at(const Link& link, JointMode mode, const double* numbers,
-                   const BodyMotion& carrier);
+                   const BodyMotion& parent);
 
 /// @param bodies  1 + number of bodies; the hinge angle of a body that is
 ///                released stays what it is

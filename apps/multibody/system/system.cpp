@@ -4,10 +4,12 @@
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 
 #include "multibody/system/hinges/kinds.hpp"
 #include "multibody/system/hinges/link_checks.hpp"
+#include "multibody/system/tree_order.hpp"
 
 namespace multibody {
 namespace {
@@ -57,7 +59,20 @@ Link make_link(Body body, const std::string& place) {
                          [&](auto hinge) { return hinge.link(body, place); });
   link.kind = body.kind;
   link.mass = body.mass;
+  link.parent = body.parent;
+  if (body.kind == HingeKind::none && body.parent >= 0) {
+    refuse(place + ".parent", "-1 for a body without a hinge");
+  }
   return link;
+}
+
+// The star has a limit for a point on a thread, which does not spin.
+void check_spin(const Link& link, const std::string& place) {
+  if (link.kind == HingeKind::ball && link.inertia(2, 2) == 0) {
+    refuse(place + ".inertia_com",
+           "above 0 about the line from the hinge to the centre of mass, "
+           "where bodies hang on bodies");
+  }
 }
 
 }  // namespace
@@ -85,6 +100,13 @@ System::System(const Carrier& carrier, const std::vector<Body>& bodies)
   links_.reserve(bodies.size());
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     links_.push_back(make_link(bodies[i], fmt::format("bodies[{}]", i)));
+  }
+  std::vector<int> parents;
+  for (const Link& link : links_) parents.push_back(link.parent);
+  order_ = parents_first(parents);
+  is_star_ = std::ranges::all_of(parents, [](int p) { return p < 0; });
+  for (std::size_t i = 0; i < bodies.size() && !is_star_; ++i) {
+    check_spin(links_[i], fmt::format("bodies[{}]", i));
   }
 }
 

@@ -5,16 +5,18 @@
 #include <vector>
 
 /// Carrier with hinged bodies (apps/multibody/README.md): what the bodies and
-/// hinges are, validated once.
+/// hinges are, validated once. A body hangs on the carrier or on another body,
+/// its parent.
 ///
 /// Frames. Carrier axes: fixed to the carrier, origin at its centre of mass.
 /// Body axes: fixed to the body, origin at its centre of mass, chosen by
-/// whoever describes the body. Link axes: those in which
+/// whoever describes the body. Parent axes: those of the parent, the carrier's
+/// or another body's. Link axes: those in which
 /// its equations are shortest; System finds them, Link::axes turns
 /// one into the other. Hinge axes: z along the axis of an axis node.
 namespace multibody {
 
-/// How a body hangs on the carrier; system/hinges has a type for each.
+/// How a body hangs on its parent; system/hinges has a type for each.
 enum class HingeKind {
   ball,  ///< ball joint: three relative turns
   axis,  ///< axis node: one turn about the common axis of its joints
@@ -50,12 +52,14 @@ struct Body {
   Eigen::Matrix3d inertia;  ///< about the centre of mass, body axes, kg m^2
   /// Centre of the hinge from the body's centre of mass, body axes, m (r_i).
   Eigen::Vector3d hinge_from_com = Eigen::Vector3d::Zero();
-  /// The same point from the carrier's centre of mass, carrier axes, m (r_i0).
+  /// The same point from the parent's centre of mass, parent axes, m (r_i0).
   Eigen::Vector3d hinge_from_carrier_com = Eigen::Vector3d::Zero();
   /// axis only: hinge axes to body axes (B_i).
   Eigen::Matrix3d hinge_to_body = Eigen::Matrix3d::Identity();
-  /// axis only: hinge axes to carrier axes at angle zero (B_i0 at zero).
+  /// axis only: hinge axes to parent axes at angle zero (B_i0 at zero).
   Eigen::Matrix3d hinge_to_carrier_zero = Eigen::Matrix3d::Identity();
+  /// Index of the body that it hangs on, before or after it; -1: the carrier.
+  int parent = -1;
 };
 
 /// A body in its own axes of calculation.
@@ -69,14 +73,15 @@ struct Link {
   double mass;
   double arm;               ///< distance of the centre of mass, m, >= 0
   Eigen::Matrix3d inertia;  ///< about the centre of mass, link axes
-  Eigen::Vector3d hinge;    ///< hinge's centre (axis: foot), carrier axes, m
+  Eigen::Vector3d hinge;    ///< hinge's centre (axis: foot), parent axes, m
   Eigen::Matrix3d axes;     ///< link axes to body axes
-  /// axis only: link axes to carrier axes at angle zero.
+  /// axis only: link axes to parent axes at angle zero.
   Eigen::Matrix3d axes_to_carrier_zero;
   /// axis only: link axes to hinge axes (a turn about z).
   Eigen::Matrix3d axes_to_hinge;
   /// axis only: the hinge's centre is at (arm, 0, pole_offset).
   double pole_offset;
+  int parent;  ///< as Body::parent
 };
 
 /// Carrier and bodies, checked and turned into link axes.
@@ -86,16 +91,25 @@ class System {
   ///   finite and > 0; inertias finite, symmetric, with no negative principal
   ///   moment (the carrier's all > 0); rotations orthogonal to 1e-6 and
   ///   right-handed (the rest is put right); an axis body with some inertia
-  ///   about its axis; a ball body with inertia or an arm.
+  ///   about its axis; a ball body with inertia or an arm, in a deeper tree
+  ///   inertia about its arm; parents that are there, without circles, none of
+  ///   a body of its own.
   System(const Carrier& carrier, const std::vector<Body>& bodies);
 
   const Carrier& carrier() const { return carrier_; }
   const std::vector<Link>& links() const { return links_; }
   int size() const { return static_cast<int>(links_.size()); }
+  /// All hang on the carrier, the paper's case: else it is a deeper tree.
+  bool is_star() const { return is_star_; }
+  /// Bodies in an order in which children come after parents; of a star 0, 1,
+  /// ...
+  const std::vector<int>& order() const { return order_; }
 
  private:
   Carrier carrier_;
   std::vector<Link> links_;
+  std::vector<int> order_;
+  bool is_star_ = true;
 };
 
 /// `matrix` made exactly orthogonal, if it is a rotation to 1e-6.
