@@ -15,13 +15,36 @@ using Eigen::Vector3d;
 
 namespace {
 
+// The friction moment grows about in proportion to R, so that |M|/R times the
+// answer of R to M is about kappa; it is looked at closely where that comes
+// near 1.
+constexpr double near_one = 0.5;
+
+// In a deeper tree kappa < 1 of each hinge proves nothing: |dM_i/dR_i| times
+// |dR_i/dM_j| as a matrix does.
+bool is_unique_in_tree(Hinges& at) {
+  FrictionMemory& memory = at.memory();
+  if (memory.response_is_good_for-- <= 0) {
+    // A part of a turn at most, if steps are what they are elsewhere.
+    constexpr int evaluations = 64;
+    memory.response_is_good_for = evaluations;
+    memory.tree_response = at.tree_response();
+  }
+  double most = 0;
+  for (const int i : at.active()) {
+    const Vec3<double>& force = at.reaction(i).force;
+    const double share = at.now(i).solved.squaredNorm() / dot(force, force);
+    // NaN: neither force nor moment.
+    if (!(share <= most) && !std::isnan(share)) most = share;
+  }
+  return std::sqrt(most) * memory.tree_response < near_one ||
+         at.tree_kappa() < 1;
+}
+
 // Whether the moments found can be the only ones: kappa < 1.
 bool is_unique(Hinges& at) {
+  if (at.is_tree()) return is_unique_in_tree(at);
   CoupledProgress& report = at.report();
-  // The friction moment grows about in proportion to R, so that the first
-  // number is about kappa; it is looked at closely where one of the two
-  // comes near 1.
-  constexpr double near_one = 0.5;
   // Too few digits to tell slopes.
   constexpr double few = 1e6;
   if (report.contraction < near_one &&
@@ -91,7 +114,7 @@ void update_slopes(Hinges& at) {
   at.memory().tracked.learn_contraction(report.contraction);
   constexpr double notable = 0.1;  // squared
   for (const int i : at.active()) {
-    if (change(i) < notable * most) continue;
+    if (at.is_tree() || change(i) < notable * most) continue;
     HingeMemory& memory = at.memory(i);
     const HingeInstant& hinge = at.now(i);
     const Vector3d by = memory.moment - hinge.last_moment;
@@ -101,8 +124,17 @@ void update_slopes(Hinges& at) {
   }
 }
 
-// Newton's step of every hinge for itself with the slope it has.
+// Newton's step of every hinge for itself with the slope it has; in a deeper
+// tree of all hinges at once: there hinges answer to their neighbours' moments.
 void set_steps(Hinges& at) {
+  if (at.is_tree()) {
+    at.set_tree_steps();
+    for (const int i : at.active()) {
+      at.now(i).last_moment = at.memory(i).moment;
+      at.now(i).last_solved = at.now(i).solved;
+    }
+    return;
+  }
   constexpr double strong = 0.9;
   constexpr double longest = 3;  // times the plain step
   for (const int i : at.active()) {
@@ -120,6 +152,14 @@ void set_steps(Hinges& at) {
     hinge.last_solved = hinge.solved;
     at.change(i) = vec3(step);
   }
+}
+
+// What a hinge cannot hold, N m.
+double excess(int body, double tau, Hinges& at) {
+  const Vec3<double>& held = at.reaction(body).moment;
+  const double moment =
+      at[body].is_axis ? std::abs(held.z) : std::sqrt(dot(held, held));
+  return (1 - 1 / tau) * moment;
 }
 
 }  // namespace
@@ -341,8 +381,9 @@ Onset CoupledDynamics::begin_to_slide(int body, Hinges& at) {
   return onset;
 }
 
-// The resting hinge that is furthest beyond what it can hold. -1: none is;
-// or the report says that one has no contact.
+// The resting hinge that is furthest beyond what it can hold; in a deeper tree,
+// where that of one is much to a neighbour, as a moment. -1: none is; or the
+// report says that one has no contact.
 int CoupledDynamics::worst_resting(bool due, Hinges& at) const {
   // Half of the threshold: what the motion found on its way is above all of
   // it, but for the error of dense output. Where that is larger the hinge goes
@@ -350,7 +391,7 @@ int CoupledDynamics::worst_resting(bool due, Hinges& at) const {
   // instant, as those of bodies that mirror each other, are so together.
   const double share = due ? 0.5 : 1;
   int worst = -1;
-  double most = 1;
+  double most = at.is_tree() ? 0 : 1;
   for (int i = 0; i < size(); ++i) {
     if (mode(i) != HingeMode::resting) continue;
     const double tau = utilisation(i, at);
@@ -358,9 +399,10 @@ int CoupledDynamics::worst_resting(bool due, Hinges& at) const {
       fail_at(i, at);
       return -1;
     }
-    if (tau > std::max(most, 1 + share * (slip_limit(i, at) - 1))) {
+    const double beyond = at.is_tree() ? excess(i, tau, at) : tau;
+    if (tau > 1 + share * (slip_limit(i, at) - 1) && beyond > most) {
       worst = i;
-      most = tau;
+      most = beyond;
     }
   }
   return worst;
@@ -377,7 +419,7 @@ const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
   // so strong that several answers are possible, each change brings the rest
   // nearer to what it should be; coming back to the same hinge again and
   // again says otherwise.
-  const int change_limit = 4 * size() + 8;
+  const int change_limit = (here.is_tree() ? 8 : 4) * size() + 8;
   for (int change = 0; change < change_limit; ++change) {
     find_friction(state, here);
     if (report.status != CoupledStatus::ok ||

@@ -43,6 +43,8 @@ struct Evaluation {
   std::vector<int> active;           ///< hinges that slide with friction
   std::vector<Vec3<double>> change;  ///< changes of moments, about to be made
   std::vector<Reaction<double>> reactions;
+  std::vector<Eigen::Matrix3d>
+      slopes;                   ///< dM/dR of the active hinges of a tree
   bool reactions_known = true;  ///< none before the first evaluation
   bool is_refined = false;      ///< to Hinges::refined_tolerance
   long number = 0;              ///< counts the sets of moments

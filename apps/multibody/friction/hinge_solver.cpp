@@ -10,6 +10,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/joint/derivatives.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/hinges/kinds.hpp"
 #include "multibody/system/kinematics.hpp"
@@ -84,17 +85,36 @@ HingeSolver::Memory HingeSolver::make_memory() const {
   return memory;
 }
 
+// Of a joint alone.
+contact::Joint::Slip HingeSolver::slip_of(const Reaction<double>& reaction,
+                                          const Vector3d& rate,
+                                          const Memory& memory) const {
+  const Vector3d axis = axes_.col(2);
+  const Vector3d force = axes_ * vec3(reaction.force);
+  if (is_axis_) {
+    return {force - force.dot(axis) * axis, rate.z() * axis, axis};
+  }
+  return {.reaction = force,
+          .angular_velocity = axes_ * rate,
+          .placement = placement(memory)};
+}
+
+std::optional<Matrix3d> HingeSolver::slope(const Reaction<double>& reaction,
+                                           const Vector3d& rate,
+                                           const Memory& memory) const {
+  const auto* one = std::get_if<JointFriction>(&friction_);
+  if (!one || one->estimate != FrictionEstimate::consistent) return {};
+  const contact::SlipDerivatives by = contact::derivatives(
+      one->joint, slip_of(reaction, rate, memory), memory.joints[0]);
+  if (by.status != contact::Status::ok) return {};
+  return Matrix3d(axes_.transpose() * by.over_reaction * axes_);
+}
+
 Vector3d HingeSolver::slide(const Reaction<double>& reaction,
                             const Vector3d& rate, Memory& memory) const {
   const Vector3d axis = axes_.col(2);
   if (const auto* one = std::get_if<JointFriction>(&friction_)) {
-    const Vector3d force = axes_ * vec3(reaction.force);
-    const contact::Joint::Slip slip =
-        is_axis_ ? contact::Joint::Slip{force - force.dot(axis) * axis,
-                                        rate.z() * axis, axis}
-                 : contact::Joint::Slip{.reaction = force,
-                                        .angular_velocity = axes_ * rate,
-                                        .placement = placement(memory)};
+    const contact::Joint::Slip slip = slip_of(reaction, rate, memory);
     JointSolution& last = memory.joints[0];
     last = one->estimate == FrictionEstimate::traditional
                ? one->joint.solve_contact(

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <vector>
 
 #include "multibody/friction/hinge_friction.hpp"
@@ -46,6 +47,12 @@ class HingeSolver {
   Eigen::Vector3d slide(const Reaction<double>& reaction,
                         const Eigen::Vector3d& rate, Memory& memory) const;
 
+  /// dM_t/dR after slide() with these, link axes (axis: row of z), m; none
+  /// where the joints do not tell.
+  std::optional<Eigen::Matrix3d> slope(const Reaction<double>& reaction,
+                                       const Eigen::Vector3d& rate,
+                                       const Memory& memory) const;
+
   /// tau: share of the moments that friction can hold which `held` needs; NaN
   /// where a contact has no value.
   /// @param held  what acts on the held body in the hinge, its moment about
@@ -69,6 +76,9 @@ class HingeSolver {
   }
 
  private:
+  contact::Joint::Slip slip_of(const Reaction<double>& reaction,
+                               const Eigen::Vector3d& rate,
+                               const Memory& memory) const;
   bool solve_group(const Reaction<double>& reaction, double rate,
                    Memory& memory) const;
   double moment_limit(const Reaction<double>& held, double sign,

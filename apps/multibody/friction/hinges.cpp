@@ -5,6 +5,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -56,7 +57,8 @@ Evaluation::Evaluation(const System& system)
     : dynamics(system),
       hinges(system.size()),
       change(system.size()),
-      reactions(system.size()) {
+      reactions(system.size()),
+      slopes(system.is_star() ? 0 : system.size(), Matrix3d::Zero()) {
   forces.bodies.resize(system.size());
   active.reserve(system.size());
 }
@@ -71,6 +73,10 @@ std::vector<Hinge> make_hinges(const System& system,
   std::vector<Hinge> hinges;
   for (int i = 0; i < system.size(); ++i) {
     hinges.emplace_back(friction[i], system.links()[i], i);
+  }
+  for (const int i : system.order()) {
+    const int parent = system.links()[i].parent;
+    if (parent >= 0) hinges[i].length += hinges[parent].length;
   }
   return hinges;
 }
@@ -153,7 +159,7 @@ void Hinges::apply_changes() {
     memory(i).moment += vec3(change(i));
     forces().bodies[i].friction = vec3(memory(i).moment);
   }
-  if (is_prescribed()) {
+  if (is_prescribed() && !is_tree()) {
     evaluate();
   } else {
     at_.dynamics.add_friction(at_.change);
@@ -171,7 +177,7 @@ void Hinges::take_moment(int body, const Vector3d& moment) {
 }
 
 void Hinges::move(FrictionTracker& tracker) {
-  if (is_prescribed()) {
+  if (is_prescribed() && !is_tree()) {
     evaluate();
   } else {
     tracker.move(at_.dynamics);
@@ -231,14 +237,18 @@ CoupledRounding Hinges::rounding() const {
   double moment = length_of(forces().carrier.moment);
   double mass = 0;
   double length = 0;
+  const bool is_tree = this->is_tree();
   for (int i = 0; i < size(); ++i) {
     const Hinge& hinge = hinges_[i];
     if (hinge.mode == HingeMode::released) continue;
     const double* s = at_.state.data() + at_.dynamics.layout().offset(i);
-    rate = std::max(
-        rate, hinge.is_axis ? std::abs(s[1]) : std::hypot(s[4], s[5], s[6]));
+    const double own =
+        hinge.is_axis ? std::abs(s[1]) : std::hypot(s[4], s[5], s[6]);
+    rate = is_tree ? rate + own : std::max(rate, own);
     force += length_of(forces().bodies[i].force);
     moment += length_of(forces().bodies[i].moment);
+    // What a moment causes further on may cancel as well.
+    if (is_tree) force += hinge.leverage * length_of(forces().bodies[i].moment);
     mass += hinge.mass;
     length = std::max(length, hinge.length);
   }
@@ -278,31 +288,103 @@ Hinges::Response Hinges::response(int body) {
   return r;
 }
 
-double Hinges::kappa(int body) {
+// Forward differences, good to some 1e-6.
+Hinges::Slopes Hinges::slopes(int body) {
   const Hinge& hinge = hinges_[body];
-  const Response by_moment = response(body);
+  Slopes slopes{Matrix3d::Zero(), Matrix3d::Zero()};
   const Reaction<double> at = reaction(body);
   const double force = vec3(at.force).norm();
-  if (!(force > 0)) return 0;
+  if (!(force > 0)) return slopes;
   const auto solved = [&](const Reaction<double>& reaction) {
     return hinge.solver.slide(reaction, now(body).rate, memory(body).solver);
   };
   const Vector3d middle = solved(at);
-  // Forward differences, good to some 1e-6.
   constexpr double share = 1e-6;
-  Matrix3d by_force;
-  Matrix3d by_held = Matrix3d::Zero();
   for (int k = 0; k < 3; ++k) {
     const double step = share * force;
     Reaction<double> moved = at;
     moved.force = vec3(Vector3d(vec3(at.force) + step * Vector3d::Unit(k)));
-    by_force.col(k) = (solved(moved) - middle) / step;
+    slopes.by_force.col(k) = (solved(moved) - middle) / step;
     if (!hinge.is_axis || k == 2) continue;
     moved = at;
     moved.moment = vec3(Vector3d(vec3(at.moment) + step * Vector3d::Unit(k)));
-    by_held.col(k) = (solved(moved) - middle) / step;
+    slopes.by_held.col(k) = (solved(moved) - middle) / step;
   }
   solved(at);
+  return slopes;
+}
+
+void Hinges::set_tree_steps() {
+  std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
+  std::ranges::fill(at_.slopes, Matrix3d::Zero());
+  for (const int i : active()) {
+    const Reaction<double>& at = reaction(i);
+    const std::optional<Matrix3d> known =
+        hinges_[i].solver.slope(at, now(i).rate, memory(i).solver);
+    const Matrix3d slope = known ? *known : slopes(i).by_force;
+    at_.slopes[i] = slope;
+    at_.change[i] = vec3(Vector3d(now(i).solved - slope * vec3(at.force)));
+  }
+  at_.dynamics.fitting_moments(at_.change, at_.slopes, at_.change);
+  for (const int i : active()) {
+    Vector3d step = vec3(at_.change[i]) - memory(i).moment;
+    if (!step.allFinite()) step = 0.5 * (now(i).solved - memory(i).moment);
+    at_.change[i] = vec3(step);
+  }
+}
+
+// |dR_i/dM_j| of the active hinges.
+Eigen::MatrixXd Hinges::responses() {
+  const std::vector<int>& all = active();
+  Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(all.size(), all.size());
+  std::vector<Vector3d> before;
+  for (const int i : all) before.push_back(vec3(reaction(i).force));
+  std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
+  for (std::size_t j = 0; j < all.size(); ++j) {
+    const int moved = all[j];
+    const double size = std::max(memory(moved).moment.norm(), 1.0);
+    for (int k = hinges_[moved].is_axis ? 2 : 0; k < 3; ++k) {
+      const Vector3d by = size * Vector3d::Unit(k);
+      change(moved) = vec3(by);
+      apply_changes();
+      for (std::size_t i = 0; i < all.size(); ++i) {
+        squares(i, j) +=
+            (vec3(reaction(all[i]).force) - before[i]).squaredNorm() /
+            (size * size);
+      }
+      change(moved) = vec3(Vector3d(-by));
+      apply_changes();
+    }
+    change(moved) = {0, 0, 0};
+  }
+  return squares.cwiseSqrt();
+}
+
+// By Collatz and Wielandt: the largest (K x)_i/x_i of any x > 0.
+double Hinges::tree_kappa() {
+  Eigen::MatrixXd k = responses();
+  for (Eigen::Index i = 0; i < k.rows(); ++i) {
+    // A group's share in what is held is looked at as that of a star is.
+    const auto [by_force, by_held] = slopes(active()[i]);
+    k.row(i) *= by_force.norm();
+    if (!by_held.isZero(0)) k(i, i) = std::max(k(i, i), kappa(active()[i]));
+  }
+  Eigen::VectorXd x = Eigen::VectorXd::Ones(k.rows());
+  double bound = std::numeric_limits<double>::infinity();
+  constexpr int rounds = 50;
+  for (int round = 0; round < rounds; ++round) {
+    const Eigen::VectorXd next = k * x;
+    bound = std::min(bound, next.cwiseQuotient(x).maxCoeff());
+    // Mixed, so that it stays above 0 and does not swing.
+    x = x + next;
+    x /= x.maxCoeff();
+  }
+  return bound;
+}
+
+double Hinges::kappa(int body) {
+  const Response by_moment = response(body);
+  const auto [by_force, by_held] = slopes(body);
   // Frobenius norms, up to 3 times the largest stretch: the safe side, also
   // where hinges act on each other.
   return by_force.norm() * by_moment.force.norm() +

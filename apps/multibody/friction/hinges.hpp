@@ -24,7 +24,7 @@ struct Hinge {
   double leverage;
   double mass;
   double inertia;  ///< least about the hinge of a turn that moves the body
-  double length;   ///< length of the arms of its hinge
+  double length;   ///< of the arms of its hinge, and of those it hangs on
   HingeSolver solver;
 };
 
@@ -64,6 +64,7 @@ class Hinges {
   /// Hinges that slide with friction, as of the last set_state().
   const std::vector<int>& active() const { return at_.active; }
   bool is_prescribed() const { return at_.prescribed.has_value(); }
+  bool is_tree() const { return at_.dynamics.is_tree(); }
   /// Whether a hinge has hardly begun to slide: its acceleration is what its
   /// friction is short of, next to nothing.
   bool any_gets_under_way() const;
@@ -101,6 +102,15 @@ class Hinges {
   /// refined_tolerance, N m: an upper estimate.
   double uncertain_moment() const;
   double kappa(int body);
+  /// Of a deeper tree: a bound of the spectral radius of K, with
+  /// K_ij = |dM_i/dR_i||dR_i/dM_j|. Below 1 the moments are the only ones.
+  /// Allocates.
+  double tree_kappa();
+  /// Largest row sum of |dR_i/dM_j|, 1/m.
+  double tree_response() { return responses().rowwise().sum().maxCoeff(); }
+  /// Of a deeper tree: the steps of Newton's method over all hinges at once,
+  /// as changes about to be made. After solve().
+  void set_tree_steps();
 
   /// Inertia against which a sliding ball joint's friction works, and its
   /// acceleration without friction.
@@ -116,6 +126,12 @@ class Hinges {
     Eigen::Matrix3d acceleration, force, moment;
   };
   Response response(int body);
+  Eigen::MatrixXd responses();
+  /// Those of a hinge's friction over its reaction.
+  struct Slopes {
+    Eigen::Matrix3d by_force, by_held;
+  };
+  Slopes slopes(int body);
   void evaluate();
   void know_reactions();
 

@@ -17,7 +17,12 @@ bool is_driven(const Hinges& hinges, int body) {
   constexpr double rounding = 1e-8;
   const HingeMemory& memory = hinges.memory(body);
   const double along = hinges.acceleration(body).dot(memory.direction);
-  return along < (hinge.is_axis ? 0 : -rounding * memory.pace);
+  double pace = hinge.is_axis ? 0 : memory.pace;
+  // In a deeper tree the rounding of the neighbours' friction moves it too.
+  for (int i = 0; i < hinges.size() && hinges.is_tree(); ++i) {
+    pace = std::max(pace, hinges.acceleration(i).norm());
+  }
+  return along < -rounding * pace;
 }
 
 std::vector<Vector3d> SlipDirections::get() const {
