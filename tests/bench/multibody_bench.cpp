@@ -23,8 +23,14 @@ using multibody::Instant;
 using multibody::Prepared;
 using multibody::test::Mix;
 
-Instant free_motion(Mix mix, int bodies) {
+// On the carrier, or each on the one before.
+enum class Hung { star, chain };
+
+Instant free_motion(Mix mix, int bodies, Hung hung = Hung::star) {
   Instant instant = random_instant(mix, bodies, 1);
+  for (int i = 0; i < bodies && hung == Hung::chain; ++i) {
+    instant.bodies[i].body.parent = i - 1;
+  }
   instant.active_force.setZero();
   instant.active_moment_com.setZero();
   for (multibody::BodyInstant& body : instant.bodies) {
@@ -35,8 +41,8 @@ Instant free_motion(Mix mix, int bodies) {
   return instant;
 }
 
-Prepared prepared(benchmark::State& state, Mix mix) {
-  return prepare(free_motion(mix, static_cast<int>(state.range(0))));
+Prepared prepared(benchmark::State& state, Mix mix, Hung hung = Hung::star) {
+  return prepare(free_motion(mix, static_cast<int>(state.range(0)), hung));
 }
 
 // Runs f(); `motions` of them in one call.
@@ -52,8 +58,9 @@ void measure(benchmark::State& state, int motions, F f) {
                              benchmark::Counter::kInvert);
 }
 
+template <Hung hung>
 void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
-  const Prepared p = prepared(state, mix);
+  const Prepared p = prepared(state, mix, hung);
   Dynamics dynamics(p.system, set);
   std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
   measure(state, 1, [&] {
@@ -93,8 +100,9 @@ void dense_cholesky(benchmark::State& state, Mix mix) {
 // stages of the paper's Runge-Kutta steps see them, forth and back.
 enum class AxisHinge { node, pin };
 struct Stretch {
-  Stretch(Mix mix, int bodies, AxisHinge axis_hinge = AxisHinge::node)
-      : instant(free_motion(mix, bodies)), prepared(prepare(instant)) {
+  Stretch(Mix mix, int bodies, AxisHinge axis_hinge = AxisHinge::node,
+          Hung hung = Hung::star)
+      : instant(free_motion(mix, bodies, hung)), prepared(prepare(instant)) {
     const contact::FrictionLaw law(0.1, 1e5);
     multibody::MotionStart start;
     start.carrier = {instant.position, instant.velocity, instant.rotation,
@@ -143,9 +151,9 @@ struct Stretch {
 };
 
 // Friction converged at every evaluation, rates of the state included.
-template <AxisHinge axis_hinge>
+template <AxisHinge axis_hinge, Hung hung = Hung::star>
 void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
-  Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge);
+  Stretch run(mix, static_cast<int>(state.range(0)), axis_hinge, hung);
   const contact::detail::WithInstructionSet with(set);
   const multibody::CoupledDynamics coupled(run.prepared.system, run.friction);
   multibody::FrictionMemory memory = coupled.beginning();
@@ -194,8 +202,10 @@ void unhinged(benchmark::State& state, Mix mix) {
 }
 
 #ifdef CONTACT_HAS_SIMBODY
+template <Hung hung>
 void simbody(benchmark::State& state, Mix mix) {
-  const Instant instant = free_motion(mix, static_cast<int>(state.range(0)));
+  const Instant instant =
+      free_motion(mix, static_cast<int>(state.range(0)), hung);
   multibody::bench::SimbodySystem system(instant);
   measure(state, 1, [&] { system.evaluate(); });
   const multibody::InstantResult ours = multibody::evaluate(instant);
@@ -327,19 +337,32 @@ void register_all(const std::string& name, Mix mix) {
           std::string(method) + '/' + contact::name(set),
           [=](auto& state, Mix m) { function(state, m, set); }, most);
     };
-    add_for_set("two_step", evaluate, 256);
+    add_for_set("two_step", evaluate<Hung::star>, 256);
     add_for_set("without_friction", without_friction, 64);
     add_for_set("with_friction", with_friction<AxisHinge::node>, 64);
     if (mix == Mix::axes) {
       add_for_set("with_pin_friction", with_friction<AxisHinge::pin>, 64);
     }
   }
+  // The kernels of trees are the same for all sets, the tracker is not.
+  const auto chain = [&](const char* method, auto function, int most) {
+    add(
+        method,
+        [=](auto& state, Mix m) {
+          function(state, m, contact::instruction_set());
+        },
+        most);
+  };
+  chain("chain/two_step", evaluate<Hung::chain>, 256);
+  chain("chain/with_pin_friction", with_friction<AxisHinge::pin, Hung::chain>,
+        16);
   add("increment", increment, 256);
   add("reactions", reactions, 256);
   add("unhinged", unhinged, 64);
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
-  add("simbody", simbody, 256);
+  add("simbody", simbody<Hung::star>, 256);
+  add("chain/simbody", simbody<Hung::chain>, 64);
 #endif
 }
 

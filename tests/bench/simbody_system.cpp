@@ -46,9 +46,10 @@ SimbodySystem::SimbodySystem(const Instant& instant)
   for (const BodyInstant& body : instant.bodies) {
     const Body& l = body.body;
     const SimTK::Body::Rigid b = rigid_body(l.mass, l.inertia);
+    MobilizedBody parent = l.parent < 0 ? p.carrier : bodies[l.parent];
     if (l.kind == HingeKind::axis) {
       bodies.push_back(MobilizedBody::Pin(
-          carrier,
+          parent,
           SimTK::Transform(simtk_rotation(l.hinge_to_carrier_zero),
                            simtk(l.hinge_from_carrier_com)),
           b,
@@ -56,7 +57,7 @@ SimbodySystem::SimbodySystem(const Instant& instant)
                            simtk(l.hinge_from_com))));
     } else {
       bodies.push_back(MobilizedBody::Ball(
-          carrier, SimTK::Transform(simtk(l.hinge_from_carrier_com)), b,
+          parent, SimTK::Transform(simtk(l.hinge_from_carrier_com)), b,
           SimTK::Transform(simtk(l.hinge_from_com))));
     }
   }

@@ -9,6 +9,7 @@
 
 #include "multibody/motion/motion.hpp"
 #include "multibody_support/friction_parts.hpp"
+#include "multibody_support/momentum.hpp"
 #include "multibody_support/random_instant.hpp"
 #include "multibody_support/wheel.hpp"
 #include "support/error_message.hpp"
@@ -30,27 +31,6 @@ TEST(Motion, ForcesThatAreTakenAwayActNoLonger) {
   motion.set_forces(nullptr);
   motion.advance_to(2);
   EXPECT_NEAR(motion.sample().hinge(0).angle_rate, 2 / about, 1e-9);
-}
-
-// Momentum of all bodies about the origin, inertial axes.
-struct Momentum {
-  Vector3d linear = Vector3d::Zero();
-  Vector3d angular = Vector3d::Zero();
-};
-
-Momentum momentum_of(const MotionSample& sample, const Carrier& carrier,
-                     const std::vector<Body>& bodies) {
-  Momentum p;
-  for (std::size_t i = 0; i <= bodies.size(); ++i) {
-    const BodyMotion& body = sample.motions()[i];
-    const double mass = i == 0 ? carrier.mass : bodies[i - 1].mass;
-    const Matrix3d inertia = i == 0 ? carrier.inertia : bodies[i - 1].inertia;
-    p.linear += mass * body.velocity;
-    p.angular += mass * body.position.cross(body.velocity) +
-                 body.rotation * inertia * body.rotation.transpose() *
-                     body.angular_velocity;
-  }
-  return p;
 }
 
 // A free carrier with bodies of all kinds that move and come to rest on it.
