@@ -5,6 +5,7 @@
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <cmath>
+#include <cstdio>
 #include <memory>
 #include <numbers>
 #include <span>
@@ -225,6 +226,75 @@ TEST(MotionTree, MomentumAndEnergyStay) {
     expect_same(p, momentum_of(motion.sample(), t.carrier, t.bodies), 1e-10);
     EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-10 * energy);
   }
+}
+
+// Moments that swing between each body and its parent.
+class Swing : public ForceModel {
+ public:
+  explicit Swing(const std::vector<Body>& bodies) : bodies_(bodies) {}
+  void add_forces(double time, std::span<const BodyMotion>,
+                  std::span<BodyForce> forces) const override {
+    for (std::size_t i = 0; i < bodies_.size(); ++i) {
+      const double phase = 3 * time + static_cast<double>(i);
+      const Vector3d moment(std::sin(phase), std::cos(0.7 * phase), 0.3);
+      forces[1 + i].moment += moment;
+      forces[1 + bodies_[i].parent].moment -= moment;
+    }
+  }
+
+ private:
+  std::vector<Body> bodies_;
+};
+
+// Through rest and onsets of balls and pins.
+TEST(MotionTree, FrictionKeepsTheBooks) {
+  std::size_t changes = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const Tree t = random_tree(seed, 6, true);
+    MotionOptions options;
+    options.relative_tolerance = 1e-10;
+    options.absolute_tolerance = 1e-11;
+    Motion motion(System(t.carrier, t.bodies), t.friction,
+                  std::make_shared<Swing>(t.bodies), t.start, options);
+    const auto all = [&] {
+      return momentum_of(motion.sample(), t.carrier, t.bodies);
+    };
+    const Momentum p = all();
+    const double energy = motion.sample().energy().balance();
+    ASSERT_EQ(motion.advance_to(5), Stop::time)
+        << seed << ' ' << motion.failure()->message();
+    expect_same(p, all(), 1e-8);
+    const EnergyBook book = motion.sample().energy();
+    EXPECT_NEAR(book.balance(), energy, 1e-8 * energy);
+    EXPECT_GT(book.dissipated, 0);
+    changes += motion.changes().size();
+    std::printf(
+        "seed %d: %zu changes, dissipated %.3g of %.3g J, error %.2g, "
+        "%.2f outer\n",
+        static_cast<int>(seed), motion.changes().size(), book.dissipated,
+        energy, (book.balance() - energy) / energy,
+        static_cast<double>(motion.counts().outer_iterations) /
+            static_cast<double>(motion.counts().evaluations));
+  }
+  EXPECT_GT(changes, 50u);
+}
+
+// A carrier of 1e9 kg is ground: each branch moves for itself, as on ground.
+TEST(MotionTree, HeavyRootIsGround) {
+  Tree t = random_tree(3, 6, true);
+  t.start.carrier.velocity.setZero();
+  t.start.carrier.angular_velocity.setZero();
+  t.carrier = {1e9, 1e9 * Matrix3d::Identity()};
+  const auto at_end = [&] {
+    MotionOptions options = tight(Vector3d::Zero());
+    Motion motion(System(t.carrier, t.bodies), t.friction,
+                  std::make_shared<Swing>(t.bodies), t.start, options);
+    EXPECT_EQ(motion.advance_to(0.5), Stop::time);
+    return motion.sample().body(5).position;
+  };
+  const Vector3d on_body = at_end();
+  t.carrier = {.fixed = true};
+  EXPECT_LE((at_end() - on_body).norm(), 1e-7);
 }
 
 // The sample's accelerations are the derivatives of its velocities.
