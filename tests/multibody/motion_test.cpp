@@ -581,23 +581,23 @@ TEST(Motion, ReleasedBodiesGoOnAsFreeBodies) {
   EXPECT_LT((q.angular - p.angular).norm(), 1e-8 * p.angular.norm());
 }
 
-TEST(Motion, LocksKeepMomentumAndHold) {
+TEST(Motion, LatchesKeepMomentumAndHold) {
   const Mixed m = mixed_system(6, true);
   Motion motion(System(m.carrier, m.bodies), m.friction, nullptr, m.start);
   motion.advance_to(0.5);
-  motion.save();  // at a step's end, as lock() does
+  motion.save();  // at a step's end, as latch() does
   const Momentum p = momentum_of(motion.sample(), m.carrier, m.bodies);
   const double energy = motion.sample().energy().balance();
-  for (int i = 0; i < 4; ++i) motion.lock(i);
+  for (int i = 0; i < 4; ++i) motion.latch(i);
   const Momentum q = momentum_of(motion.sample(), m.carrier, m.bodies);
   EXPECT_LT((q.linear - p.linear).norm(), 1e-12 * p.linear.norm());
   EXPECT_LT((q.angular - p.angular).norm(), 1e-12 * p.angular.norm());
   EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-9 * energy);
   motion.advance_to(1);
   EXPECT_EQ(motion.sample().hinge(2).relative_angular_velocity.norm(), 0);
-  EXPECT_EQ(motion.sample().mode(2), HingeMode::locked);
+  EXPECT_EQ(motion.sample().mode(2), HingeMode::latched);
   motion.unlock(2);
-  EXPECT_NE(motion.sample().mode(2), HingeMode::locked);
+  EXPECT_NE(motion.sample().mode(2), HingeMode::latched);
 }
 
 TEST(Motion, BadInputIsRefusedByName) {

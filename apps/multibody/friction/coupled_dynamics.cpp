@@ -376,6 +376,9 @@ Onset CoupledDynamics::begin_to_slide(int body, Hinges& at) {
   if (tau > 1) onset.excess = (1 - 1 / tau) * vec3(at.reaction(body).moment);
   const Vector3d& direction = at.memory(body).solver.slip_direction;
   if (!direction.isZero(0)) onset.direction = direction;
+  if (const int push = at.now(body).push) {
+    onset.direction = push * Vector3d::UnitZ();
+  }
   at.memory(body).direction = onset.direction;
   set_mode(body, HingeMode::sliding, at.memory());
   return onset;

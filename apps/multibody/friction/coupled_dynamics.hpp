@@ -43,6 +43,16 @@ class CoupledDynamics {
   const std::vector<JointMode>& modes() const { return modes_; }
   HingeMode mode(int body) const { return hinge(body).mode; }
   const Hinge& hinge(int body) const { return hinges_[body]; }
+  void add_stop(const HingeStop& stop) {
+    hinges_[stop.body].stops.push_back(stop);
+  }
+  /// Whether a body is at a stop, and whether it can rest.
+  bool can_push(int body, const double* state) const {
+    return hinge(body).push_at(state[layout_.offset(body)]) != 0;
+  }
+  bool can_rest(int body, const double* state) const {
+    return hinge(body).can_rest || can_push(body, state);
+  }
 
   /// Nothing has been found so far.
   const FrictionMemory& beginning() const { return beginning_; }

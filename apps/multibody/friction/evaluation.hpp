@@ -17,6 +17,7 @@ struct HingeInstant {
   Eigen::Vector3d last_moment, last_solved;  ///< a step of the loop before
   /// The joints' solutions are not those of this evaluation.
   bool solver_is_behind = false;
+  int push = 0;  ///< Hinge::push_at(), of a held one
   double utilisation = 0;
   long utilisation_of = -1;  ///< Evaluation::number that it belongs to
 };

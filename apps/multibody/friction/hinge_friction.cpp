@@ -24,6 +24,8 @@ const char* to_string(HingeMode mode) {
       return "locked";
     case HingeMode::released:
       return "released";
+    case HingeMode::latched:
+      return "latched";
   }
   return "";
 }

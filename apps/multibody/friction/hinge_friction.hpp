@@ -47,12 +47,18 @@ enum class HingeMode {
   resting,   ///< relative velocity exactly 0, held by friction
   locked,    ///< held by a lock
   released,  ///< there is no hinge (any more)
+  latched,   ///< held by a latch
 };
 
 /// All of them, in order.
 inline constexpr std::array hinge_modes = {
     HingeMode::sliding, HingeMode::resting, HingeMode::locked,
-    HingeMode::released};
+    HingeMode::released, HingeMode::latched};
+
+/// Held by a lock or a latch, not by friction or stops.
+constexpr bool is_fixed(HingeMode mode) {
+  return mode == HingeMode::locked || mode == HingeMode::latched;
+}
 
 /// "sliding", ...
 const char* to_string(HingeMode mode);

@@ -92,8 +92,9 @@ void Hinges::set_state(const double* state) {
     if (dynamics.mode(i) != mode) dynamics.set_mode(i, mode);
     if (hinges_[i].is_active()) at_.active.push_back(i);
     if (hinges_[i].mode != HingeMode::released) {
-      hinges_[i].solver.set_state(state + dynamics.layout().offset(i),
-                                  memory(i).solver);
+      const double* s = state + dynamics.layout().offset(i);
+      hinges_[i].solver.set_state(s, memory(i).solver);
+      now(i).push = hinges_[i].push_at(*s);
     }
   }
   if (state != at_.state.data()) {
@@ -391,17 +392,27 @@ double Hinges::kappa(int body) {
          by_held.norm() * by_moment.moment.norm();
 }
 
+double Hinges::work_out_utilisation(int body) {
+  // Rounding does not make a hinge slide.
+  const CoupledRounding least = rounding();
+  const Reaction<double>& held = reaction(body);
+  const bool is_little = vec3(held.moment).norm() <= least.moment;
+  if (is_little && vec3(held.force).norm() <= least.force) return 0;
+  const Hinge& hinge = hinges_[body];
+  const double tau = hinge.has_friction
+                         ? hinge.solver.utilisation(held, memory(body).solver)
+                         : 0;
+  const int push = now(body).push;
+  if (push == 0 || std::isnan(tau)) return tau;
+  if (push * held.moment.z >= 0) return 0;  // the stop takes it all
+  if (hinge.can_rest) return tau;
+  return is_little ? 0 : std::numeric_limits<double>::infinity();
+}
+
 double Hinges::utilisation(int body) {
   HingeInstant& hinge = now(body);
   if (hinge.utilisation_of != at_.number) {
-    // Rounding does not make a hinge slide.
-    const CoupledRounding least = rounding();
-    const Reaction<double>& held = reaction(body);
-    hinge.utilisation =
-        vec3(held.force).norm() <= least.force &&
-                vec3(held.moment).norm() <= least.moment
-            ? 0
-            : hinges_[body].solver.utilisation(held, memory(body).solver);
+    hinge.utilisation = work_out_utilisation(body);
     hinge.utilisation_of = at_.number;
   }
   return hinge.utilisation;

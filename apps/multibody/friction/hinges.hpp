@@ -6,6 +6,7 @@
 
 #include "multibody/friction/evaluation.hpp"
 #include "multibody/friction/friction_memory.hpp"
+#include "multibody/friction/hinge_stop.hpp"
 
 namespace multibody {
 
@@ -15,6 +16,13 @@ struct Hinge {
 
   /// Slides with friction.
   bool is_active() const { return mode == HingeMode::sliding && has_friction; }
+  /// Sign of the moment that a stop gives at an angle; 0: it is at none.
+  int push_at(double angle) const {
+    for (const HingeStop& stop : stops) {
+      if (angle == stop.angle) return stop.side;
+    }
+    return 0;
+  }
 
   HingeMode mode = HingeMode::sliding;
   bool straight = false;  ///< keeps its direction
@@ -26,6 +34,7 @@ struct Hinge {
   double inertia;  ///< least about the hinge of a turn that moves the body
   double length;   ///< of the arms of its hinge, and of those it hangs on
   HingeSolver solver;
+  std::vector<HingeStop> stops;
 };
 
 /// Mode of a hinge in the dynamics.
@@ -96,6 +105,7 @@ class Hinges {
   double solve(double floor = 0);
   /// The joints of a hinge under the reactions found.
   std::span<const contact::JointSolution> joints(int body);
+  /// 0 on a stop that presses; infinite where an ideal hinge would leave it.
   double utilisation(int body);
   CoupledRounding rounding() const;
   /// Largest error of the moment that a hinge holds, with friction found to
@@ -133,6 +143,7 @@ class Hinges {
   };
   Slopes slopes(int body);
   void evaluate();
+  double work_out_utilisation(int body);
   void know_reactions();
 
   const std::vector<Hinge>& hinges_;

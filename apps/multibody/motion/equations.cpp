@@ -33,7 +33,8 @@ Equations::Equations(const System& motion_system,
                      std::vector<HingeFriction> friction,
                      std::shared_ptr<const ForceModel> force_model,
                      const MotionOptions& options)
-    : system(motion_system),
+    : losses(motion_system.size()),
+      system(motion_system),
       gravity(options.gravity),
       drive(options.carrier_drive),
       coupled(system,
@@ -44,7 +45,9 @@ Equations::Equations(const System& motion_system,
       forces(std::move(force_model)),
       held_units_(size()),
       here_(system),
-      aside_(memory) {}
+      aside_(memory) {
+  for (const HingeStop& stop : options.stops) coupled.add_stop(stop);
+}
 
 int Equations::owner_of(int number) const {
   if (number < 0 || number == work_at()) return -1;

@@ -81,6 +81,8 @@ class Equations {
     here_.bodies[1 + body].hinge_angle = angle;
   }
 
+  /// Energy that stops and latches took from each body's hinge, J.
+  std::vector<double> losses;
   const System system;
   const Eigen::Vector3d gravity;
   const std::optional<CarrierDrive> drive;

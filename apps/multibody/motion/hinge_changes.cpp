@@ -2,16 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
+#include <cmath>
 
 #include "multibody/system/eigen_conversion.hpp"
 
 namespace multibody {
 namespace {
 
-using Eigen::Map;
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 // Speed up to which a ball joint that begins to slide does so straight, rad/s:
@@ -33,15 +31,17 @@ HingeChanges::HingeChanges(Equations& equations, MotionSample& view,
     : equations_(equations),
       view_(view),
       coupled_(equations.coupled),
-      impulse_(equations.system),
+      impulse_(equations),
       stop_speed_(default_stop_speed(options)),
       stall_changes_(options.stall_changes),
       stall_span_(options.stall_span),
       straight_from_(coupled_.size()),
+      settle_times_(coupled_.size()),
       recent_(coupled_.size()) {}
 
 void HingeChanges::change(double time, int body, HingeMode mode) {
-  all_.push_back({time, body, coupled_.mode(body), mode});
+  settle_times_[body] = 0;
+  all_.push_back({time, body, coupled_.mode(body), mode, false});
   equations_.set_mode(body, mode);
 }
 
@@ -61,7 +61,8 @@ CoupledReport HingeChanges::resolve_rest(double time,
   for (int i = 0; i < coupled_.size(); ++i) {
     const HingeMode mode = coupled_.mode(i);
     if (mode == before[i]) continue;
-    all_.push_back({time, i, before[i], mode});
+    settle_times_[i] = 0;
+    all_.push_back({time, i, before[i], mode, is_on_stop(i, state)});
     // Out of rest friction would turn with a velocity that is next to
     // nothing: until it has grown it has the direction of the acceleration.
     if (mode == HingeMode::sliding && !equations_.is_axis(i)) {
@@ -72,72 +73,147 @@ CoupledReport HingeChanges::resolve_rest(double time,
   return report;
 }
 
-// An impulse in the hinge: the velocities jump as the accelerations would
-// answer to a moment, with everything at rest. The bodies keep their momentum
-// and the other held hinges hold.
 void HingeChanges::stop(int body, std::vector<double>& state) {
-  const std::vector<Link>& links = equations_.system.links();
-  const std::vector<JointMode>& modes = equations_.modes();
-  const Vector3d rate = equations_.rate_of(body, state.data());
-  if (rate.isZero(0)) return;
+  if (equations_.rate_of(body, state.data()).isZero(0)) return;
+  const auto jumps = impulse_.apply({{body, Vector3d::Zero()}}, false, state);
+  state[equations_.dissipated_at(body)] += jumps.front().loss;
+}
 
-  std::vector<double> still = state;
-  Map<Vector3d>(&still[StateLayout::angular_velocity]).setZero();
-  for (int i = 0; i < coupled_.size(); ++i) {
-    const JointMode mode = i == body ? JointMode::turning : modes[i];
-    if (impulse_.mode(i) != mode) impulse_.set_mode(i, mode);
-    double* s = &still[equations_.offset(i)];
-    if (mode == JointMode::released) {
-      Map<Vector3d>(s + StateLayout::angular_velocity).setZero();
-    } else {
-      set_relative_rate(links[i], s, Vector3d::Zero());
-    }
+// One impulse in several hinges, and what it does to the others.
+std::vector<Impulse::Jump> HingeChanges::jump(
+    double time, const std::vector<Impulse::Target>& targets, bool ideal,
+    std::vector<double>& state) {
+  const std::vector<double> before = state;
+  const auto jumps = impulse_.apply(targets, ideal, state);
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    equations_.losses[targets[t].body] += jumps[t].loss;
   }
-  ActiveForces<double> moments;
-  moments.bodies.resize(links.size());
-  const auto answer = [&](const Vector3d& moment) {
-    moments.bodies[body].friction = vec3(moment);
-    if (equations_.drive) {
-      impulse_.evaluate_prescribed(still.data(), moments, {});
-    } else {
-      impulse_.evaluate(still.data(), moments);
+  for (int i = 0; i < coupled_.size(); ++i) {
+    const HingeMode mode = coupled_.mode(i);
+    if (mode != HingeMode::sliding && mode != HingeMode::resting) continue;
+    const Vector3d rate = equations_.rate_of(i, state.data());
+    if (rate.isZero(0) || rate == equations_.rate_of(i, before.data())) {
+      continue;
     }
-    return Vector3d(vec3(impulse_.relative_acceleration(body)));
+    if (mode == HingeMode::resting) change(time, i, HingeMode::sliding);
+    equations_.set_mode(i, HingeMode::sliding);
+    equations_.memory.hinges[i].direction = rate.normalized();
+  }
+  return jumps;
+}
+
+void HingeChanges::note_jumps(double time,
+                              const std::vector<Impulse::Target>& targets,
+                              const std::vector<Impulse::Jump>& jumps,
+                              bool latches, const std::vector<double>& before) {
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    const int body = targets[t].body;
+    const Vector3d rate = equations_.rate_of(body, before.data());
+    impacts_.push_back({time, body, latches,
+                        equations_.is_axis(body) ? rate.z() : rate.norm(),
+                        jumps[t].impulse.norm(), jumps[t].loss});
+  }
+}
+
+void HingeChanges::latch(double time, const std::vector<int>& bodies,
+                         std::vector<double>& state) {
+  std::vector<Impulse::Target> moving;
+  for (const int body : bodies) {
+    if (equations_.rate_of(body, state.data()).isZero(0)) continue;
+    moving.push_back({body, Vector3d::Zero()});
+  }
+  const std::vector<double> before = state;
+  note_jumps(time, moving, jump(time, moving, true, state), true, before);
+  for (const int body : bodies) {
+    settle_times_[body] = 0;
+    change(time, body, HingeMode::latched);
+  }
+}
+
+const HingeStop* HingeChanges::stop_hit(
+    int body, const std::vector<double>& state) const {
+  const double* s = &state[equations_.offset(body)];
+  const HingeStop* hit = nullptr;
+  for (const HingeStop& stop : coupled_.hinge(body).stops) {
+    if (!(stop.side * s[1] < 0)) continue;
+    if (!hit || stop.gap(s[0]) < hit->gap(s[0])) hit = &stop;
+  }
+  return hit;
+}
+
+void HingeChanges::hit(double time, const std::vector<int>& bodies,
+                       std::vector<double>& state) {
+  std::vector<Impulse::Target> targets;
+  for (const int body : bodies) {
+    const HingeStop* stop = stop_hit(body, state);
+    if (!stop) continue;  // others have driven it off
+    double* s = &state[equations_.offset(body)];
+    targets.push_back({body, {0, 0, -stop->restitution * s[1]}});
+    s[0] = stop->angle;
+  }
+  const std::vector<double> before = state;
+  const auto jumps = jump(time, targets, true, state);
+  note_jumps(time, targets, jumps, false, before);
+  std::vector<Bounce> bounces;
+  for (std::size_t t = 0; t < targets.size(); ++t) {
+    bounces.push_back({stop_hit(targets[t].body, before), jumps[t].response});
+  }
+  settle(time, bounces, state);
+}
+
+// The last bounces, lower than anyone sees and hardly above the rounding of the
+// angle, are not followed: the body is held for the time that they take, that
+// of a geometric series under the force there is.
+void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
+                          std::vector<double>& state) {
+  constexpr double low = 1e-11;  // rad
+  const auto still = [&] {
+    std::vector<Impulse::Target> targets;
+    for (const Bounce& bounce : bounces) {
+      targets.push_back({bounce.stop->body, Vector3d::Zero()});
+    }
+    return targets;
   };
-  Vector3d moment = Vector3d::Zero();
-  if (equations_.is_axis(body)) {
-    moment.z() = -rate.z() / answer(Vector3d::UnitZ()).z();
-  } else {
-    Matrix3d mobility;
-    for (int k = 0; k < 3; ++k) mobility.col(k) = answer(Vector3d::Unit(k));
-    moment = -mobility.fullPivLu().solve(rate);
+  std::vector<double> held = state;
+  impulse_.apply(still(), false, held);
+  for (Bounce& bounce : bounces) {
+    const int body = bounce.stop->body;
+    bounce.rate = std::abs(equations_.rate_of(body, state.data()).z());
+    equations_.set_mode(body, HingeMode::resting);
   }
-  answer(moment);
-
-  const CarrierAcceleration<double>& jump = impulse_.carrier();
-  const Matrix3d r0 = view_.motions()[0].rotation;
-  Map<Vector3d>(&state[StateLayout::velocity]) += r0 * vec3(jump.linear);
-  Map<Vector3d>(&state[StateLayout::angular_velocity]) += vec3(jump.angular);
-  // Of bodies that were released: they may carry the hinge.
-  std::vector<double> jumps(still.size());
-  impulse_.rates(still.data(), {0, 0, 0}, jumps.data());
-  for (int i = 0; i < coupled_.size(); ++i) {
-    double* s = &state[equations_.offset(i)];
-    if (modes[i] == JointMode::released) {
-      const double* jump_of = &jumps[equations_.offset(i)];
-      for (const int k :
-           {StateLayout::velocity, StateLayout::angular_velocity}) {
-        Map<Vector3d>(s + k) += Map<const Vector3d>(jump_of + k);
-      }
+  view_.show(time, held);
+  const bool known = view_.work_out();
+  std::vector<const HingeStop*> goes_on;
+  std::erase_if(bounces, [&](Bounce& bounce) {
+    const HingeStop& stop = *bounce.stop;
+    const double moment = view_.hinges().reaction(stop.body).moment.z;
+    bounce.pressed =
+        known ? std::max(0.0, stop.side * moment * bounce.response) : 0;
+    const double least = low * std::max(1.0, std::abs(stop.angle));
+    if (bounce.rate * bounce.rate <= 2 * bounce.pressed * least) return false;
+    goes_on.push_back(&stop);
+    return true;
+  });
+  for (const HingeStop* stop : goes_on) {
+    equations_.set_mode(stop->body, HingeMode::sliding);
+    equations_.memory.hinges[stop->body].direction =
+        stop->side * Vector3d::UnitZ();
+  }
+  jump(time, still(), false, state);
+  for (const auto& [stop, response, rate, pressed] : bounces) {
+    const double e = stop->restitution;
+    const double lasts = rate > 0 && e < 1 ? 2 * rate / (pressed * (1 - e)) : 0;
+    if (time + lasts > time) {
+      settle_times_[stop->body] = time + lasts;
+    } else {
+      end_bounces(time, stop->body);
     }
-    if (modes[i] != JointMode::turning) continue;
-    const Vector3d a = vec3(impulse_.relative_acceleration(i));
-    set_relative_rate(links[i], s, relative_rate(links[i], s) + a);
   }
-  set_relative_rate(links[body], &state[equations_.offset(body)],
-                    Vector3d::Zero());
-  // The mean of the velocities before and after does the work.
-  state[equations_.dissipated_at(body)] -= 0.5 * moment.dot(rate);
+}
+
+void HingeChanges::end_bounces(double time, int body) {
+  settle_times_[body] = 0;
+  all_.push_back({time, body, HingeMode::sliding, HingeMode::resting, true});
 }
 
 std::optional<std::string> HingeChanges::stalls(double time, int body) {
@@ -154,9 +230,10 @@ std::optional<std::string> HingeChanges::stalls(double time, int body) {
       time, stall_changes_, stall_span_, hinge);
 }
 
-void HingeChanges::restore(int body, double straight_from) {
+void HingeChanges::restore(int body, double straight_from, double settle_time) {
   recent_[body] = {};
   straight_from_[body] = straight_from;
+  settle_times_[body] = settle_time;
 }
 
 }  // namespace multibody

@@ -16,9 +16,10 @@ namespace {
 
 // The highest value within a step that is negative at both ends, and its time;
 // only as far as it may be of interest.
+// @param unit  of what passes for far from 0
 std::pair<double, double> peak_between(const StepFunction& tau, double low,
                                        double low_value, double high,
-                                       double high_value) {
+                                       double high_value, double unit) {
   const double middle = low + (high - low) / 2;
   const double value = tau(middle);
   if (value > 0) return {middle, value};
@@ -28,7 +29,7 @@ std::pair<double, double> peak_between(const StepFunction& tau, double low,
   const double bend = 2 * value - low_value - high_value;
   const double slope = high_value - low_value;
   const bool inside = bend > 0 && std::abs(slope) < 2 * bend;
-  if (!inside || value + slope * slope / (8 * bend) < -near) {
+  if (!inside || value + slope * slope / (8 * bend) < -near * unit) {
     return {middle, value};
   }
   constexpr int bits = 20;  // in time: values there differ by 1e-12
@@ -49,7 +50,8 @@ HingeEvents::HingeEvents(Equations& equations, MotionSample& view,
       stepper_(stepper),
       hinges_(hinges),
       fixed_steps_(options.integrator == Integrator::rk4),
-      slips_(equations.size()) {}
+      slips_(equations.size()),
+      angles_(equations.size()) {}
 
 template <class Value>
 StepFunction HingeEvents::function(Value value) {
@@ -69,27 +71,32 @@ bool HingeEvents::slides_to_stop(int body) const {
          (hinge.is_axis || hinge.straight);
 }
 
-void HingeEvents::sample_slip() {
-  std::vector<int> bodies;
+void HingeEvents::sample() {
+  std::vector<int> bodies, stopped;
   for (int i = 0; i < equations_.size(); ++i) {
+    const Hinge& hinge = coupled_.hinge(i);
+    if (hinge.mode == HingeMode::sliding && !hinge.stops.empty()) {
+      stopped.push_back(i);
+    }
     if (!slides_to_stop(i)) continue;
     bodies.push_back(i);
     slips_[i].direction = equations_.memory.hinges[i].direction;
     // Direction at the beginning of the step.
     const Vector3d rate = equations_.rate_of(i, stepper_.begin_state().data());
-    if (coupled_.hinge(i).follows && !rate.isZero(0)) {
+    if (hinge.follows && !rate.isZero(0)) {
       slips_[i].direction = rate.normalized();
     }
   }
   trial_.resize(equations_.number_count());
   for (const int k : {6, 3, 0, 1, 2, 4, 5}) {
-    if (bodies.empty()) return;
+    if (bodies.empty() && stopped.empty()) return;
     stepper_.estimate(StepFunction::point(k, stepper_.begin(), stepper_.end()),
                       trial_);
     for (const int i : bodies) {
       slips_[i].rates[k] =
           equations_.rate_of(i, trial_.data()).dot(slips_[i].direction);
     }
+    for (const int i : stopped) angles_[i][k] = trial_[equations_.offset(i)];
   }
 }
 
@@ -171,21 +178,32 @@ std::optional<double> HingeEvents::turning(int body) {
              : std::nullopt;
 }
 
+// By how much a resting hinge is short of what it has to hold: above 0 it
+// slides. On a stop in N m, so that it is smooth where the stop ceases to
+// press.
+double HingeEvents::excess(int body) {
+  const double utilisation = view_.utilisation(body);
+  if (std::isnan(utilisation)) return utilisation;
+  const double limit = coupled_.slip_limit(body, view_.hinges());
+  if (coupled_.can_push(body, view_.state().data())) {
+    const double held = std::abs(view_.hinges().reaction(body).moment.z);
+    return utilisation > 0 ? held * (1 - limit / utilisation) : -held;
+  }
+  // Without any reaction it is infinite.
+  constexpr double most = 1e6;
+  return std::min(utilisation, most) - limit;
+}
+
 // Time from which a resting hinge no longer holds, or has a contact without a
 // value, whose tau is NaN: resolve_rest() tells the two apart.
 std::optional<double> HingeEvents::rest_end(int body) {
-  const StepFunction tau = function([this, body] {
-    const double utilisation = view_.utilisation(body);
-    if (std::isnan(utilisation)) return utilisation;
-    // Without any reaction it is infinite.
-    constexpr double most = 1e6;
-    return std::min(utilisation, most) -
-           coupled_.slip_limit(body, view_.hinges());
-  });
+  const StepFunction tau = function([this, body] { return excess(body); });
   const double t0 = stepper_.begin();
   double last_value = tau.at_end();
   const double begin = tau.at_begin();
   if (!(begin <= 0)) return t0;
+  const bool on_stop = coupled_.can_push(body, stepper_.begin_state().data());
+  const double unit = on_stop ? -begin : 1;
   double last = stepper_.end();
   // Without a body, tau jumps from 0 to infinity as a moment begins to grow:
   // that is located to the shortest possible step, some roundings of time.
@@ -209,15 +227,48 @@ std::optional<double> HingeEvents::rest_end(int body) {
       last_value = tau(known);
     }
     if (last_value > 0) return passed(last, last_value);
-    const auto peak = peak_between(tau, t0, begin, last, last_value);
+    const auto peak = peak_between(tau, t0, begin, last, last_value, unit);
     if (peak.second > 0) return passed(peak.first, peak.second);
     if (!std::isnan(peak.second)) return lost;
     std::tie(last, last_value) = peak;
   }
 }
 
+// Time at which the body comes to a stop. It goes off from one that it is at,
+// whatever rounding says, unless something drives it back at once.
+std::optional<double> HingeEvents::hit(int body) {
+  std::optional<double> first;
+  for (const HingeStop& stop : coupled_.hinge(body).stops) {
+    const StepFunction gap =
+        function([this, body, &stop] { return stop.gap(view_.angle(body)); });
+    StepFunction::Values values = angles_[body];
+    for (double& value : values) value = stop.gap(value);
+    const double rate =
+        stop.side * equations_.rate_of(body, stepper_.begin_state().data()).z();
+    // Sooner than time can tell.
+    constexpr double rounding = 1e-15;
+    const double soon = rounding * (std::max(1.0, std::abs(stop.angle)) -
+                                    rate * std::abs(stepper_.begin()));
+    if (rate < 0 && values[0] <= soon) return stepper_.begin();
+    if (!(values[0] > 0)) values[0] = just_crossed;
+    const auto crossed =
+        gap.first_crossing(values, values[0], MotionEvent::Crossing::falling);
+    if (!crossed || (first && *first <= crossed->time)) continue;
+    view_.show(stepper_, crossed->time);
+    if (stop.side * view_.rate_of(body).z() < 0) first = crossed->time;
+  }
+  return first;
+}
+
+// Time at which it rests on a stop after its last bounces.
+std::optional<double> HingeEvents::settling(int body) const {
+  const double time = hinges_.settle_time(body);
+  return 0 < time && time <= stepper_.end() ? std::optional(time)
+                                            : std::nullopt;
+}
+
 std::vector<StepEvent> HingeEvents::first() {
-  sample_slip();
+  sample();
   std::vector<StepEvent> found;
   const auto add = [&](Kind kind, int body, std::optional<double> time) {
     if (time) found.push_back({kind, body, *time});
@@ -232,6 +283,10 @@ std::vector<StepEvent> HingeEvents::first() {
       add(Kind::slip_turns, i, turning(i));
     } else if (hinge.mode == HingeMode::resting) {
       add(Kind::rest_ends, i, rest_end(i));
+      add(Kind::settles, i, settling(i));
+    }
+    if (hinge.mode == HingeMode::sliding && !hinge.stops.empty()) {
+      add(Kind::hits_stop, i, hit(i));
     }
   }
   if (found.empty()) return found;

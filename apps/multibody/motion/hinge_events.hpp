@@ -9,7 +9,8 @@
 
 namespace multibody {
 
-/// Events within a step: hinges that stop, slow down, turn or give way.
+/// Events within a step: hinges that stop, slow down, turn or give way, and
+/// bodies that come to their stops.
 class HingeEvents {
  public:
   /// Refers to all of them.
@@ -24,12 +25,15 @@ class HingeEvents {
   using Kind = StepEvent::Kind;
   /// Slides in a known direction, to where that velocity passes 0.
   bool slides_to_stop(int body) const;
-  void sample_slip();
+  void sample();
   std::optional<double> slip_end(int body);
   std::optional<double> slowing(int body);
   std::optional<double> speeding(int body);
   std::optional<double> turning(int body);
   std::optional<double> rest_end(int body);
+  double excess(int body);
+  std::optional<double> hit(int body);
+  std::optional<double> settling(int body) const;
   bool stops_in_step(int body);
   /// Function of a value in view that passes 0.
   template <class Value>
@@ -48,6 +52,7 @@ class HingeEvents {
     StepFunction::Values rates;
   };
   std::vector<Slip> slips_;
+  std::vector<StepFunction::Values> angles_;  ///< where there are stops
   std::vector<double> trial_;
 };
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <utility>
 
 #include "libcontact/base/constants.hpp"
@@ -204,15 +205,19 @@ bool Motion::keep_directions() {
   return true;
 }
 
-// The first in the last step.
+// The first in the last step. What the application has to say at a stop, as
+// that a latch catches the body, comes before the stop.
 std::vector<StepEvent> Motion::find_events() {
   user_events_->sample(*stepper_);
   std::vector<StepEvent> hinges = hinge_events_->first();
   const std::optional<StepEvent> user = user_events_->first(*stepper_);
-  if (user && (hinges.empty() || user->time < hinges.front().time)) {
-    return {*user};
+  if (!user || hinges.empty()) {
+    return user ? std::vector{*user} : std::move(hinges);
   }
-  return hinges;
+  const bool hits = hinges.front().kind == StepEvent::Kind::hits_stop;
+  const double first = hinges.front().time;
+  const double instant = hits ? 1e-12 * (1 + std::abs(first)) : 0;
+  return user->time < first + instant ? std::vector{*user} : std::move(hinges);
 }
 
 bool Motion::step() {
@@ -307,6 +312,9 @@ bool Motion::pass_event(const StepEvent& event, std::vector<double>& state) {
       return false;
     case StepEvent::Kind::rest_ends:
       return true;
+    case StepEvent::Kind::settles:
+      hinges_->end_bounces(now_, i);
+      return true;
     default:
       hinges_->stop(i, state);
       hinges_->change(now_, i, HingeMode::resting);
@@ -329,6 +337,7 @@ bool Motion::handle(const std::vector<StepEvent>& found) {
   std::vector<double> state = view_->state();
   bool due = false;
   bool resolve = false;
+  std::vector<int> hits;
   for (const StepEvent& event : found) {
     const CoupledReport stuck{.status = CoupledStatus::not_converged,
                               .body = event.index};
@@ -342,8 +351,14 @@ bool Motion::handle(const std::vector<StepEvent>& found) {
       return true;
     }
     due |= event.kind == StepEvent::Kind::rest_ends;
-    resolve |= pass_event(event, state);
+    if (event.kind == StepEvent::Kind::hits_stop) {
+      hits.push_back(event.index);
+    } else {
+      resolve |= pass_event(event, state);
+    }
   }
+  if (!hits.empty()) hinges_->hit(now_, hits, state);
+  resolve |= !hits.empty();
   if (!resolve) {
     restart(std::move(state));
   } else if (!resume(std::move(state), due)) {
@@ -382,33 +397,31 @@ void Motion::change(const MotionChange& what) {
   const auto is = [&](HingeMode mode) {
     return [this, mode](int body) { return view_->mode(body) == mode; };
   };
-  if (!what.forces &&
-      std::ranges::none_of(what.unlocked, is(HingeMode::locked)) &&
+  const auto fixed = [this](int body) { return is_fixed(view_->mode(body)); };
+  const auto can_latch = [&](int body) {
+    return !fixed(body) && view_->mode(body) != HingeMode::released;
+  };
+  if (!what.forces && std::ranges::none_of(what.unlocked, fixed) &&
+      std::ranges::none_of(what.latched, can_latch) &&
       std::ranges::all_of(what.released, is(HingeMode::released))) {
     return;
   }
   go_to(now_);
   for (const int body : what.unlocked) {
-    if (view_->mode(body) != HingeMode::locked) continue;
-    const bool can_rest = equations_->coupled.hinge(body).can_rest;
+    if (!fixed(body)) continue;
+    const bool can_rest =
+        equations_->coupled.can_rest(body, view_->state().data());
     hinges_->change(now_, body,
                     can_rest ? HingeMode::resting : HingeMode::sliding);
   }
   std::vector<double> state = view_->state();
+  std::vector<int> latched;
+  std::ranges::copy_if(what.latched, std::back_inserter(latched), can_latch);
+  hinges_->latch(now_, latched, state);
   for (const int body : what.released) {
     if (view_->mode(body) != HingeMode::released) state = let_go(body, state);
   }
   if (what.forces) equations_->forces = *what.forces;
-  resume(std::move(state));
-}
-
-void Motion::lock(int body) {
-  const HingeMode before = view_->mode(body);
-  if (before == HingeMode::locked || before == HingeMode::released) return;
-  go_to(now_);
-  std::vector<double> state = view_->state();
-  hinges_->stop(body, state);
-  hinges_->change(now_, body, HingeMode::locked);
   resume(std::move(state));
 }
 
@@ -449,7 +462,9 @@ MotionState Motion::save() {
                                                  : 0);
     state.paces.push_back(hinge.follows ? memory.pace : 0);
     state.hinge_angles.push_back(view_->motions()[1 + i].hinge_angle);
+    state.settle_times.push_back(hinges_->settle_time(i));
   }
+  state.losses = equations_->losses;
   state.step = stepper_->next_step();
   const std::optional<MotionFailure> failure = failure_;
   restore(state);
@@ -473,10 +488,11 @@ void Motion::restore(const MotionState& state) {
       memory.pace = state.paces[i];
       coupled.follow_acceleration(i);
     }
-    hinges_->restore(i, state.straight_from[i]);
+    hinges_->restore(i, state.straight_from[i], state.settle_times[i]);
     view_->keep_hinge_angle(i, state.hinge_angles[i]);
     equations_->keep_hinge_angle(i, state.hinge_angles[i]);
   }
+  equations_->losses = state.losses;
   equations_->begin_at(now_, state.numbers.data());
   changes_here_ = 0;
   stepper_->set_next_step(state.step);
@@ -494,6 +510,9 @@ int Motion::held_by() const {
 }
 const std::vector<HingeChange>& Motion::changes() const {
   return hinges_->all();
+}
+const std::vector<HingeImpact>& Motion::impacts() const {
+  return hinges_->impacts();
 }
 MotionCounts Motion::counts() const {
   return {equations_->evaluations, steps_, equations_->outer_iterations};

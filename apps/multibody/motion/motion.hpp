@@ -33,6 +33,7 @@ class UserEvents;
 struct MotionChange {
   std::vector<int> unlocked{};  ///< bodies
   std::vector<int> released{};
+  std::vector<int> latched{};
   /// New forces; the old ones stay if it is not set.
   std::optional<std::shared_ptr<const ForceModel>> forces{};
 };
@@ -75,11 +76,14 @@ class Motion {
   /// At time().
   const MotionSample& sample() const;
 
-  /// From now on, at time(). A released body is a body of its own; a locked
-  /// one is held whatever the body on it (its relative velocity is taken out
-  /// with the momentum kept, the energy counts as dissipated).
+  /// From now on, at time(). A released body is a body of its own; a
+  /// latched one is held from now on. Its relative velocity is taken out by an
+  /// impulse that keeps the momentum, one for all that are latched at once;
+  /// hinges that rest are ideal in that instant. To unlock opens latches too.
   void release(int body) { change({.unlocked = {}, .released = {body}}); }
-  void lock(int body);
+  void latch(int body) {
+    change({.unlocked = {}, .released = {}, .latched = {body}});
+  }
   void unlock(int body) { change({.unlocked = {body}}); }
   void set_forces(std::shared_ptr<const ForceModel> forces) {
     change({.forces = std::move(forces)});
@@ -120,6 +124,8 @@ class Motion {
 
   /// Sticking, sliding, locking and releasing so far, in order.
   const std::vector<HingeChange>& changes() const;
+  /// Impacts on stops and by latches so far, in order.
+  const std::vector<HingeImpact>& impacts() const;
 
   /// Begins the steps anew: from now on this motion goes on as one that
   /// restores the state does, to the last bit.

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "multibody/friction/coupled_report.hpp"
+#include "multibody/friction/hinge_stop.hpp"
 #include "multibody/system/force_model.hpp"
 
 /// How a motion begins and how it goes through time.
@@ -73,6 +74,8 @@ struct MotionOptions {
   /// a fixed one (Carrier::fixed).
   std::optional<CarrierDrive> carrier_drive;
   CoupledOptions coupling;
+  /// Of bodies on axes, one on each side of a body at most.
+  std::vector<HingeStop> stops;
 };
 
 }  // namespace multibody

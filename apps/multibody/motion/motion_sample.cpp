@@ -1,5 +1,6 @@
 #include "multibody/motion/motion_sample.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -94,6 +95,7 @@ HingeSample MotionSample::hinge(int body) const {
   s.mode = equations_.coupled.mode(body);
   s.dissipated = state_[equations_.dissipated_at(body)];
   s.angle = s.angle_rate = s.utilisation = nan;
+  s.stop_moment = 0;
   s.friction_moment.setZero();
   if (s.mode == HingeMode::released) {
     s.rotation.setConstant(nan);
@@ -120,8 +122,11 @@ HingeSample MotionSample::hinge(int body) const {
   const Reaction<double>& reaction = hinges.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
-  if (equations_.coupled.hinge(body).has_friction &&
-      s.mode != HingeMode::locked) {
+  if (s.mode == HingeMode::resting) {
+    const int push = equations_.coupled.hinge(body).push_at(numbers[0]);
+    s.stop_moment = std::max(0.0, push * reaction.moment.z);
+  }
+  if (equations_.coupled.hinge(body).has_friction && !is_fixed(s.mode)) {
     s.joints = hinges.joints(body);
     if (s.mode == HingeMode::sliding) {
       s.friction_moment = link.axes * hinges.memory(body).moment;
@@ -178,6 +183,7 @@ EnergyBook MotionSample::energy() const {
     book.kinetic += kinetic_energy(link.mass, link.inertia, link.axes, body(i));
     book.gravity -= link.mass * equations_.gravity.dot(body(i).position);
     book.dissipated += state_[equations_.dissipated_at(i)];
+    book.impacts += equations_.losses[i];
   }
   book.active_work = state_[equations_.work_at()];
   return book;

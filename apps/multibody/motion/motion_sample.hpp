@@ -33,6 +33,9 @@ struct HingeSample {
   /// sliding with friction: 1; NaN otherwise.
   double utilisation;
   double dissipated;  ///< work of friction since the start, >= 0, J
+  /// Moment about the axis by which a stop holds the body back, as far as
+  /// friction does not have to, >= 0, N m.
+  double stop_moment;
   /// One solution per joint of the hinge, in the order of the group; empty
   /// without friction or if locked or released. At rest: the sliding that is
   /// near; there, and where a ball joint just begins or ends its sliding, power
@@ -46,11 +49,12 @@ struct EnergyBook {
   double kinetic;
   double gravity;      ///< potential of uniform gravity, 0 at the origin
   double active_work;  ///< done by the force model
-  double dissipated;   ///< by all hinges
-  /// kinetic + gravity - active_work + dissipated: stays what it was at the
-  /// start, while no carrier drive does work.
+  double dissipated;   ///< by the friction of all hinges
+  double impacts;      ///< taken by stops and latches
+  /// kinetic + gravity - active_work + dissipated + impacts: stays what it was
+  /// at the start, while no carrier drive does work.
   double balance() const {
-    return kinetic + gravity - active_work + dissipated;
+    return kinetic + gravity - active_work + dissipated + impacts;
   }
 };
 

@@ -38,6 +38,34 @@ void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
   options.carrier_drive = CarrierDrive{};
 }
 
+void check_stops(const System& system, const MotionStart& start,
+                 const std::vector<HingeStop>& stops) {
+  for (std::size_t k = 0; k < stops.size(); ++k) {
+    const auto& [body, angle, side, restitution] = stops[k];
+    const std::string place = fmt::format("stops[{}]", k);
+    const auto require = [&](bool holds, const std::string& what,
+                             const char* rule) {
+      if (holds) return;
+      throw contact::Error(contact::detail::must_be(place + "." + what, rule));
+    };
+    require(body >= 0 && body < system.size() &&
+                system.links()[body].kind == HingeKind::axis,
+            fmt::format("body = {}", body), "a body on an axis");
+    require(side == 1 || side == -1, fmt::format("side = {}", side), "1 or -1");
+    require(restitution >= 0 && restitution <= 1,
+            fmt::format("restitution = {}", restitution), "0 to 1");
+    require(body >= std::ssize(start.bodies) ||
+                stops[k].gap(start.bodies[body].angle) >= 0,
+            fmt::format("angle = {}", angle),
+            "one that the body does not start beyond");
+    for (std::size_t other = 0; other < k; ++other) {
+      require(stops[other].body != body || stops[other].side != side,
+              fmt::format("side = {}", side),
+              "another than that of the body's other stop");
+    }
+  }
+}
+
 BodyMotion checked_body(const BodyMotion& body, const std::string& place) {
   if (!body.position.allFinite() || !body.velocity.allFinite() ||
       !body.angular_velocity.allFinite()) {
@@ -73,6 +101,7 @@ MotionOptions checked_options(const System& system, const MotionStart& start,
   check_positive(options.longest_step, "longest_step");
   check_positive(options.stall_changes, "stall_changes");
   check_positive(options.stall_span, "stall_span");
+  check_stops(system, start, options.stops);
   if (system.carrier().fixed) prescribe_fixed(start, options);
   return options;
 }
@@ -102,7 +131,7 @@ std::vector<double> start_state(Equations& equations,
     const Vector3d rate = equations.rate_of(i, state.data());
     if (body.locked) {
       equations.set_mode(i, HingeMode::locked);
-    } else if (rate.isZero(0) && equations.coupled.hinge(i).can_rest) {
+    } else if (rate.isZero(0) && equations.coupled.can_rest(i, state.data())) {
       equations.set_mode(i, HingeMode::resting);
     } else {
       equations.set_mode(i, HingeMode::sliding);

@@ -16,6 +16,18 @@ struct HingeChange {
   int body;
   HingeMode from;
   HingeMode to;
+  bool on_stop = false;  ///< it rests on one now
+};
+
+/// A jump of a hinge's velocity: at a stop, or by a latch.
+struct HingeImpact {
+  double time;
+  int body;
+  bool latches;  ///< by a latch
+  /// Of the rate on an axis, else of |Dw|, rad/s: before.
+  double rate;
+  double impulse;  ///< size, N m s
+  double loss;     ///< of energy, J
 };
 
 /// Event within a step.
@@ -26,7 +38,9 @@ struct StepEvent {
     speeds_up,   ///< it does not stop after all
     slip_turns,  ///< it turns against itself within a step
     rest_ends,
-    user,  ///< an application's event
+    hits_stop,
+    settles,  ///< its last bounces on a stop are over
+    user,     ///< an application's event
   };
   Kind kind;
   int index;  ///< body or event
@@ -66,6 +80,9 @@ struct MotionState {
   /// For those that have just begun: size of the acceleration, else 0.
   std::vector<double> paces;
   std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
+  /// When the last bounces on a stop are over that are not followed, else 0.
+  std::vector<double> settle_times;
+  std::vector<double> losses;  ///< at stops and by latches, J
   double step = 0;
 };
 

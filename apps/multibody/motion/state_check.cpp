@@ -35,6 +35,8 @@ void check_counts(const MotionState& state, std::size_t bodies) {
   check_count("straight_from", state.straight_from.size(), bodies);
   check_count("paces", state.paces.size(), bodies);
   check_count("hinge_angles", state.hinge_angles.size(), bodies);
+  check_count("settle_times", state.settle_times.size(), bodies);
+  check_count("losses", state.losses.size(), bodies);
 }
 
 bool can_be(HingeMode mode, HingeKind kind, bool can_rest) {
@@ -45,6 +47,7 @@ bool can_be(HingeMode mode, HingeKind kind, bool can_rest) {
       return kind != HingeKind::none && can_rest;
     case HingeMode::sliding:
     case HingeMode::locked:
+    case HingeMode::latched:
       return kind != HingeKind::none;
   }
   return false;
@@ -107,13 +110,21 @@ void check_layout(const MotionState& state, const Equations& equations) {
   const auto bodies = static_cast<std::size_t>(system.size());
   check_counts(state, bodies);
   for (std::size_t i = 0; i < bodies; ++i) {
+    const Hinge& hinge = coupled.hinge(static_cast<int>(i));
     check_hinge(state, i, system.links()[i].kind,
-                coupled.hinge(static_cast<int>(i)).can_rest);
+                hinge.can_rest || !hinge.stops.empty());
   }
   const int beside = equations.number_count() - coupled.layout().size();
-  check_count(
-      "numbers", state.numbers.size(),
-      static_cast<std::size_t>(layout_of(system, state.modes).size() + beside));
+  const StateLayout layout = layout_of(system, state.modes);
+  check_count("numbers", state.numbers.size(),
+              static_cast<std::size_t>(layout.size() + beside));
+  for (int i = 0; i < system.size(); ++i) {
+    const Hinge& hinge = coupled.hinge(i);
+    const double angle = state.numbers[layout.offset(i)];
+    require(state.modes[i] != HingeMode::resting || hinge.can_rest ||
+                hinge.push_at(angle) != 0,
+            "numbers", layout.offset(i), angle, "the angle of a stop");
+  }
 }
 
 void check_numbers(const MotionState& state, const System& system) {
@@ -127,6 +138,7 @@ void check_numbers(const MotionState& state, const System& system) {
         must_be(fmt::format("state.step = {}", state.step), "0 s or above"));
   }
   check_finite("numbers", state.numbers);
+  check_finite("losses", state.losses);
   check_finite("directions", state.directions);
   check_finite("friction", state.friction);
   const StateLayout layout = layout_of(system, state.modes);
@@ -135,7 +147,8 @@ void check_numbers(const MotionState& state, const System& system) {
     const auto body = static_cast<std::size_t>(i);
     for (const auto& [name, value] :
          {std::pair("straight_from", state.straight_from[body]),
-          std::pair("paces", state.paces[body])}) {
+          std::pair("paces", state.paces[body]),
+          std::pair("settle_times", state.settle_times[body])}) {
       require(value >= 0 && std::isfinite(value), name, body, value,
               "0 or above");
     }

@@ -26,7 +26,7 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
 namespace multibody {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
                                    directions, friction, straight_from, paces,
-                                   hinge_angles, step)
+                                   hinge_angles, settle_times, losses, step)
 }  // namespace multibody
 
 namespace separation {

@@ -5,7 +5,7 @@ const at = (id) => document.getElementById(id);
 const still = matchMedia('(prefers-reduced-motion: reduce)').matches;
 const released = 3;
 const locked = 2;
-const modes = ['sliding', 'resting', 'locked', 'released'];
+const modes = ['sliding', 'resting', 'locked', 'released', 'latched'];
 
 function make(tag, parent, text, className) {
   const element = document.createElement(tag);

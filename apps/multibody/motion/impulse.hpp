@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+#include "multibody/motion/equations.hpp"
+
+namespace multibody {
+
+/// Jumps of the velocities by impulses in hinges.
+class Impulse {
+ public:
+  /// Refers to them.
+  explicit Impulse(const Equations& equations)
+      : equations_(equations), dynamics_(equations.system) {}
+
+  /// A hinge's relative velocity after the jump, link axes.
+  struct Target {
+    int body;
+    Eigen::Vector3d rate;
+  };
+  struct Jump {
+    Eigen::Vector3d impulse;  ///< moment over time, link axes, N m s
+    double loss;              ///< of energy, J
+    /// Of its rate to a unit impulse about z, 1/(kg m^2).
+    double response;
+  };
+
+  /// One impulse in several hinges at once. The velocities jump as the
+  /// accelerations would answer to moments, with everything at rest: all
+  /// bodies keep their momentum.
+  /// @param ideal  hinges that rest turn freely; else they hold. Locked ones
+  ///   hold.
+  /// @return one for each target
+  std::vector<Jump> apply(const std::vector<Target>& targets, bool ideal,
+                          std::vector<double>& state);
+
+ private:
+  /// A component of a target's moment.
+  struct Unknown {
+    std::size_t target;
+    int body, axis;
+  };
+  std::vector<double> make_still(const std::vector<Target>& targets, bool ideal,
+                                 const std::vector<double>& state);
+  void evaluate(const std::vector<double>& still);
+  Eigen::MatrixXd mobility(const std::vector<Unknown>& unknowns,
+                           const std::vector<double>& still);
+  void add_jump(const std::vector<double>& still,
+                std::vector<double>& state) const;
+
+  const Equations& equations_;
+  Dynamics dynamics_;
+  ActiveForces<double> moments_;
+};
+
+}  // namespace multibody
