@@ -290,7 +290,7 @@ void bind_worn_seat(py::module_& m) {
 --
 
 What is worn off a seat or hole, in the axes of its body: Cycle.wear_in() goes on
-from it (libcontact's docs/moving_wear.md).)");
+from it (libcontact's docs/explanation/wear.md).)");
   type.def(py::init<>())
       .def_static(
           "from_file",
@@ -395,7 +395,7 @@ quantity: an attribute of Solution or Rating; of a vector its length.)");
 --
 
 The joint in the course of many cycles, whose wear of the seat or hole widens
-the contact (libcontact's docs/duty.md): a WearIn of blocks, (n,). The first is
+the contact (libcontact's docs/how-to/duty.md): a WearIn of blocks, (n,). The first is
 without wear, the last after all cycles; between them the worn volume grows by
 at most 10 % of what the bodies overlap.
 
@@ -406,7 +406,7 @@ elasticity alone: a RuntimeWarning if the joint has other laws.
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
 cycles: how many.
 inner: k of the ball or pin; counts for a pin without clearance or with
-    interference only (docs/preload_wear.md).
+    interference only (docs/explanation/wear.md).
 seat: a WornSeat, which is worn further: with it the depth is at points whatever
     the load does.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));

@@ -19,8 +19,8 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
-// Letters as in docs/conforming_methods.md: h(f) is the Abel transform of the
-// pressure, H_n its moment with cos((n + 1/2) f).
+// Letters as in docs/internals/conforming_methods.md: h(f) is the Abel
+// transform of the pressure, H_n its moment with cos((n + 1/2) f).
 namespace contact {
 namespace {
 

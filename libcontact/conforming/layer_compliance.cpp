@@ -7,7 +7,7 @@
 #include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 
-// Letters as in docs/walls.md. The state of a harmonic is
+// Letters as in docs/explanation/walls.md. The state of a harmonic is
 // y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
 namespace contact::detail {
 namespace {
@@ -228,8 +228,8 @@ HarmonicCompliance LayerCompliance::operator()(int n) const {
   return {nothing_holds_it ? nan : layered(1).total, 0};
 }
 
-// s_n, e_n of docs/conforming.md; n = 1 of an inner body: a uniform body
-// force, and the displacement relative to the mean over the volume.
+// s_n, e_n of docs/explanation/conforming.md; n = 1 of an inner body: a uniform
+// body force, and the displacement relative to the mean over the volume.
 double LayerCompliance::homogeneous(int n) const {
   if (shells_.empty() && !medium_) return 0;
   const double nu = poisson_;

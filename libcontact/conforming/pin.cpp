@@ -19,7 +19,7 @@
 #include "libcontact/conforming/wall_harmonics.hpp"
 #include "libcontact/conforming/wide_edge.hpp"
 
-// Letters as in docs/conforming_methods.md: b = tan(theta0/2), q =
+// Letters as in docs/internals/conforming_methods.md: b = tan(theta0/2), q =
 // tan(theta0/4).
 namespace contact {
 namespace {

@@ -28,7 +28,7 @@ double conditioning(JointKind kind, const LayeredPair& pair) {
 // Thin layers that hardly yield, because they can neither be compressed nor
 // squeezed sideways, between bodies that do not yield either.
 void require_conditioning(JointKind kind, const LayeredPair& pair) {
-  // Measured: docs/walls_matter.md. The ball's kernel is a table.
+  // Measured: docs/how-to/walls_matter.md. The ball's kernel is a table.
   const double least = kind == JointKind::ball ? 1.7e-10 : 5e-12;
   const auto is_good = [&](const LayeredPair& p) {
     return conditioning(kind, p) >= least;
@@ -90,7 +90,7 @@ double edge_layer(const LayeredPair& pair) {
 }  // namespace
 
 int walled_unknowns(const LayeredPair& pair) {
-  // Measured: docs/walls.md, "The edge".
+  // Measured: docs/explanation/walls.md, "The edge".
   const double thickness = edge_layer(pair);
   if (thickness > 0.09) return 16;
   if (thickness > 0.025) return 24;

@@ -93,7 +93,8 @@ WearIn::State next_state(const WearIn::State& now, const Wearing& wearing,
 
 // Whether the load moves so far in the seat that the volume of the wear does
 // not tell the contact. Of swinging loads the error is like the square of this
-// share, and 0.1 deg here; the hip of docs/duty.md, with 0.07, is 0.7 deg off.
+// share, and 0.1 deg here; the hip of docs/how-to/duty.md, with 0.07, is 0.7
+// deg off.
 bool moves(const JointCycle& cycle) {
   constexpr double share = 0.05;
   return cycle.contact_spread() > share * wearing_of(cycle).half_angle;

@@ -69,9 +69,9 @@ CapTerms short_cap_terms(double theta) {
 }
 
 // The solution for d_n = 0, n >= 2: with h = D cos(3f/2) - e cos(f/2) every
-// H_n is elementary (docs/half_angle.md). Short contacts are measured in units
-// of theta0, so that nothing underflows or cancels; beyond 0.5 rad the
-// differences lose one digit at most.
+// H_n is elementary (docs/explanation/half_angle.md). Short contacts are
+// measured in units of theta0, so that nothing underflows or cancels; beyond
+// 0.5 rad the differences lose one digit at most.
 RelationValue ball_closed_form(double d0, double theta, double sine,
                                double cosine) {
   const bool is_short = theta <= 0.5;

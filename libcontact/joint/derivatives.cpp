@@ -78,7 +78,7 @@ struct Jacobians {
   Matrix3d moment_over_normal, moment_over_rate;
 };
 
-// docs/joint.md, (10) to (13).
+// docs/explanation/joint.md, (10) to (13).
 Jacobians jacobians(const JointContact& contact, const JointSolution& s,
                     const Vector3d& w, double speed) {
   const ContactSlopes f(contact, s, speed);

@@ -1,4 +1,5 @@
-// A joint as the text of a joint file: keys as docs/joint_file.md names them.
+// A joint as the text of a joint file: keys as docs/reference/joint_file.md
+// names them.
 #include <array>
 #include <cmath>
 #include <initializer_list>

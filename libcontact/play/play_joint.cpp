@@ -15,7 +15,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
 
-// e, n, t, N, T, M as in docs/play.md.
+// e, n, t, N, T, M as in docs/how-to/play.md.
 namespace contact {
 namespace {
 
@@ -308,7 +308,7 @@ std::vector<std::string> PlayJoint::notes(const PlayMotion& motion) const {
         law_.half_angle(law_.largest_penetration()) / degree));
     return notes;
   }
-  // Measured: docs/play.md, "Friction".
+  // Measured: docs/how-to/play.md, "Friction".
   constexpr double largest_share = 0.1;
   constexpr double wide = 30 * degree;
   const double turning =

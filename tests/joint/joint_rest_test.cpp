@@ -102,7 +102,7 @@ TEST(JointAtRest, HoldsLessThanTheContactUnderTheWholeReaction) {
     std::printf("%s: holds %.4f to %.4f times less\n", c.file, least, most);
     EXPECT_NEAR(least, c.least, 1e-9);
     EXPECT_NEAR(most, c.most,
-                0.5e-3);  // as printed in docs/explanation/joint_at_rest.md
+                0.5e-3);  // as printed in docs/explanation/joint.md
   }
 }
 

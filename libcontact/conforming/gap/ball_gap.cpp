@@ -9,7 +9,8 @@
 #include "libcontact/conforming/gap/odd_bessel.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 
-// Letters as in docs/preload.md: N = n + 1/2, Phi_n = ∫_0^psi phi sin(N f) df.
+// Letters as in docs/explanation/preload.md: N = n + 1/2, Phi_n = ∫_0^psi phi
+// sin(N f) df.
 namespace contact::detail {
 namespace {
 

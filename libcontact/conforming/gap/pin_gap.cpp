@@ -10,8 +10,9 @@
 #include "libcontact/conforming/pin_integrals.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
 
-// Letters as in docs/preload.md: t' = pi - t, tan(t'/2) = b s, s = cos phi,
-// b = tan(psi/2); the gap is b sum y_k sin((2k+1) phi), its harmonics g_n.
+// Letters as in docs/explanation/preload.md: t' = pi - t, tan(t'/2) = b s, s =
+// cos phi, b = tan(psi/2); the gap is b sum y_k sin((2k+1) phi), its harmonics
+// g_n.
 namespace contact::detail {
 namespace {
 

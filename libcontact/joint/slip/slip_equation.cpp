@@ -170,7 +170,7 @@ SlipRoot polish(const SlipEquation& equation, Start start,
   return root;
 }
 
-// The root between bounds: always there, see docs/joint.md.
+// The root between bounds: always there, see docs/explanation/joint.md.
 SlipRoot bracket(const SlipEquation& equation, double guess,
                  const SolveOptions& options) {
   SlipRoot root;
