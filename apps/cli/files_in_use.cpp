@@ -15,7 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Names by the places that they lead to.
+// File names keyed by canonical path.
 using Names = std::map<fs::path, std::string>;
 
 struct FilesInUse {

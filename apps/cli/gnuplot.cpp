@@ -121,8 +121,8 @@ class MemoryFile {
   int descriptor_;
 };
 
-// Throws contact::Error with what gnuplot says last, without the place in our
-// script, if it fails. Its warnings are no business of the user's.
+// Throws contact::Error with gnuplot's last message, without the place in our
+// script, if gnuplot fails. Discards gnuplot's warnings.
 void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
   const std::string command =
       fmt::format("gnuplot {} 2>&1 >{}", script.path(), picture.path());

@@ -70,7 +70,7 @@ std::vector<std::size_t> shown(const std::vector<std::string>& asked,
   for (const std::string& name : asked) {
     const auto place = std::ranges::find(names, name) - names.begin();
     if (place == std::ssize(names)) {
-      // A hundred names help only who is far from all of them.
+      // List all names only if none is similar.
       const std::string near = near_column(name, names);
       throw contact::Error(contact::detail::unknown(
           "column", name, near,

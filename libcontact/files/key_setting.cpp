@@ -83,7 +83,8 @@ Inner table_at(toml::table& from, const Step& step) {
   return {found == nullptr ? nullptr : found->as_table(), place};
 }
 
-// Says which tables an array has if a step calls one by a name that none has.
+// Throws, listing the names of the tables, if the array has none called
+// `step.which`.
 void refuse_stranger(const toml::table& from, const Step& step,
                      const std::string& setting) {
   const toml::array* const array = from.get_as<toml::array>(step.name);

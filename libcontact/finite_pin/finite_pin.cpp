@@ -53,7 +53,7 @@ FinitePin::FinitePin(const JointSpec& joint)
       peaks_(std::make_shared<const Peaks>(*pressure_, law_)) {}
 
 // The exact law belongs to any clearance e: F = E e l f(delta/e). The peak
-// takes longer than all the rest, and is left to who needs it.
+// pressure dominates the cost, so it is computed on request.
 FinitePin::Slice FinitePin::slice(const Vector4d& place, double z,
                                   const Relief::Piece& piece) const noexcept {
   const Vector2d d = place.head<2>() + z * place.tail<2>();

@@ -150,7 +150,7 @@ ExactLaw::ExactLaw(JointKind kind, const ElasticPair& pair,
                              : ball_relation(pair, loading));
   add_closing(*relation, kind, detail::without_layers(pair), loading);
   relation_ = std::move(relation);
-  // So that no half-angle has to make it.
+  // Build the table now, so that half_angle() never allocates.
   if (!relation_->load.reaches_limit()) closing();
 }
 
@@ -164,7 +164,7 @@ ExactLaw::ExactLaw(JointKind kind, const LayeredPair& pair,
           : ball_relation(pair, loading, pair.relative_thickness()));
   add_closing(*relation, kind, pair, loading);
   relation_ = std::move(relation);
-  // So that no half-angle has to make it.
+  // Build the table now, so that half_angle() never allocates.
   if (!relation_->load.reaches_limit()) closing();
 }
 

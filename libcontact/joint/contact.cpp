@@ -100,7 +100,8 @@ JointContact::JointContact(JointGeometry geometry, ElasticPair pair,
   unit_pressure_area_ =
       geometry_.force_from_load(1) / geometry_.pressure_unit(1);
   set_clearance(geometry_);
-  // Some make a rule on first use: here, so that no solution has to allocate.
+  // Some integrals build a quadrature rule on first use: do it here, so that
+  // solve() never allocates.
   integrals(0.5, SlipAxis{0, 1}, {1, 1});
 }
 

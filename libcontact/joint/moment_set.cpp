@@ -236,7 +236,7 @@ MomentSet::Prox MomentSet::prox(const Matrix3d& inertia, const Vector3d& free,
     }
     return slide(u);
   }
-  // A plane between W free and the set.
+  // Try a plane that separates W free from the set: then the joint slides.
   const Vector3d likely = guess.stableNormalized();
   const double least = support(likely);
   if (least > 0 && likely.dot(wanted) > least * (1 + 1e-6)) {

@@ -206,7 +206,8 @@ void write_laws(Toml& toml, const JointSpec& joint) {
   }
   if (options.linear_limit) toml.text("limit_formula", "linear");
   if (options.initial_slope != 1) {
-    // The key is in degrees; of its neighbours the one that comes back.
+    // Stored in degrees: choose the neighbouring double that converts back to
+    // the same slope.
     double degrees = options.initial_slope / degree;
     for (const double to : {0.0, 100.0}) {
       const double next = std::nextafter(degrees, to);

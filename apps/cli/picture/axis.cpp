@@ -26,8 +26,8 @@ constexpr std::array<std::pair<std::string_view, std::string_view>, 10>
                 {"pv_max", "peak p v"},
                 {"load_parameter", "load parameter"}}};
 
-// Units whose prefix scales the number by itself: not m², nor s, of which
-// nobody has thousands, nor kg, which has one.
+// Units that take a prefix: not m² (the prefix would be squared), s (ks is
+// unusual) or kg (already has one).
 bool takes_prefix(std::string_view unit) {
   const std::string_view first = unit.substr(0, unit.find_first_of(" /"));
   return first == "N" || first == "Pa" || first == "W" || first == "J" ||
@@ -122,8 +122,8 @@ std::vector<double> in_decades(const Extent& e, std::span<const double> digits,
   return places;
 }
 
-// Over the data and no further; gnuplot itself loses labels at the very ends,
-// where 1e-9 is no width of a line.
+// Ticks over the data and no further. gnuplot drops labels exactly at the
+// ends: widen the range by 1e-9, which is invisible.
 Ticks logarithmic_ticks(const Axis& axis, const Extent& extent, Run run,
                         double room) {
   constexpr double beyond = 1e-9;

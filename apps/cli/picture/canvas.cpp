@@ -30,7 +30,8 @@ Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
     : room_{margin, canvas_width - margin, margin, canvas_height - margin} {
   std::vector<LegendEntry> named = legend;
   std::erase_if(named, [](const LegendEntry& e) { return e.label.empty(); });
-  // Below the plots it makes the canvas higher: places are known then only.
+  // A legend below the plots enlarges the canvas; positions are final only
+  // afterwards.
   const double width = width_of(named);
   constexpr double most_beside = 0.34;  // share of the width
   const bool below =

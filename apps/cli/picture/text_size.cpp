@@ -20,7 +20,7 @@ constexpr std::array<int, 95> ascii = {
 constexpr double other = 0.7;
 constexpr double square = 1;
 
-// Lines of pieces that `ends` tells the ends of: the piece goes to behind them.
+// Breaks the text into lines that fit into the room, after an `end`.
 std::vector<std::string> filled(std::string_view text, std::string_view end,
                                 double room) {
   std::vector<std::string> lines;

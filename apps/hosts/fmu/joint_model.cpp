@@ -87,7 +87,7 @@ void valued(contact_status status) {
   must(status);
 }
 
-// All that has been.
+// State carried between steps, which hosts save and restore.
 struct State {
   contact_step last;  // the accepted one, from which the next begins
   contact_step now;   // friction of the present inputs

@@ -145,8 +145,8 @@ void set_steps(Hinges& at) {
       memory.slope.setZero();  // out of date
     }
     Vector3d step = (Matrix3d::Identity() - memory.slope).inverse() * residual;
-    // Too far to trust, or no number: let it crawl; the search follows if it
-    // does not arrive.
+    // Newton step too long or NaN: damp it. If the iteration fails, the search
+    // takes over.
     if (!(step.norm() <= longest * residual.norm())) step = 0.5 * residual;
     hinge.last_moment = memory.moment;
     hinge.last_solved = hinge.solved;

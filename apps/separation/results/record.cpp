@@ -327,7 +327,7 @@ void Recorder::add_hinge(const Simulation& simulation, int i) {
   }
 }
 
-// A body that turns back rests for no time at all: that is no news.
+// Does not record a rest of zero duration, as where a body reverses.
 void Recorder::note_change(const multibody::HingeChange& change) {
   const std::string& body = case_.bodies[change.body].rigid.name;
   const bool rests = change.to == HingeMode::resting;
