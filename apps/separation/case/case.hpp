@@ -53,13 +53,15 @@ struct HingeJoint {
 /// The upper node: what a body turns on.
 struct Hinge {
   std::string name;
+  /// The rigid body on which it is, the parent: the carrier or another one.
+  int on = 0;
   multibody::HingeKind kind = multibody::HingeKind::none;
-  /// Axes of the body and of the carrier, m.
+  /// Axes of the body and of its parent, m.
   Eigen::Vector3d body_point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d carrier_point = Eigen::Vector3d::Zero();
-  /// Body axes to carrier axes at angle zero.
+  Eigen::Vector3d parent_point = Eigen::Vector3d::Zero();
+  /// Body axes to parent axes at angle zero.
   Eigen::Matrix3d zero_rotation = Eigen::Matrix3d::Identity();
-  /// axis: unit, carrier axes.
+  /// axis: unit, parent axes.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
@@ -68,7 +70,7 @@ struct Hinge {
   std::optional<contact::ThrustFace> thrust_face;
   /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
-  Eigen::Vector3d carrier_direction = Eigen::Vector3d::UnitX();
+  Eigen::Vector3d parent_direction = Eigen::Vector3d::UnitX();
 };
 
 /// The lower node: holds a body until it breaks.
@@ -156,6 +158,11 @@ struct Case {
     return std::any_of(bodies.begin(), bodies.end(), [](const Body& body) {
       return body.hinge.kind != multibody::HingeKind::none;
     });
+  }
+  /// Bodies hang on bodies.
+  bool is_tree() const {
+    return std::any_of(bodies.begin(), bodies.end(),
+                       [](const Body& body) { return body.hinge.on > 0; });
   }
   /// With friction.
   bool has_joints() const {

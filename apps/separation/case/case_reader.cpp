@@ -11,6 +11,7 @@
 #include "separation/case/case_names.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
+#include "separation/case/form/body_tree.hpp"
 #include "separation/case/form/case_parts.hpp"
 #include "separation/case/reading.hpp"
 
@@ -37,18 +38,21 @@ void check_name(const TomlTable& table, const Case& c,
   }
 }
 
-void read_bodies(const TomlTable& table, const JointLaws& laws,
-                 contact::SharedLaws& made, Case& c, CaseNames& names) {
-  const Body body = read_body(table, c.carrier, laws, made);
-  const Pattern pattern = read_pattern(table, body.hinge);
-  std::vector<Body> copies;
-  for (int copy = 0; copy < pattern.count; ++copy) {
-    copies.push_back(pattern.copy_of(body, copy, c.carrier.com));
-    names.turns.push_back(pattern.turn(copy));
-    check_name(table, c, body.group);
-    check_name(table, c, copies.back().rigid.name);
+void read_all_bodies(const TomlTable& file, const JointLaws& laws,
+                     contact::SharedLaws& made, Case& c, CaseNames& names) {
+  BodyTree tree = read_bodies(file, c.carrier, laws, made);
+  names.turns = std::move(tree.turns);
+  auto next = tree.bodies.begin();
+  for (std::size_t i = 0; i < tree.counts.size(); ++i) {
+    const TomlTable table = file.tables("body")[i];
+    const auto end = next + tree.counts[i];
+    check_name(table, c, next->group);
+    std::for_each(next, end, [&](const Body& copy) {
+      check_name(table, c, copy.rigid.name);
+    });
+    c.bodies.insert(c.bodies.end(), next, end);
+    next = end;
   }
-  c.bodies.insert(c.bodies.end(), copies.begin(), copies.end());
 }
 
 // "a after b after a" where an event waits for itself by way of others, which
@@ -160,9 +164,7 @@ Case case_of_file(const TomlTable& file, const JointLaws& laws,
   read_run_of(file, c);
   read_carrier_of(file, c);
   CaseNames names{c, {}, {}};
-  for (const TomlTable& body : file.tables("body")) {
-    read_bodies(body, laws, made, c, names);
-  }
+  read_all_bodies(file, laws, made, c, names);
   read_events(file, c, names);
   read_all_forces(file, names, c);
   read_clearance(file, names, c);

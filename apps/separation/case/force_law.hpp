@@ -21,6 +21,9 @@ struct ForceInstant {
 
   const multibody::BodyMotion& on() const { return bodies[body]; }
   const multibody::BodyMotion& carrier() const { return bodies[0]; }
+  /// Of a body with a hinge.
+  const Hinge& hinge() const { return of.bodies[body - 1].hinge; }
+  const multibody::BodyMotion& parent() const { return bodies[hinge().on]; }
 };
 
 /// The points at which a force enters bodies, from their centres of mass, in

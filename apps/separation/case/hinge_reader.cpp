@@ -140,7 +140,7 @@ contact::JointGroup make_group(const Hinge& hinge) {
 }  // namespace
 
 Hinge read_hinge(const TomlTable& table, const RigidBody& body,
-                 const RigidBody& carrier, const JointLaws& laws,
+                 const RigidBody& parent, const JointLaws& laws,
                  contact::SharedLaws& made) {
   Hinge hinge;
   std::vector<std::string> names;
@@ -149,10 +149,11 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
   hinge.kind = type.kind;
   hinge.name = table.optional_text("name").value_or("hinge");
   hinge.body_point = vector_or_zero(table, "body_point") - body.com;
-  hinge.carrier_point = vector_or_zero(table, "carrier_point") - carrier.com;
+  hinge.parent_point =
+      vector_or_zero(table, parent_key(table, "point")) - parent.com;
   hinge.zero_rotation =
       optional_rotation(table, "zero_rotation").value_or(Matrix3d::Identity());
-  type.read({table, body, carrier}, hinge);
+  type.read({table, body, parent}, hinge);
   for (const TomlTable& joint : table.tables("joint")) {
     hinge.joints.push_back(read_hinge_joint(joint, laws, made));
   }

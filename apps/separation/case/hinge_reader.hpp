@@ -8,7 +8,7 @@ namespace separation {
 /// [body.hinge]: everything that does not depend on the copy.
 /// @param made  laws of the case's joints
 Hinge read_hinge(const contact::TomlTable& table, const RigidBody& body,
-                 const RigidBody& carrier, const JointLaws& laws,
+                 const RigidBody& parent, const JointLaws& laws,
                  contact::SharedLaws& made);
 
 /// The friction of a hinge.

@@ -16,7 +16,8 @@ multibody::System system_of(const Case& c) {
     part.inertia = body.rigid.inertia;
     if (part.kind != multibody::HingeKind::none) {
       part.hinge_from_com = body.hinge.body_point;
-      part.hinge_from_carrier_com = body.hinge.carrier_point;
+      part.parent = body.hinge.on - 1;
+      part.hinge_from_carrier_com = body.hinge.parent_point;
       hinge_type(body.hinge).place(body.hinge, part);
     }
     bodies.push_back(part);
@@ -28,10 +29,10 @@ double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation) {
   return hinge_type(hinge).angle(hinge, rotation);
 }
 
-double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,
+double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& parent,
                    const multibody::BodyMotion& body) {
   const double angle =
-      hinge_angle(hinge, carrier.rotation.transpose() * body.rotation);
+      hinge_angle(hinge, parent.rotation.transpose() * body.rotation);
   if (!std::isfinite(body.hinge_angle)) return angle;
   return body.hinge_angle +
          std::remainder(angle - body.hinge_angle, 2 * std::numbers::pi);

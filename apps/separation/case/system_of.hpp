@@ -8,14 +8,14 @@ namespace separation {
 /// Carrier and bodies of a case. Body axes are its body axes.
 multibody::System system_of(const Case& c);
 
-/// Angle of a body from its rotation relative to the carrier: about the axis,
+/// Angle of a body from its rotation relative to its parent: about the axis,
 /// (-pi, pi], or between the two directions of a ball hinge, [0, pi].
-/// @param rotation  body axes to carrier axes
+/// @param rotation  body axes to parent axes
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation);
 
 /// The same of a body on its way. On an axis full turns are counted; after its
 /// release it is within half a turn of the angle that it had then.
-double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& carrier,
+double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& parent,
                    const multibody::BodyMotion& body);
 
 }  // namespace separation

@@ -4,7 +4,7 @@ namespace separation {
 namespace {
 
 /// A motor or a torsion spring on an axis: a moment on the body, the opposite
-/// one on the carrier, as long as the hinge holds.
+/// one on its parent, as long as the hinge holds.
 struct Motor final : ForceLaw {
   Variable variable;
   Table<double> moment;  ///< about the axis, N m
@@ -13,10 +13,9 @@ struct Motor final : ForceLaw {
            std::span<multibody::BodyForce> forces) const override {
     const auto [x, origin] = place_in(variable, at);
     const Eigen::Vector3d m =
-        moment(x, origin) *
-        (at.carrier().rotation * at.of.bodies[at.body - 1].hinge.axis);
+        moment(x, origin) * (at.parent().rotation * at.hinge().axis);
     forces[at.body].moment += m;
-    forces[0].moment -= m;
+    forces[at.hinge().on].moment -= m;
   }
   ForceEnds where(const Case& of, int body) const override {
     return {of.bodies[body - 1].hinge.body_point};

@@ -26,9 +26,7 @@ TablePlace place_in(Variable over, const ForceInstant& at) {
     case Variable::time:
       return {at.time, at.begin};
     case Variable::angle:
-      return {
-          hinge_angle(at.of.bodies[at.body - 1].hinge, at.carrier(), at.on()),
-          0};
+      return {hinge_angle(at.hinge(), at.parent(), at.on()), 0};
     case Variable::none:
       break;
   }

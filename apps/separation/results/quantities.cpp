@@ -61,7 +61,7 @@ constexpr Quantity<Release> of_release[] = {
     {"angular_velocity", "", Dimension::angular_velocity, "Dw, body axes",
      [](const Release& r) -> const Eigen::Vector3d& { return r.rates; }},
     {"velocity", "", Dimension::velocity,
-     "of the centre of mass against the carrier's, carrier axes",
+     "of the centre of mass against the parent's, parent axes",
      [](const Release& r) -> const Eigen::Vector3d& { return r.velocity; }},
 };
 

@@ -98,14 +98,14 @@ namespace {
 // bodies' relative angular velocity.
 double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
   const auto turn = hinge_type(hinge).turn;
-  const BodyMotion& carrier = sample.carrier();
+  const BodyMotion& parent = sample.motions()[hinge.on];
   if (sample.mode(body) == HingeMode::released) {
-    return turn(hinge, carrier.rotation,
-                sample.body(body).angular_velocity - carrier.angular_velocity);
+    return turn(hinge, parent.rotation,
+                sample.body(body).angular_velocity - parent.angular_velocity);
   }
   const HingeSample now = sample.hinge(body);
   return std::isnan(now.angle_rate)
-             ? turn(hinge, carrier.rotation, now.relative_angular_velocity)
+             ? turn(hinge, parent.rotation, now.relative_angular_velocity)
              : now.angle_rate;
 }
 
@@ -118,12 +118,13 @@ double acceleration_of(const Simulation& simulation, int body) {
   const Hinge& hinge = simulation.of().bodies[body].hinge;
   const auto& sample = simulation.sample();
   if (is_held(sample.mode(body))) return 0;  // but for rounding
-  const BodyMotion& carrier = sample.carrier();
+  const BodyMotion& parent = sample.motions()[hinge.on];
   const BodyMotion& motion = sample.body(body);
   const Vector3d relative =
-      sample.angular_acceleration(1 + body) - sample.angular_acceleration(0) -
-      carrier.angular_velocity.cross(motion.angular_velocity);
-  return hinge_type(hinge).turn(hinge, carrier.rotation, relative);
+      sample.angular_acceleration(1 + body) -
+      sample.angular_acceleration(hinge.on) -
+      parent.angular_velocity.cross(motion.angular_velocity);
+  return hinge_type(hinge).turn(hinge, parent.rotation, relative);
 }
 
 // The time of what stays the same is its first, whatever rounding says.
@@ -547,11 +548,12 @@ void Recorder::before(const Simulation& simulation,
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);
+    const BodyMotion& parent = sample.motions()[body.hinge.on];
     release = {simulation.time(), simulation.angle(h.body),
                rate_of(body.hinge, sample, h.body),
                now.relative_angular_velocity,
-               sample.carrier().rotation.transpose() *
-                   (sample.body(h.body).velocity - sample.carrier().velocity)};
+               parent.rotation.transpose() *
+                   (sample.body(h.body).velocity - parent.velocity)};
   }
 }
 

@@ -74,7 +74,7 @@ struct BodyRecord {
     double rate = 0;   ///< rate of the angle on an axis, else |Dw|
     /// Dw, body axes, rad/s.
     Eigen::Vector3d rates = Eigen::Vector3d::Zero();
-    /// Velocity of the centre of mass from the carrier's, carrier axes, m/s.
+    /// Velocity of the centre of mass from the parent's, parent axes, m/s.
     Eigen::Vector3d velocity = Eigen::Vector3d::Zero();
   } release;
 };

@@ -72,7 +72,10 @@ std::string holder_text(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   const bool hinged = body > 0 && sample.mode(body - 1) != HingeMode::released;
   Vector3d rate = sample.motions()[body].angular_velocity;
-  if (hinged) rate -= sample.carrier().angular_velocity;
+  if (hinged) {
+    const int on = simulation.of().bodies[body - 1].hinge.on;
+    rate -= sample.motions()[on].angular_velocity;
+  }
   return fmt::format(
       "; held by {}\"{}\" ({:.2g} deg/s)", hinged ? "the hinge of " : "",
       simulation.of().rigid_body(body).name, rate.norm() / contact::degree);

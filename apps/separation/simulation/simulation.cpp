@@ -69,7 +69,7 @@ double Simulation::angle(const MotionSample& sample, int body) const {
       sample.mode(body) != HingeMode::released) {
     return sample.angle(body);
   }
-  return hinge_angle(hinge, sample.carrier(), sample.body(body));
+  return hinge_angle(hinge, sample.motions()[hinge.on], sample.body(body));
 }
 
 // Every event of every body becomes a function of the motion, every force with

@@ -61,16 +61,21 @@ std::vector<std::size_t> replay_rows(const Rows& rows, int every) {
 
 BodyPath::BodyPath(const Case& c, const Rows& rows,
                    const std::vector<std::size_t>& kept, int body)
-    : case_(c), rows_(rows), body_(body) {
+    : case_(c), rows_(rows) {
   for (const std::size_t row : kept) {
     if (!kept_.empty() && rows.at(kept_.back(), 0) == rows.at(row, 0)) {
       kept_.pop_back();
     }
     kept_.push_back(row);
   }
-  for (const int i : {0, body}) {
+  std::vector<int> chain = {body};
+  while (chain.back() > 0) {
+    chain.push_back(c.bodies[chain.back() - 1].hinge.on);
+  }
+  std::ranges::reverse(chain);
+  for (const int i : chain) {
     const std::string name = column_name(c.rigid_body(i).name);
-    Columns columns{rows.column(name + ".x_m")};
+    Columns columns{i, rows.column(name + ".x_m")};
     if (i > 0 && c.bodies[i - 1].hinge.kind != HingeKind::none) {
       columns.mode = rows.column(name + ".mode");
       if (c.bodies[i - 1].hinge.kind == HingeKind::axis) {
@@ -81,8 +86,8 @@ BodyPath::BodyPath(const Case& c, const Rows& rows,
   }
 }
 
-BodyPath::State BodyPath::state(std::size_t i, int body) const {
-  const std::size_t c = columns_[body].motion;
+BodyPath::State BodyPath::state(std::size_t i, int link) const {
+  const std::size_t c = columns_[link].motion;
   const auto vector = [&](std::size_t at) {
     return Vector3d(value(i, c + at), value(i, c + at + 1),
                     value(i, c + at + 2));
@@ -93,25 +98,25 @@ BodyPath::State BodyPath::state(std::size_t i, int body) const {
           vector(10)};
 }
 
-bool BodyPath::is_held(std::size_t i, int body) const {
-  const std::size_t mode = columns_[body].mode;
+bool BodyPath::is_held(std::size_t i, int link) const {
+  const std::size_t mode = columns_[link].mode;
   return mode > 0 && value(i, mode) != static_cast<double>(HingeMode::released);
 }
 
 // From row i on; the last row has nothing behind it.
-Quaterniond BodyPath::rotation(std::size_t i, double part, int body) const {
-  const State from = state(i, body);
+Quaterniond BodyPath::rotation(std::size_t i, double part, int link) const {
+  const State from = state(i, link);
   if (part == 0) return from.rotation;
-  const State to = state(i + 1, body);
+  const State to = state(i + 1, link);
   const double h = to.time - from.time;
-  if (columns_[body].angle > 0 && is_held(i, body)) {
-    const Hinge& hinge = case_.bodies[body_ - 1].hinge;
-    const std::size_t angle = columns_[body].angle;
+  if (columns_[link].angle > 0 && is_held(i, link)) {
+    const Hinge& hinge = this->hinge(link);
+    const std::size_t angle = columns_[link].angle;
     const std::size_t rate = angle + 1;
     const double turn =
         cubic(value(i, angle), h * value(i, rate), value(i + 1, angle),
               h * value(i + 1, rate), part);
-    return rotation(i, part, 0) * AngleAxisd(turn * degree, hinge.axis) *
+    return rotation(i, part, link - 1) * AngleAxisd(turn * degree, hinge.axis) *
            Quaterniond(hinge.zero_rotation);
   }
   // Slope of the vector v of the turn since row i. The rates in body axes are
@@ -131,40 +136,38 @@ double BodyPath::time(double place) const {
   return value(i, 0) + part * (value(i + 1, 0) - value(i, 0));
 }
 
-Pose BodyPath::pose(double place) const {
-  if (body_ == 0) {
-    const auto row = static_cast<std::size_t>(place);
-    return {Vector3d::Zero(),
-            rotation(row, place - static_cast<double>(row), 0)};
+// From the carrier's centre of mass.
+Vector3d BodyPath::position(std::size_t i, double part, int link) const {
+  if (link == 0) return Vector3d::Zero();
+  if (is_held(i, link)) {
+    return position(i, part, link - 1) +
+           rotation(i, part, link - 1) * hinge(link).parent_point -
+           rotation(i, part, link) * hinge(link).body_point;
   }
-  const auto i = static_cast<std::size_t>(place);
-  const double part = place - static_cast<double>(i);
-  const Quaterniond turn = rotation(i, part, 1);
-  if (is_held(i, 1)) {
-    const Hinge& hinge = case_.bodies[body_ - 1].hinge;
-    return {
-        rotation(i, part, 0) * hinge.carrier_point - turn * hinge.body_point,
-        turn};
-  }
-  const State from = state(i, 1);
+  const State from = state(i, link);
   const State carrier = state(i, 0);
-  if (part == 0) return {from.position - carrier.position, turn};
-  const State to = state(i + 1, 1);
+  if (part == 0) return from.position - carrier.position;
+  const State to = state(i + 1, link);
   const State carrier_to = state(i + 1, 0);
   const double h = to.time - from.time;
-  return {cubic<Vector3d>(from.position - carrier.position,
-                          h * (from.velocity - carrier.velocity),
-                          to.position - carrier_to.position,
-                          h * (to.velocity - carrier_to.velocity), part),
-          turn};
+  return cubic<Vector3d>(from.position - carrier.position,
+                         h * (from.velocity - carrier.velocity),
+                         to.position - carrier_to.position,
+                         h * (to.velocity - carrier_to.velocity), part);
+}
+
+Pose BodyPath::pose(double place) const {
+  const auto i = static_cast<std::size_t>(place);
+  const double part = place - static_cast<double>(i);
+  return {position(i, part, last()), rotation(i, part, last())};
 }
 
 double BodyPath::largest_turn() const {
   double largest = 0;
   for (std::size_t i = 0; i + 1 < size(); ++i) {
-    if (columns_[1].angle > 0 && is_held(i, 1)) continue;
-    const State from = state(i, 1);
-    const State to = state(i + 1, 1);
+    if (columns_[last()].angle > 0 && is_held(i, last())) continue;
+    const State from = state(i, last());
+    const State to = state(i + 1, last());
     largest =
         std::max(largest, (to.time - from.time) *
                               std::max(from.rates.norm(), to.rates.norm()));

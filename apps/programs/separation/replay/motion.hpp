@@ -48,9 +48,14 @@ class BodyPath {
     Eigen::Quaterniond rotation;
     Eigen::Vector3d rates;  // body axes
   };
-  State state(std::size_t i, int body) const;
-  Eigen::Quaterniond rotation(std::size_t i, double part, int body) const;
-  bool is_held(std::size_t i, int body) const;
+  State state(std::size_t i, int link) const;
+  Eigen::Quaterniond rotation(std::size_t i, double part, int link) const;
+  Eigen::Vector3d position(std::size_t i, double part, int link) const;
+  bool is_held(std::size_t i, int link) const;
+  const Hinge& hinge(int link) const {
+    return case_.bodies[columns_[link].body - 1].hinge;
+  }
+  int last() const { return static_cast<int>(columns_.size()) - 1; }
   double value(std::size_t i, std::size_t column) const {
     return rows_.at(kept_[i], column);
   }
@@ -58,13 +63,14 @@ class BodyPath {
   const Case& case_;
   const Rows& rows_;
   std::vector<std::size_t> kept_;
-  int body_;
   struct Columns {
+    int body;
     std::size_t motion;     // the first of position, velocity, ...
     std::size_t mode = 0;   // 0: no hinge
     std::size_t angle = 0;  // 0: no axis
   };
-  std::vector<Columns> columns_;  // columns of the carrier, of the body
+  // Of the carrier, of each body that hangs on the one before, of the body.
+  std::vector<Columns> columns_;
 };
 
 /// Key frames between which poses are interpolated: positions on straight

@@ -57,7 +57,7 @@ ordered_json body_json(const Case& c, int i) {
   if (i == 0) return j;
   const Body& body = c.bodies[i - 1];
   if (body.hinge.kind == HingeKind::none) return j;
-  j["hinge"] = {{"point", xyz(body.hinge.body_point)}};
+  j["hinge"] = {{"on", body.hinge.on}, {"point", xyz(body.hinge.body_point)}};
   if (body.hinge.kind == HingeKind::axis) {
     j["hinge"]["axis"] = xyz(body.hinge.axis);
   }

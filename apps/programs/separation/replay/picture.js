@@ -216,7 +216,7 @@ class Picture {
     let along = new THREE.Vector3(0, 0, 1);
     if (pin) {
       along = new THREE.Vector3(...body.hinge.axis)
-          .applyQuaternion(this.bodies[0].quaternion);
+          .applyQuaternion(this.bodies[body.hinge.on].quaternion);
       up.addScaledVector(along, -up.dot(along));
     } else if (Math.abs(up.z) > 0.9 * up.length()) {
       along.set(1, 0, 0);

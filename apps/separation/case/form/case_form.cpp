@@ -44,17 +44,27 @@ CaseForm::CaseForm(const contact::TomlFiles& files,
         [](const Force& force) { return force.name; });
   place(events_ = parts(table, "event"), nominal.events,
         [](const Event& event) { return event.name; });
-  for (const Part& body : bodies_) {
-    const Pattern pattern =
-        read_pattern(body.table, nominal.bodies[body.first].hinge);
-    for (int copy = 0; copy < body.count; ++copy) {
-      turns_.push_back(pattern.turn(copy));
-    }
-  }
   for (const Event& event : nominal.events) event_names_.push_back(event.name);
   for (std::size_t key = 0; key < keys.size(); ++key) {
     keys_of(form_.place(key)).push_back(key);
   }
+  // What bodies hang on comes before them from here on.
+  turns_.resize(nominal.bodies.size());
+  std::ranges::stable_sort(bodies_, {}, [&](const Part& body) {
+    return depth(nominal, 1 + body.first);
+  });
+  for (const Part& body : bodies_) {
+    const Pattern pattern =
+        read_pattern(body.table, nominal.bodies[body.first].hinge);
+    for (int i = body.first; i < body.first + body.count; ++i) {
+      const int on = nominal.bodies[i].hinge.on;
+      turns_[i] = on > 0 ? turns_[on - 1] : pattern.turn(i - body.first);
+    }
+  }
+}
+
+int CaseForm::depth(const Case& of, int body) {
+  return body == 0 ? 0 : 1 + depth(of, of.bodies[body - 1].hinge.on);
 }
 
 std::vector<CaseForm::Part> CaseForm::parts(const TomlTable& file,
@@ -98,14 +108,18 @@ void CaseForm::read_bodies(const Part& part, const Numbers& numbers,
   Body body;
   Pattern pattern;
   for (int copy = 0; copy < part.count; ++copy) {
-    if (copy == 0 || is_each) {
+    const int place = part.first + copy;
+    const int on = nominal_.bodies[place].hinge.on;
+    const RigidBody& parent = c.rigid_body(on);
+    if (copy == 0 || is_each || on > 0) {
       set(part.keys, numbers, copy);
-      body = read_body(part.table, c.carrier, {}, made);
+      body = read_body(part.table, parent, {}, made);
       pattern = read_pattern(part.table, body.hinge);
     }
-    const int place = part.first + copy;
-    c.bodies[place] = pattern.copy_of(body, copy, c.carrier.com);
-    turns[place] = pattern.turn(copy);
+    body.hinge.on = on;
+    c.bodies[place] = pattern.copy_of(body, copy, parent.com);
+    c.bodies[place].rigid.name = nominal_.bodies[place].rigid.name;
+    turns[place] = on > 0 ? turns[on - 1] : pattern.turn(copy);
   }
 }
 
@@ -130,10 +144,12 @@ Case CaseForm::with(const Numbers& numbers) {
   set(carrier_, numbers, 0);
   if (!carrier_.empty()) read_carrier_of(file, c);
   CaseNames names{c, turns_, event_names_};
-  bool read = !carrier_.empty();
   const auto has_keys = [](const Part& part) { return !part.keys.empty(); };
+  const bool all = !carrier_.empty() ||
+                   (c.is_tree() && std::ranges::any_of(bodies_, has_keys));
+  bool read = all;
   for (const Part& body : bodies_) {
-    if (carrier_.empty() && body.keys.empty()) continue;
+    if (!all && body.keys.empty()) continue;
     read_bodies(body, numbers, made, c, names.turns);
     read = true;
   }

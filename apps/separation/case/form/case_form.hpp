@@ -44,6 +44,8 @@ class CaseForm {
     Keys keys = {};
   };
 
+  /// How many bodies there are from a rigid body to the carrier.
+  static int depth(const Case& of, int body);
   static std::vector<Part> parts(const contact::TomlTable& file,
                                  std::string_view key);
   Keys& keys_of(const std::string& place);

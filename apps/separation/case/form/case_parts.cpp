@@ -142,11 +142,7 @@ std::optional<Lock> read_lock(const TomlTable& body, const Vector3d& com,
 
 // Bodies that the equations of motion cannot take: no inertia in a direction
 // that turns, numbers beyond all bounds.
-void check_system(const TomlTable& table, const RigidBody& carrier,
-                  std::vector<Body> bodies) {
-  Case part{};
-  part.carrier = carrier;
-  part.bodies = std::move(bodies);
+void check_system(const TomlTable& table, const Case& part) {
   try {
     system_of(part);
   } catch (const contact::Error& error) {
@@ -155,6 +151,26 @@ void check_system(const TomlTable& table, const RigidBody& carrier,
     table.fail(table.has("principal_inertia") ? "principal_inertia" : "inertia",
                colon == message.npos ? message : message.substr(colon + 2));
   }
+}
+
+void check_carrier(const TomlTable& table, const RigidBody& carrier) {
+  Case part{};
+  part.carrier = carrier;
+  check_system(table, part);
+}
+
+// On a carrier that stands, or, where bodies hang on bodies, beside another
+// such body on itself.
+void check_body(const TomlTable& table, Body body) {
+  Case part{};
+  part.carrier.fixed = true;
+  part.bodies = {body};
+  const auto hinge = table.optional_table("hinge");
+  if (hinge && hinge->has("on")) {
+    body.hinge.on = 1;
+    part.bodies.push_back(body);
+  }
+  check_system(table, part);
 }
 
 }  // namespace
@@ -170,7 +186,7 @@ void read_carrier_of(const TomlTable& file, Case& c) {
   if (c.carrier.fixed && file.tables("body").empty()) {
     carrier.needs("fixed", "one or more [[body]]");
   }
-  check_system(carrier, c.carrier, {});
+  check_carrier(carrier, c.carrier);
   c.carrier_start = read_carrier_start(carrier, c.carrier.fixed);
   if (const auto drive = carrier.optional_table("drive")) {
     c.options.carrier_drive = {vector_or_zero(*drive, "acceleration"),
@@ -178,13 +194,13 @@ void read_carrier_of(const TomlTable& file, Case& c) {
   }
 }
 
-Body read_body(const TomlTable& table, const RigidBody& carrier,
+Body read_body(const TomlTable& table, const RigidBody& parent,
                const JointLaws& laws, contact::SharedLaws& made) {
   Body body;
   body.rigid = read_rigid_body(table);
   body.group = body.rigid.name;
   if (const auto hinge = table.optional_table("hinge")) {
-    body.hinge = read_hinge(*hinge, body.rigid, carrier, laws, made);
+    body.hinge = read_hinge(*hinge, body.rigid, parent, laws, made);
   }
   body.lock = read_lock(table, body.rigid.com, body.hinge);
   const auto start = table.optional_table("start");
@@ -195,7 +211,7 @@ Body read_body(const TomlTable& table, const RigidBody& carrier,
     start->must_be(hinge_type(body.hinge).rate_key,
                    "0 while the body is locked");
   }
-  check_system(table, carrier, {body});
+  check_body(table, body);
   return body;
 }
 
@@ -215,18 +231,20 @@ Matrix3d Pattern::turn(int copy) const {
   return rotation_of((first + 2 * std::numbers::pi * copy / count) * axis);
 }
 
-Body Pattern::copy_of(Body body, int copy, const Vector3d& carrier_com) const {
+Body Pattern::copy_of(Body body, int copy, const Vector3d& parent_com) const {
   if (count == 1) return body;
   const Matrix3d turn = this->turn(copy);
   Hinge& hinge = body.hinge;
-  hinge.carrier_point =
-      turn * (hinge.carrier_point + carrier_com) - carrier_com;
+  hinge.parent_point = turn * (hinge.parent_point + parent_com) - parent_com;
   hinge.zero_rotation = turn * hinge.zero_rotation;
   hinge.axis = turn * hinge.axis;
-  hinge.carrier_direction = turn * hinge.carrier_direction;
+  hinge.parent_direction = turn * hinge.parent_direction;
   body.start.rotation = turn * body.start.rotation;
-  body.rigid.name = fmt::format("{} {}", body.group, copy + 1);
   return body;
+}
+
+void name_copy(Body& body, int copy) {
+  body.rigid.name = fmt::format("{} {}", body.group, copy + 1);
 }
 
 }  // namespace separation

@@ -6,7 +6,7 @@
 #include "separation/case/case.hpp"
 
 /// Parts of a case as case files describe them. A part depends on its own
-/// tables, the carrier, bodies on the carrier, forces on both.
+/// tables, the carrier, bodies on what they hang on, forces on both.
 namespace separation {
 
 /// Gravity and [run].
@@ -16,20 +16,24 @@ void read_carrier_of(const contact::TomlTable& file, Case& c);
 
 /// A [[body]], all copies of which are turned ones of it.
 /// @param made  laws of the case's joints
-Body read_body(const contact::TomlTable& table, const RigidBody& carrier,
+/// @param parent  the carrier or the body that it hangs on; Hinge::on is left
+///   for whoever knows its place
+Body read_body(const contact::TomlTable& table, const RigidBody& parent,
                const JointLaws& laws, contact::SharedLaws& made);
 
-/// Copies of a body around an axis through the carrier's origin.
+/// Copies of a body around an axis through the origin of what it hangs on.
 struct Pattern {
   int count = 1;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
   double first = 0;
 
-  /// Carrier axes as written to carrier axes.
+  /// Axes of the parent as written to its axes.
   /// @param copy  from 0
   Eigen::Matrix3d turn(int copy) const;
-  Body copy_of(Body body, int copy, const Eigen::Vector3d& carrier_com) const;
+  Body copy_of(Body body, int copy, const Eigen::Vector3d& parent_com) const;
 };
+/// Calls a copy "NAME 1" for the copy 0.
+void name_copy(Body& body, int copy);
 Pattern read_pattern(const contact::TomlTable& body, const Hinge& hinge);
 
 }  // namespace separation

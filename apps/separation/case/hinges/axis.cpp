@@ -72,9 +72,9 @@ double angle(const Hinge& hinge, const Matrix3d& rotation) {
   return std::atan2(sine, turn.trace() - 1);
 }
 
-double turn(const Hinge& hinge, const Matrix3d& carrier,
+double turn(const Hinge& hinge, const Matrix3d& parent,
             const Vector3d& relative) {
-  return (carrier * hinge.axis).dot(relative);
+  return (parent * hinge.axis).dot(relative);
 }
 
 }  // namespace

@@ -32,22 +32,22 @@ Vector3d named_direction(const TomlTable& table, std::string_view key,
 // Directions of the angle of a ball joint: two named ones, or the line from
 // the hinge to the body's centre of mass, which begins at angle 0.
 void read(const HingeTable& from, Hinge& hinge) {
-  const auto& [table, body, carrier] = from;
+  const auto& [table, body, parent] = from;
+  const std::string key = parent_key(table, "direction");
   const auto of_body = table.optional_text("body_direction");
-  const auto of_carrier = table.optional_text("carrier_direction");
-  if (of_body && of_carrier) {
+  const auto of_parent = table.optional_text(key);
+  if (of_body && of_parent) {
     hinge.body_direction =
         named_direction(table, "body_direction", body, *of_body);
-    hinge.carrier_direction =
-        named_direction(table, "carrier_direction", carrier, *of_carrier);
+    hinge.parent_direction = named_direction(table, key, parent, *of_parent);
     return;
   }
-  if (of_body) table.needs("body_direction", "carrier_direction");
-  if (of_carrier) table.needs("carrier_direction", "body_direction");
+  if (of_body) table.needs("body_direction", key);
+  if (of_parent) table.needs(key, "body_direction");
   hinge.body_direction = hinge.body_point.norm() > 0
                              ? Vector3d(-hinge.body_point.normalized())
                              : Vector3d::UnitX();
-  hinge.carrier_direction = hinge.zero_rotation * hinge.body_direction;
+  hinge.parent_direction = hinge.zero_rotation * hinge.body_direction;
 }
 
 void read_joints(const TomlTable& table, Hinge& hinge) {
@@ -67,8 +67,8 @@ void read_start(const TomlTable& table, multibody::BodyStart& start) {
 
 double angle(const Hinge& hinge, const Matrix3d& rotation) {
   const Vector3d body = rotation * hinge.body_direction;
-  return std::atan2(body.cross(hinge.carrier_direction).norm(),
-                    body.dot(hinge.carrier_direction));
+  return std::atan2(body.cross(hinge.parent_direction).norm(),
+                    body.dot(hinge.parent_direction));
 }
 
 double turn(const Hinge&, const Matrix3d&, const Vector3d& relative) {
@@ -82,7 +82,8 @@ HingeType ball_hinge() {
   return {multibody::HingeKind::ball,
           "ball",
           {{"body_direction", Dimension::number, {}, {}, "load_direction"},
-           {"carrier_direction"}},
+           {"carrier_direction"},
+           {"parent_direction"}},
           false,
           "angular_velocity",
           read,

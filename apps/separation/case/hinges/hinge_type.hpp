@@ -13,7 +13,7 @@ namespace separation {
 struct HingeTable {
   const contact::TomlTable& table;
   const RigidBody& body;
-  const RigidBody& carrier;
+  const RigidBody& parent;
 };
 
 /// A kind of hinge: what case files say of it and what its angle is. Its
@@ -38,12 +38,12 @@ struct HingeType {
   /// Places it in a body that has the hinge's points.
   void (*place)(const Hinge& hinge, multibody::Body& body);
   /// Its angle, without full turns.
-  /// @param rotation  body axes to carrier axes
+  /// @param rotation  body axes to parent axes
   double (*angle)(const Hinge& hinge, const Eigen::Matrix3d& rotation);
-  /// Part of an angular velocity, or acceleration, of the body relative to the
-  /// carrier that belongs to the angle; for a ball joint its length.
-  /// @param carrier  carrier axes to those of the vector
-  double (*turn)(const Hinge& hinge, const Eigen::Matrix3d& carrier,
+  /// Part of an angular velocity, or acceleration, of the body relative to its
+  /// parent that belongs to the angle; for a ball joint its length.
+  /// @param parent  parent axes to those of the vector
+  double (*turn)(const Hinge& hinge, const Eigen::Matrix3d& parent,
                  const Eigen::Vector3d& relative);
 };
 
@@ -51,6 +51,10 @@ struct HingeType {
 const std::vector<HingeType>& hinge_types();
 /// Type of an existing hinge.
 const HingeType& hinge_type(const Hinge& hinge);
+
+/// "parent_point" of a hinge with on = "NAME", else "carrier_point"; refuses
+/// the other one.
+std::string parent_key(const contact::TomlTable& hinge, std::string_view end);
 
 /// Refuses angles that its hinges do not have.
 /// @param where  what follows "0 deg to 180 deg on "

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <numbers>
+#include <string>
 
 #include "separation/case/hinges/hinge_type.hpp"
 
@@ -17,6 +18,19 @@ const std::vector<HingeType>& hinge_types() {
 
 const HingeType& hinge_type(const Hinge& hinge) {
   return *std::ranges::find(hinge_types(), hinge.kind, &HingeType::kind);
+}
+
+std::string parent_key(const contact::TomlTable& hinge, std::string_view end) {
+  const std::string of_parent = "parent_" + std::string(end);
+  const std::string of_carrier = "carrier_" + std::string(end);
+  if (!hinge.has("on")) {
+    if (hinge.has(of_parent)) hinge.needs(of_parent, "on");
+    return of_carrier;
+  }
+  if (hinge.has(of_carrier)) {
+    hinge.must_be(of_carrier, of_parent + " beside on");
+  }
+  return of_parent;
 }
 
 void check_angles(const contact::TomlTable& table, const Hinge& hinge,
