@@ -67,8 +67,8 @@ Keys hinge_keys() {
   Keys keys = {
       {"kind"},
       {"name"},
-      {"body_point", Dimension::length, {}, {}, "load_point"},
       {"on"},
+      {"body_point", Dimension::length, {}, {}, "load_point"},
       {"carrier_point", Dimension::length},
       {"parent_point", Dimension::length},
       {"zero_rotation", Dimension::angle},
