@@ -2,9 +2,12 @@
 // in the file, and cases of which numbers are drawn.
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <fstream>
 #include <string>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/files/toml_form.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/form/case_form.hpp"
