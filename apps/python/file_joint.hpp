@@ -58,6 +58,8 @@ void bind_contact(pybind11::module_& m, pybind11::class_<JointSet>& joints,
 void bind_solutions(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_ratings(pybind11::module_& m, pybind11::class_<JointSet>& joints,
                   pybind11::class_<FileJoint, JointSet>& joint);
+void bind_stuck(pybind11::module_& m,
+                pybind11::class_<FileJoint, JointSet>& joint);
 void bind_step(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_moment_set(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_joints(pybind11::module_& m);

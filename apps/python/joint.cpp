@@ -211,6 +211,7 @@ void bind_joint(py::module_& m) {
   bind_contact(m, joints, type);
   bind_solutions(m, joints);
   bind_ratings(m, joints, type);
+  bind_stuck(m, type);
   bind_step(m, joints);
   bind_moment_set(m, joints);
   bind_joints(m);

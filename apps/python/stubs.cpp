@@ -14,6 +14,7 @@
 #include "libcontact/quantities/fit.hpp"
 #include "libcontact/quantities/play.hpp"
 #include "libcontact/quantities/seat.hpp"
+#include "libcontact/quantities/stuck.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -109,6 +110,7 @@ std::string all_fields() {
          fields("RestSolution", contact::rest_quantities()) +
          fields("Rating", contact::rating_quantities()) +
          fields("Step", contact::step_quantities()) +
+         fields("Stuck", contact::stuck_quantities()) +
          fields("Prox", contact::prox_quantities());
 }
 
@@ -233,6 +235,7 @@ int main() {
       {"@WearIn@", arrays(contact::worn_quantities())},
       {"@Coefficients@", arrays(contact::coefficient_quantities())},
       {"@Step@", arrays(contact::step_quantities())},
+      {"@Stuck@", arrays(contact::stuck_quantities())},
       {"@Prox@", arrays(contact::prox_quantities())},
       {"@Joint@", methods(true)},
       {"@Joints@", methods(false)},

@@ -1,15 +1,29 @@
 #include "libcontact/c/quantity.h"
 
+#include <cmath>
+
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/quantity.hpp"
 #include "libcontact/c/slip.hpp"
 #include "libcontact/duty/joint_rating.hpp"
+#include "libcontact/quantities/stuck.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 using contact::c::call_for;
 using contact::c::get;
 using contact::c::given;
 using contact::c::row_of;
+
+namespace contact::c {
+namespace {
+
+StuckJoint stuck_of(const contact_stuck& s) {
+  return {s.load_stiffness, s.held_stiffness, s.spin_stiffness,
+          s.friction_moment, s.shape};
+}
+
+}  // namespace
+}  // namespace contact::c
 
 const contact_quantity* contact_solution_quantity(std::size_t i) {
   return contact::c::row<contact::solution_quantities>(i);
@@ -76,4 +90,49 @@ contact_status contact_rating_get(const contact_joint* joint,
                    &given(value, "contact_rating_get: value"));
       },
       value);
+}
+
+contact_status contact_joint_stuck(const contact_joint* joint,
+                                   double normal_force, contact_stuck* stuck) {
+  return call_for(
+      [=] {
+        const contact_joint& j = given(joint, "contact_joint_stuck: joint");
+        const contact::JointContact& contact = j.joint.contact();
+        const contact::StuckJoint s =
+            contact::stuck_joint(j.spec, contact, normal_force,
+                                 contact.half_angle(normal_force).half_angle);
+        given(stuck, "contact_joint_stuck: stuck") = {
+            s.load_stiffness, s.held_stiffness, s.spin_stiffness,
+            s.friction_moment, s.shape};
+        return std::isnan(s.load_stiffness)
+                   ? contact_report(CONTACT_OUT_OF_RANGE,
+                                    "contact_joint_stuck: joint must have a "
+                                    "clearance, a half-angle of 0.01 to 3.1 "
+                                    "rad and no layer below 1e-3 radii")
+                   : CONTACT_OK;
+      },
+      stuck);
+}
+
+const contact_quantity* contact_stuck_quantity(std::size_t i) {
+  return contact::c::row<contact::stuck_quantities>(i);
+}
+
+contact_status contact_stuck_get(const contact_stuck* stuck, const char* key,
+                                 double* value) {
+  return contact::c::get_of<contact::stuck_quantities>(
+      "contact_stuck_get", "stuck", stuck, contact::c::stuck_of, key, value);
+}
+
+contact_status contact_joint_stuck_notes(const contact_joint* joint,
+                                         double normal_force, char* text,
+                                         std::size_t size) {
+  return contact::c::call([=] {
+    if (size > 0) given(text, "contact_joint_stuck_notes: text");
+    const contact_joint& j = given(joint, "contact_joint_stuck_notes: joint");
+    return contact::c::hand_over_notes(
+        contact::stuck_notes(
+            j.spec, j.joint.contact().half_angle(normal_force).half_angle),
+        text, size);
+  });
 }

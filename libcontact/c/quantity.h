@@ -48,6 +48,30 @@ contact_status contact_rating_get(const contact_joint* joint,
                                   const contact_solution* solution,
                                   const char* key, double* value);
 
+/* A joint that friction holds (docs/presliding.md): what its quantities are
+ * made from. */
+typedef struct contact_stuck {
+  double load_stiffness;  /* K_load, N m/rad: the load stays */
+  double held_stiffness;  /* K_held, N m/rad: the centre stays */
+  double spin_stiffness;  /* K_spin, N m/rad: about the load; NaN of a pin */
+  double friction_moment; /* M_s, N m: of slow sliding across the load */
+  double shape;           /* b of the way to sliding */
+} contact_stuck;
+/* Its contact under R_n, N, above 0, in some 10 ms: to 5e-4, M_s and b as
+ * stuck_joint() says. Numbers that do not exist are NaN, K_held of a pin in an
+ * infinite hole; CONTACT_OUT_OF_RANGE if there is no K_load: with interference,
+ * half-angles outside 0.01 to 3.1 rad, layers below 1e-3 radii. */
+contact_status contact_joint_stuck(const contact_joint* joint,
+                                   double normal_force, contact_stuck* stuck);
+const contact_quantity* contact_stuck_quantity(size_t i);
+contact_status contact_stuck_get(const contact_stuck* stuck, const char* key,
+                                 double* value);
+/* What the stiffness under R_n leaves out or stands on, one sentence per line,
+ * cut to `size` with its final 0. */
+contact_status contact_joint_stuck_notes(const contact_joint* joint,
+                                         double normal_force, char* text,
+                                         size_t size);
+
 #ifdef __cplusplus
 }
 #endif

@@ -22,6 +22,7 @@
 #include "libcontact/play/play_joint.hpp"
 #include "libcontact/quantities/play.hpp"
 #include "libcontact/quantities/seat.hpp"
+#include "libcontact/quantities/stuck.hpp"
 #include "libcontact/quantities/tables.hpp"
 
 namespace {
@@ -94,6 +95,44 @@ TEST(CQuantities, OfRatingsAreThoseOfCpp) {
                contact_rating_quantity, [&](const char* key, double* to) {
                  return contact_rating_get(c.get(), &slip, &s, key, to);
                });
+}
+
+TEST(CQuantities, OfStuckJointsAreThoseOfCpp) {
+  for (const char* name : {"hip_cocr_uhmwpe", "pin_joint"}) {
+    const std::string file =
+        CONTACT_DATA_DIR "/joints/" + std::string(name) + ".toml";
+    const JointSpec spec = contact::read_joint(file);
+    const contact::JointContact contact = spec.contact();
+    const CJoint c = c_joint(file);
+    const double angle = contact.half_angle(2000).half_angle;
+    contact_stuck stuck;
+    ASSERT_EQ(contact_joint_stuck(c.get(), 2000, &stuck), CONTACT_OK)
+        << contact_last_message();
+    expect_table(contact::stuck_quantities(),
+                 contact::stuck_joint(spec, contact, 2000, angle),
+                 contact_stuck_quantity, [&](const char* key, double* to) {
+                   return contact_stuck_get(&stuck, key, to);
+                 });
+  }
+}
+
+TEST(CQuantities, OfStuckJointsHaveTheirLimits) {
+  contact_stuck stuck;
+  const CJoint tight = c_joint(pressed);
+  EXPECT_EQ(contact_joint_stuck(tight.get(), 2000, &stuck),
+            CONTACT_OUT_OF_RANGE);
+  EXPECT_TRUE(std::isnan(stuck.load_stiffness));
+  EXPECT_EQ(contact_joint_stuck(nullptr, 2000, &stuck), CONTACT_BAD_INPUT);
+  EXPECT_TRUE(std::isnan(stuck.shape));
+  // Above 43 deg it is that of the attachment of homogeneous bodies too.
+  const CJoint steel = c_joint(CONTACT_DATA_DIR "/joints/paper_example_1.toml");
+  char text[400];
+  ASSERT_EQ(contact_joint_stuck_notes(steel.get(), 2.63e5, text, sizeof text),
+            CONTACT_OK);
+  EXPECT_EQ(std::string(text).rfind("half-angle 4", 0), 0u) << text;
+  ASSERT_EQ(contact_joint_stuck_notes(steel.get(), 2e4, text, sizeof text),
+            CONTACT_OK);
+  EXPECT_STREQ(text, "");
 }
 
 // Neighbours of one type, each with a number of its own.

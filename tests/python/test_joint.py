@@ -47,6 +47,47 @@ class Numbers(unittest.TestCase):
             warm.normal_force, cold.normal_force, rtol=1e-12)  # fmt: skip
         self.assertFalse(np.array_equal(warm.normal_force, cold.normal_force))
 
+    def test_of_a_stuck_joint_are_those_of_the_program(self):
+        sphere = hip.without_seat()
+        with warnings.catch_warnings():
+            warnings.simplefilter("error")
+            stuck = sphere.stuck([300, 2000])
+        rows = {
+            row["quantity"]: float(row["value"])
+            for row in table("hinge-joint", "--joint", hip_file, "--reaction",
+                             "2000", "--beta", "90", "--equivalent")}  # fmt: skip
+        for name, key in (
+            ("load_stiffness", "K_load_N_m_per_rad"),
+            ("held_stiffness", "K_held_N_m_per_rad"),
+            ("spin_stiffness", "K_spin_N_m_per_rad"),
+            ("lugre_stiffness", "sigma0_N_m_per_rad"),
+            ("dahl_exponent", "dahl_exponent"),
+            ("breakaway_angle", "breakaway_angle_rad"),
+        ):
+            # There it is R, here R_n, which friction makes 0.2 % smaller.
+            values = getattr(stuck, name)
+            self.assertEqual(values.shape, (2,))
+            np.testing.assert_allclose(values[1], rows[key], rtol=2e-3)
+            self.assertNotEqual(values[1], rows[key])
+        one = sphere.solve([0, 0, 2000], [1, 0, 0])
+        exact = sphere.stuck(one.normal_force, fields="load_stiffness")
+        np.testing.assert_allclose(
+            exact["load_stiffness"], rows["K_load_N_m_per_rad"], rtol=1e-12)  # fmt: skip
+        np.testing.assert_allclose(
+            stuck.breakaway_angle,
+            stuck.shape_exponent * stuck.friction_moment / stuck.load_stiffness)  # fmt: skip
+        pin = libcontact.Joint.from_file(pin_file).stuck(1e4)
+        self.assertTrue(np.isnan([pin.held_stiffness, pin.spin_stiffness]).all())
+        self.assertGreater(pin.load_stiffness, 0)
+        for force in (-1, np.nan):
+            self.assertTrue(np.isnan(hip.stuck(force).load_stiffness))
+        steel = dict(youngs_modulus_GPa=200, poissons_ratio=0.3)
+        wide = libcontact.Joint(
+            kind="ball", radius_mm=20, radial_clearance_um=1, inner=steel,
+            outer=steel, coefficient=0.1)  # fmt: skip
+        with self.assertWarnsRegex(libcontact.ContactWarning, "above 43 deg"):
+            wide.stuck(1e5)
+
     def test_of_a_contact_are_those_of_hinge_angle(self):
         (row, other) = table(
             "hinge-angle", "--joint", hip_file, "--load", "500,2000",

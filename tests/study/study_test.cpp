@@ -15,8 +15,10 @@
 #include <tuple>
 #include <vector>
 
+#include "libcontact/base/units.hpp"
 #include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/joint/joint.hpp"
+#include "libcontact/joint/presliding/stiction.hpp"
 #include "programs/study/findings/findings.hpp"
 #include "separation/case/case_reader.hpp"
 #include "separation/case/force_law.hpp"
@@ -498,6 +500,27 @@ TEST_F(StudyFolder, InterferenceHasItsNumbers) {
     ASSERT_TRUE(pressed.nominal().contains(name)) << name;
     EXPECT_NEAR(pressed.nominal().at(name) / value, 1, 1e-12) << name;
   }
+}
+
+// A clearance has how far it goes before it slides, by the law that knows D.
+TEST_F(StudyFolder, ClearanceHasItsPresliding) {
+  const auto nominal = [&](const std::string& law) {
+    std::string text = joint_text;
+    write("j.toml", text.replace(text.find("fitted"), 6, law));
+    return Study(ball()).nominal();
+  };
+  const auto numbers = nominal("exact");
+  JointSpec spec = read_joint(path("j.toml"));
+  const JointContact contact = spec.contact();
+  const double force = numbers.at("R_n_N");
+  const double way = stiction_deformation(contact, force,
+                                          contact.half_angle(force).half_angle);
+  EXPECT_GT(way, 0);
+  EXPECT_NEAR(numbers.at("stiction_deformation_m") / way, 1, 1e-12);
+  EXPECT_NEAR(numbers.at("presliding_angle_deg") * degree *
+                  spec.geometry.radius() / way,
+              1, 1e-12);
+  EXPECT_FALSE(nominal("fitted").contains("presliding_angle_deg"));
 }
 
 // It turns hard without any load; a joint with a clearance does not.

@@ -107,9 +107,9 @@ void add_swing(const contact::Joint& joint, const Load& load, Result& to) {
 JointModel::JointModel(const Plan& plan)
     : plan_(plan), columns_(columns_of(contact::solution_quantities())) {
   const contact::JointSpec nominal = contact::read_joint(plan.joint_file);
-  if (nominal.geometry.radial_clearance() <= 0) {
-    preload_columns_ = columns_of(contact::preload_quantities());
-  }
+  patch_columns_ = columns_of(nominal.geometry.radial_clearance() > 0
+                                  ? contact::presliding_quantities()
+                                  : contact::preload_quantities());
   const TomlTable table = plan.file.table("load");
   const Load load = read_load(table, nominal.geometry);
   try {
@@ -215,8 +215,9 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
   }
   const contact::JointContact& contact = joint.contact();
   const contact::ContactPatch patch{contact, s.normal_force, s.half_angle};
-  for (const auto& column : preload_columns_) {
-    result.numbers.emplace(column.name, column(patch));
+  for (const auto& column : patch_columns_) {
+    const double value = column(patch);
+    if (!std::isnan(value)) result.numbers.emplace(column.name, value);
   }
   add_ends(joint, s, result);
   result.numbers[over_limit] =

@@ -13,7 +13,8 @@ namespace study {
 
 /// A joint under a Load: [load] of the study file. Numbers are named as
 /// hinge-joint's columns, with those of interference where the nominal joint
-/// has no clearance. Files are parsed and keys that are drawn looked up once.
+/// has no clearance, else with how far it goes before it slides. Files are
+/// parsed and keys that are drawn looked up once.
 ///
 /// Contacts at the rims of a seat take 20 to 60 ms. If only the load scatters
 /// and there are many of them, all but the nominal one are read from a table;
@@ -50,7 +51,7 @@ class JointModel : public Model {
   contact::TomlFiles files_;
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
-  std::vector<contact::Column<contact::ContactPatch>> preload_columns_;
+  std::vector<contact::Column<contact::ContactPatch>> patch_columns_;
   std::optional<contact::Joint> joint_;  ///< one, if only the load scatters
   std::unique_ptr<Rims> rims_;           ///< null where no contact is at a rim
   mutable Pool<Form> forms_;
