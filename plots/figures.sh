@@ -2,7 +2,7 @@
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
 # the limit half-angles of other materials, pressure profiles, the error of
 # leaving walls out, the torque of a pin with interference, pressures on seats
-# that end, a separation of boosters and the sketch of a hinge:
+# that end, also in side faces, a separation of boosters and a hinge's sketch:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
@@ -143,6 +143,25 @@ seat() { # NAME JOINT LOAD DIRECTION
 }
 seat seat_ring spherical_plain_bearing_ge50 100kN 90
 seat seat_cup hip_cup 2kN 65
+
+# The same of two cups in the plane of the load, with and without side faces.
+cup() { # NAME LOAD DIRECTION JOINT
+  for face in goes_on free; do
+    "$programs/hinge-pressure" --joint "$4" --set "seat.side_face=$face" \
+      --load "$2" --direction "$3" --points 91 --output face.csv \
+      --columns v_deg,phi_deg,p_Pa 2>seat.log
+    awk -F, 'NR > 1 && ($2 == 0 || $2 == 180) {
+      print ($2 == 0 ? $1 : -$1), $3 / 1e6 }' face.csv | sort -g \
+      >"side_face_$1_$face.dat"
+  done
+}
+source "$plots/../scripts/walled_joint.sh"
+walled_joint cup.toml ball 10 10 "210 0.3" "110 0.34" rigid 10
+printf '[seat]\ncup_deg = 35\nedge_angle_deg = 65\n' >>cup.toml
+cup bronze 4258N 0 cup.toml
+cup hip 3162N 65 "$plots/../data/joints/hip_cup.toml"
+rm cup.toml face.csv
+
 over() { # FILE JOINT COLUMNS OPTIONS: a table of loads or directions
   "$programs/hinge-pressure" --joint "$plots/../data/joints/$2.toml" \
     --columns "$3" --output "seat_loads_$1.csv" "${@:4}" 2>>seat.log
@@ -185,6 +204,7 @@ draw preload "size 840,520 font 'sans,18'" "size 1260,780 font 'sans,21'"
 draw seat_pressure "size 1000,833 font 'sans,16'" \
   "size 1500,1250 font 'sans,21'"
 draw seat_loads "size 1260,460 font 'sans,17'" "size 2100,766 font 'sans,22'"
+draw side_face "size 1260,460 font 'sans,17'" "size 2100,766 font 'sans,22'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"
 draw separation "size 900,553 font 'sans,17'" "size 1350,830 font 'sans,20'"

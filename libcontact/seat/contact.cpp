@@ -1,6 +1,7 @@
 #include "libcontact/seat/contact.hpp"
 
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
@@ -13,6 +14,7 @@
 #include "libcontact/seat/readout.hpp"
 #include "libcontact/seat/rim_warning.hpp"
 #include "libcontact/seat/side_face_mesh.hpp"
+#include "libcontact/seat/side_face_reach.hpp"
 
 namespace contact {
 
@@ -54,6 +56,15 @@ double angle_between(double v1, double v2, double longitude) {
   return 2 * std::asin(std::sqrt(std::min(
                  along * along + std::sin(v1) * std::sin(v2) * across * across,
                  1.0)));
+}
+
+// Of the pressure at a corner whose side face is free.
+std::string at_corner(double corner) {
+  const double exponent = detail::corner_exponent(corner);
+  constexpr double small = -0.005;
+  if (std::isnan(exponent)) return "falls to 0";
+  if (exponent > small) return "is finite";
+  return detail::message("grows with the distance s like s^{:.2f}", exponent);
 }
 
 Eigen::Vector2d in_plane(const Eigen::Vector3d& force) {
@@ -104,8 +115,28 @@ SeatState SeatContact::under(const Eigen::Vector3d& force,
 }
 
 bool SeatContact::is_free(double direction, double half_angle) const {
+  if (!(zone_.margin(direction, half_angle) >= 0)) return false;
   // A side face that is free yields to contacts before it too.
-  return !has_free_side_face() && zone_.margin(direction, half_angle) >= 0;
+  return !has_free_side_face() || half_angle <= reach().half_angle(direction);
+}
+
+const detail::SideFaceReach& SeatContact::reach() const {
+  std::call_once(made_reach_, [&] {
+    reach_ = std::make_unique<const detail::SideFaceReach>(
+        windows_->pair(), zone_, [&](double half_angle) {
+          return contact_.approach(half_angle).stiffness;
+        });
+  });
+  return *reach_;
+}
+
+Eigen::Vector3d SeatContact::more_shift(const Eigen::Vector3d& force,
+                                        double half_angle) const {
+  if (!has_free_side_face()) return Eigen::Vector3d::Zero();
+  const Eigen::Vector2d shift =
+      reach().more(detail::polar_angle(force), half_angle).shift;
+  return force.norm() * detail::plane_axes(force) *
+         Eigen::Vector3d(shift.x(), 0, shift.y());
 }
 
 std::optional<double> SeatContact::free_half_angle(
@@ -150,7 +181,8 @@ SeatState SeatContact::free_state(const Eigen::Vector3d& force,
   state.force = force;
   state.status = SeatStatus::ok;
   state.is_free = true;
-  state.shift = contact_.shift(load, half_angle) / load * state.force;
+  state.shift = contact_.shift(load, half_angle) / load * state.force +
+                more_shift(force, half_angle);
   state.pressure_at_load = contact_.pressure(0, load, half_angle);
   state.peak_pressure = contact_.peak_pressure(load, half_angle);
   state.peak_place = {direction, 0};
@@ -267,15 +299,7 @@ ContactPv SeatContact::pv(const SeatState& state,
 }
 
 Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
-  const Eigen::Vector3d n = state.force.normalized();
-  if (state.is_free) {
-    const double load = state.force.norm();
-    const double along =
-        contact_.approach(contact_.half_angle(load).half_angle).stiffness;
-    const Eigen::Matrix3d at_load = n * n.transpose();
-    return along * at_load +
-           load / state.shift.norm() * (Eigen::Matrix3d::Identity() - at_load);
-  }
+  if (state.is_free) return free_stiffness(state.force);
   if (!state.solution) return Eigen::Matrix3d::Constant(nan);
   const detail::SeatSolution& of = *state.solution;
   const double h = 0.1 * of.solver->overlap(of.patch.shift);
@@ -301,6 +325,30 @@ Eigen::Matrix3d SeatContact::stiffness(const SeatState& state) const {
   in_axes << k(0, 0), 0, cross, 0, across, 0, cross, 0, k(1, 1);
   const Eigen::Matrix3d axes = detail::plane_axes(state.force);
   return windows_->unit_force() * axes * in_axes * axes.transpose();
+}
+
+Eigen::Matrix3d SeatContact::free_stiffness(
+    const Eigen::Vector3d& force) const {
+  const double load = force.norm();
+  const double half_angle = contact_.half_angle(load).half_angle;
+  const Eigen::Vector3d n = force / load;
+  const Eigen::Matrix3d at_load = n * n.transpose();
+  const Eigen::Matrix3d stiffness =
+      contact_.approach(half_angle).stiffness * at_load +
+      load / contact_.shift(load, half_angle) *
+          (Eigen::Matrix3d::Identity() - at_load);
+  if (!has_free_side_face()) return stiffness;
+  // Small: alike for all forces that are near.
+  Eigen::Matrix3d more;
+  constexpr double h = 1e-3;
+  for (const int axis : {0, 1, 2}) {
+    const Eigen::Vector3d by = h * load * Eigen::Vector3d::Unit(axis);
+    more.col(axis) = (more_shift(force + by, half_angle) -
+                      more_shift(force - by, half_angle)) /
+                     (2 * h * load);
+  }
+  const Eigen::Matrix3d sum = stiffness.inverse() + more;
+  return (sum + sum.transpose()).eval().inverse() * 2;
 }
 
 RoundedRim SeatContact::rounded_rim(double intensity, double radius) const {
@@ -346,10 +394,11 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
       if (state.rims[rim].half_arc > 0) {
         all.push_back(detail::message(
             "the contact is at its {} rim, a corner of {:.4g} deg: nearer to "
-            "it than {:.3g} mm the pressure is the corner's own, and not "
-            "reported",
+            "it than {:.3g} mm the pressure is the corner's own, which {}, "
+            "and not reported",
             rim_names[rim], zone_.side_angle(rim) / degree,
-            radius_ * report_distance() * 1e3));
+            radius_ * report_distance() * 1e3,
+            at_corner(zone_.side_angle(rim))));
       }
       continue;
     }

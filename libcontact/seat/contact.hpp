@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -22,6 +23,7 @@ namespace detail {
 class RimWarning;
 class SeatModel;
 class SeatWindows;
+class SideFaceReach;
 struct SeatSolution;
 }  // namespace detail
 
@@ -74,11 +76,12 @@ struct RoundedRim {
 /// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
 /// act on the seat, shifts are those of the ball's centre.
 ///
-/// Where the contact of the seat without end lies inside the rims, that contact
-/// answers, to the last bit. Else a grid is solved: make one object per joint,
-/// as the first of these takes 0.1 to 1 s for its matrices. A contact much
-/// narrower than its zone gets finer grids, made when first asked for and kept
-/// too. Any number of threads may ask.
+/// Where the contact of the seat without end lies inside the rims, and where
+/// side faces that are free leave its pressure as it is, that contact answers,
+/// to the last bit; such side faces add to its shift. Else a grid is solved:
+/// make one object per joint, as the first of these takes 0.1 to 1 s for its
+/// matrices. A contact much narrower than its zone gets finer grids, made when
+/// first asked for and kept too. Any number of threads may ask.
 ///
 /// Accuracy (seat/seat_test.cpp, against two-grid references): docs/seats.md,
 /// "Accuracy".
@@ -152,6 +155,11 @@ class SeatContact {
   // Whether a contact about a polar angle is that of the seat without rims.
   bool is_free(double direction, double half_angle) const;
   bool has_free_side_face() const;
+  const detail::SideFaceReach& reach() const;
+  // What free side faces add to the shift of one that is far from them.
+  Eigen::Vector3d more_shift(const Eigen::Vector3d& force,
+                             double half_angle) const;
+  Eigen::Matrix3d free_stiffness(const Eigen::Vector3d& force) const;
   // Half-angle of one that reaches none; none of others.
   std::optional<double> free_half_angle(const Eigen::Vector3d& force) const;
   // One that reaches none.
@@ -172,6 +180,8 @@ class SeatContact {
   double surface_layer_;  // thickness, m; infinite without
   std::unique_ptr<const detail::SeatWindows> windows_;
   std::unique_ptr<const detail::RimWarning> rim_warning_;
+  mutable std::once_flag made_reach_;
+  mutable std::unique_ptr<const detail::SideFaceReach> reach_;
 };
 
 }  // namespace contact

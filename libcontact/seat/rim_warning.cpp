@@ -53,6 +53,18 @@ std::string rounded_up(double percent) {
 
 }  // namespace
 
+double corner_exponent(double corner) {
+  if (corner < pi / 2) return nan;
+  double low = 0.5, high = 1;
+  for (int i = 0; i < 50; ++i) {
+    const double middle = (low + high) / 2;
+    const double sum =
+        middle * std::sin(2 * corner) + std::sin(2 * middle * corner);
+    (sum > 0 ? low : high) = middle;
+  }
+  return low - 1;
+}
+
 RimWarning::RimWarning(const LayeredPair& pair, const SeatZone& zone)
     : zone_(zone),
       is_known_(pair.inner().layers.empty() &&

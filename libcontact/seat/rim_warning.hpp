@@ -8,6 +8,13 @@
 
 namespace contact::detail {
 
+/// Exponent of the pressure at a corner c of the seat whose side face is free,
+/// p ~ s^(l - 1) at the distance s, under a rigid ball: Williams' wedge of
+/// twice the angle, l sin 2c + sin 2 l c = 0. -1/2 at 180 deg, 0 at 90; below,
+/// where p falls to 0, NaN.
+/// @param corner  rad, (0, pi]
+double corner_exponent(double corner);
+
 /// What finite elements of seats with free side faces say of contacts at rims
 /// and beside them: docs/seats.md, "What is neglected".
 class RimWarning {

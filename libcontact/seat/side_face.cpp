@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/seat/ring_element.hpp"
 #include "libcontact/seat/side_face_mesh.hpp"
 
@@ -202,8 +203,9 @@ MatrixXd difference(const SideFaceMesh& mesh, int m, double unit) {
 }  // namespace
 
 SideFaceCompliance::SideFaceCompliance(const LayeredPair& pair,
-                                       const SeatZone& zone, int order) {
-  const SideFaceMesh mesh(pair, zone);
+                                       const SeatZone& zone, int order,
+                                       double coarser) {
+  const SideFaceMesh mesh(pair, zone, coarser);
   const int first = 2 * mesh.first(), count = 2 * mesh.last() + 3 - first;
   nodes_.resize(count);
   for (int i = 0; i < count; ++i) nodes_(i) = mesh.seat_angle(first + i);
@@ -217,25 +219,59 @@ SideFaceCompliance::SideFaceCompliance(const LayeredPair& pair,
   }
 }
 
+// The first of three nodes about a polar angle, and their functions N_b there.
+SideFaceCompliance::Node SideFaceCompliance::node(double angle) const {
+  const double* begin = nodes_.data();
+  const auto above = std::upper_bound(begin, begin + nodes_.size(), angle);
+  const Eigen::Index b = std::clamp<Eigen::Index>((above - begin - 1) / 2 * 2,
+                                                  0, nodes_.size() - 3);
+  const double x = (angle - nodes_(b + 1)) / (nodes_(b + 2) - nodes_(b + 1));
+  return {b, {x * (x - 1) / 2, (1 - x) * (1 + x), x * (x + 1) / 2}};
+}
+
 // ∫ w_i N_b sin v dv of each cell i with the functions N_b of the nodes.
 MatrixXd SideFaceCompliance::shares(const SeatCells& cells) const {
   const SeatCells::Rule rule = cells.rule(0);
   MatrixXd share = MatrixXd::Zero(nodes_.size(), cells.size());
-  const Eigen::Index last = nodes_.size() - 3;
   for (Eigen::Index k = 0; k < rule.cell.size(); ++k) {
-    const double* begin = nodes_.data();
-    const auto above =
-        std::upper_bound(begin, begin + nodes_.size(), rule.angle(k));
-    const Eigen::Index b =
-        std::clamp<Eigen::Index>((above - begin - 1) / 2 * 2, 0, last);
-    const double x =
-        (rule.angle(k) - nodes_(b + 1)) / (nodes_(b + 2) - nodes_(b + 1));
-    auto column = share.col(rule.cell(k));
-    column(b) += rule.weight(k) * x * (x - 1) / 2;
-    column(b + 1) += rule.weight(k) * (1 - x) * (1 + x);
-    column(b + 2) += rule.weight(k) * x * (x + 1) / 2;
+    const auto [b, values] = node(rule.angle(k));
+    share.col(rule.cell(k)).segment<3>(b) += rule.weight(k) * values.matrix();
   }
   return share;
+}
+
+Eigen::VectorXd SideFaceCompliance::under(
+    const std::vector<Point>& points) const {
+  const int order = orders_.back();
+  // Cosines over a turn have the square pi; 2 pi for m = 0.
+  const auto cosine = [](int m, const Point& point) {
+    return m == 0 ? std::sqrt(0.5) : std::cos(m * point.longitude);
+  };
+  MatrixXd share = MatrixXd::Zero(nodes_.size(), order + 1), more = share;
+  for (const Point& point : points) {
+    const auto [b, values] = node(point.angle);
+    for (int m = 0; m <= order; ++m) {
+      share.col(m).segment<3>(b) +=
+          point.force * cosine(m, point) / pi * values.matrix();
+    }
+  }
+  for (std::size_t k = 0; k < orders_.size(); ++k) {
+    const int last = k == 0 ? -1 : orders_[k - 1];
+    for (int m = last + 1; m <= orders_[k]; ++m) {
+      const double part = double(m - last) / (orders_[k] - last);
+      more.col(m) = part * matrix_[k] * share.col(m);
+      if (part < 1) more.col(m) += (1 - part) * matrix_[k - 1] * share.col(m);
+    }
+  }
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    const auto [b, values] = node(points[k].angle);
+    for (int m = 0; m <= order; ++m) {
+      u(k) +=
+          cosine(m, points[k]) * more.col(m).segment<3>(b).dot(values.matrix());
+    }
+  }
+  return u;
 }
 
 std::vector<MatrixXd> SideFaceCompliance::on(const SeatCells& cells) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <utility>
 #include <vector>
 
 #include "libcontact/pair/layers.hpp"
@@ -30,19 +31,29 @@ class SideFaceCompliance {
  public:
   /// @throws Error if the backing is held, or if a side face meets the axis or
   ///   the other one inside the layers
-  SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order);
+  /// @param coarser  elements at the rim, times
+  SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order,
+                     double coarser = 1);
 
   /// dA_0, dA_1, ..., dA_order on the cells of a window of the zone, in units
   /// of 4 rho/E.
   std::vector<Eigen::MatrixXd> on(const SeatCells& cells) const;
 
-  /// Polar angles of the nodes on the seat.
-  const Eigen::ArrayXd& nodes() const { return nodes_; }
+  /// A place on the seat and the force there, p dO.
+  struct Point {
+    double angle, longitude, force;
+  };
+  /// What the points of a pressure's rule are pressed in more, in units of
+  /// 4 rho/E. The pressure is alike on both sides of longitude 0; the points
+  /// are those of one side, with the forces of both.
+  Eigen::VectorXd under(const std::vector<Point>& points) const;
 
  private:
+  using Node = std::pair<Eigen::Index, Eigen::Array3d>;
+  Node node(double angle) const;
   Eigen::MatrixXd shares(const SeatCells& cells) const;
 
-  Eigen::ArrayXd nodes_;
+  Eigen::ArrayXd nodes_;     // polar angles on the seat
   std::vector<int> orders_;  // those that are solved; linear between them
   std::vector<Eigen::MatrixXd> matrix_;  // by nodes
 };

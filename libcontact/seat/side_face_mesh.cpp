@@ -39,7 +39,8 @@ constexpr double far_end = 1e3;
 
 }  // namespace
 
-SideFaceMesh::SideFaceMesh(const LayeredPair& pair, const SeatZone& zone)
+SideFaceMesh::SideFaceMesh(const LayeredPair& pair, const SeatZone& zone,
+                           double coarser)
     : from_(zone.from()),
       to_(zone.to()),
       side_{zone.has_lower_rim() ? zone.side_angle(0) : nan,
@@ -52,7 +53,8 @@ SideFaceMesh::SideFaceMesh(const LayeredPair& pair, const SeatZone& zone)
   if (!body.layers.empty()) {
     layer = std::min(layer, body.layers.front().thickness / pair.radius());
   }
-  const double finest = std::min({1e-3, layer / 15, zone.width() / 40});
+  const double finest =
+      coarser * std::min({1e-3, layer / 15, zone.width() / 40});
   set_radii(body, pair.radius(), finest);
   set_angles(zone, finest);
   check(zone);

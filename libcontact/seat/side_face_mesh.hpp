@@ -14,8 +14,10 @@ namespace contact::detail {
 /// marked.
 class SideFaceMesh {
  public:
+  /// @param coarser  elements at the rim, times
   /// @throws Error where SideFaceCompliance does
-  SideFaceMesh(const LayeredPair& pair, const SeatZone& zone);
+  SideFaceMesh(const LayeredPair& pair, const SeatZone& zone,
+               double coarser = 1);
 
   int columns() const { return static_cast<int>(angle_.size()) - 1; }
   int rows() const { return static_cast<int>(radius_.size()) - 1; }

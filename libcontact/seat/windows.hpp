@@ -35,6 +35,7 @@ class SeatWindows {
   /// Number of those that were made.
   std::size_t grids() const;
 
+  const LayeredPair& pair() const { return pair_; }
   /// E rho/4, N/m: the unit of SeatPatch::force.
   double unit_force() const { return unit_force_; }
 
