@@ -116,6 +116,38 @@ TEST(Stuck, ThinLinersShear) {
   EXPECT_NEAR(pin[1] / pin[0], 0.5, 0.02);
 }
 
+// The first two are as summed over all 12,000 and 24,000 harmonics up to where
+// a layer is a half-space, the last over 24,000.
+TEST(Stuck, ThinLayersAreTheSumOfTheirHarmonics) {
+  const auto on_steel = [&](double t) {
+    return LayeredPair(1, solid(60, 0.3),
+                       lined(t, 1, 0.4, Backing::medium({60, 0.3})));
+  };
+  struct Row {
+    JointKind kind;
+    LayeredPair pair;
+    double angle, load, held, spin;
+  };
+  const Row rows[] = {
+      {JointKind::ball, on_steel(0.002), 1, 12.4607726, 28.56599284,
+       13.87855182},
+      {JointKind::ball,
+       {1, rigid, lined(0.001, 1, 0.49)},
+       1.5,
+       494.4631183,
+       507.1396186,
+       478.783394},
+      {JointKind::pin, on_steel(0.001), 0.3, 0.9078426144, 8.453882403, 0}};
+  for (const Row& row : rows) {
+    const StuckStiffness k = stuck_stiffness(row.kind, row.pair, row.angle);
+    EXPECT_NEAR(k.load() / row.load, 1, 5e-4);
+    EXPECT_NEAR(k.turn / row.held, 1, 5e-4);
+    if (row.spin > 0) {
+      EXPECT_NEAR(k.spin / row.spin, 1, 5e-4);
+    }
+  }
+}
+
 // All round: both bodies twist as wholes.
 TEST(Stuck, AllRoundIsClosed) {
   const LayeredPair pair(1, solid(1, 0.3), solid(1, 0.3));
@@ -155,8 +187,9 @@ TEST(Stuck, FrictionlessShiftIsTheExactContact) {
 // A layer of the body's own material changes nothing.
 TEST(Stuck, LayersOfTheSameMaterialAreNotThere) {
   const LayeredPair plain(1, solid(1, 0.3), solid(2, 0.4));
-  const LayeredPair cut(1, lined(0.3, 1, 0.3, Backing::medium({1, 0.3})),
-                        lined(0.2, 2, 0.4, Backing::medium({2, 0.4})));
+  // Thick enough to be summed with as many terms.
+  const LayeredPair cut(1, lined(0.4, 1, 0.3, Backing::medium({1, 0.3})),
+                        lined(0.35, 2, 0.4, Backing::medium({2, 0.4})));
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const double angle : {0.3, 1.0}) {
       const StuckStiffness a = stuck_stiffness(kind, plain, angle);

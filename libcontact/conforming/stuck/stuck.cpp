@@ -16,50 +16,72 @@
 namespace contact::detail {
 namespace {
 
+using Eigen::Array4d;
 using Eigen::ArrayXd;
 using Eigen::Matrix2d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Side = LayerCompliance::Side;
 
-// Compliances of both bodies, harmonics 1 to N in columns: of (U, n V) to
-// (S, n T), and of the toroidal ones.
-struct Compliances {
-  ArrayXd normal;      // C11
-  ArrayXd cross;       // C12
-  ArrayXd tangential;  // C22
-  ArrayXd toroidal;    // W; of pins n = 0 alone
-};
-
-Compliances compliances(JointKind kind, const LayeredPair& pair, int count) {
-  const LayerCompliance inner(kind, Side::inner, pair);
-  const LayerCompliance outer(kind, Side::outer, pair);
-  const bool ball = kind == JointKind::ball;
-  Compliances c{ArrayXd(count), ArrayXd(count), ArrayXd(count),
-                ArrayXd(ball ? count : 1)};
-  for (int n = 1; n <= count; ++n) {
-    const Matrix2d both = inner.spheroidal(n) + outer.spheroidal(n);
-    c.normal(n - 1) = both(0, 0);
-    c.cross(n - 1) = both(0, 1);
-    c.tangential(n - 1) = both(1, 1);
-    if (ball) c.toroidal(n - 1) = inner.toroidal(n) + outer.toroidal(n);
-  }
-  if (!ball) c.toroidal(0) = inner.toroidal(0) + outer.toroidal(0);
-  return c;
-}
-
 struct Size {
   int terms;
   int harmonics;
 };
 
-// Measured: half of N theta0 changes the stiffness by 1e-4, at 87 by 1e-3.
+// Measured: half of N theta0 changes the stiffness by 1e-4, at 87 by 1e-3; more
+// terms, which thin layers need, take more harmonics.
 Size size_of(const LayeredPair& pair, double half_angle) {
-  const double thickness = pair.relative_thickness();
-  const int terms = thickness < 0.04 ? 18 : thickness < 0.1 ? 14 : 12;
-  return {terms,
-          static_cast<int>(std::max({300 / half_angle, 24 / thickness, 64.0}))};
+  const double thin = pair.relative_thickness() / half_angle;
+  const int terms = thin < 0.04 ? 18 : thin < 0.3 ? 14 : 12;
+  return {terms, static_cast<int>(
+                     std::max((thin < 0.04 ? 600 : 300) / half_angle, 64.0))};
 }
+
+// Compliances of both bodies, harmonics 1 to N in columns: of (U, n V) to
+// (S, n T), and of the toroidal ones. Of the moments with harmonics beyond N
+// the squares have means that fall as 1/n: sums of C_n/n.
+struct Compliances {
+  ArrayXd normal;      // C11
+  ArrayXd cross;       // C12
+  ArrayXd tangential;  // C22
+  ArrayXd toroidal;    // W; of pins n = 0 alone
+  struct {
+    double normal, tangential, toroidal;
+  } beyond = {};
+
+  Compliances(JointKind kind, const LayeredPair& pair, int count)
+      : normal(count), cross(count), tangential(count), toroidal(count) {
+    const LayerCompliance inner(kind, Side::inner, pair);
+    const LayerCompliance outer(kind, Side::outer, pair);
+    const auto around = [&](int n) {
+      return inner.toroidal(n) + outer.toroidal(n);
+    };
+    const bool ball = kind == JointKind::ball;
+    const auto at = [&](int n) -> Array4d {
+      const Matrix2d c = inner.spheroidal(n) + outer.spheroidal(n);
+      return {c(0, 0), c(0, 1), c(1, 1), ball ? around(n) : 0};
+    };
+    for (int n = 1; n <= count; ++n) {
+      const Array4d c = at(n);
+      normal(n - 1) = c(0);
+      cross(n - 1) = c(1);
+      tangential(n - 1) = c(2);
+      toroidal(n - 1) = c(3);
+    }
+    if (!ball) toroidal(0) = around(0);
+    // C_n is smooth, some of each octave do; beyond the layers it is as 1/n.
+    const double layers = 24 / pair.relative_thickness();
+    Array4d sum = Array4d::Zero();
+    double from = count + 0.5;
+    while (from < layers) {
+      const double to = std::ceil(from * 17 / 16) + 0.5;
+      sum += std::log(to / from) * at(static_cast<int>((from + to) / 2));
+      from = to;
+    }
+    sum += (1 + 0.5 / from) * at(static_cast<int>(from + 0.5));
+    beyond = {sum(0), sum(2), sum(3)};
+  }
+};
 
 // Moments of the stresses of a contact, a row for each term.
 struct Moments {
@@ -95,7 +117,7 @@ struct Pin : Equations {
   Pin(const LayeredPair& pair, double half_angle) {
     const Size size = size_of(pair, half_angle);
     const int count = size.harmonics;
-    const Compliances c = compliances(JointKind::pin, pair, count);
+    const Compliances c(JointKind::pin, pair, count);
     terms = size.terms;
     MatrixXd odd(terms, count);
     MatrixXd even(terms, count);
@@ -114,13 +136,11 @@ struct Pin : Equations {
     const VectorXd tangential = pi * c.tangential;
     VectorXd turn = VectorXd::Zero(terms);
     turn(0) = half_angle / 2;
-    // Beyond N, means of the products of Bessel functions.
-    const double tail = half_angle / (count + 0.5);
-    const MatrixXd ones = MatrixXd::Ones(terms, terms);
+    // Means of the products of Bessel functions, over 1/n.
+    const MatrixXd tail = MatrixXd::Constant(terms, terms, half_angle);
     a.resize(2 * terms, 2 * terms);
     a.topLeftCorner(terms, terms) =
-        odd * normal.asDiagonal() * odd.transpose() +
-        tail * count * c.normal(count - 1) * ones;
+        odd * normal.asDiagonal() * odd.transpose() + c.beyond.normal * tail;
     a.topRightCorner(terms, terms) =
         odd * cross.asDiagonal() * even.transpose();
     a.bottomLeftCorner(terms, terms) =
@@ -128,7 +148,7 @@ struct Pin : Equations {
     a.bottomRightCorner(terms, terms) =
         even * tangential.asDiagonal() * even.transpose() +
         2 * pi * c.toroidal(0) * turn * turn.transpose() +
-        tail * count * c.tangential(count - 1) * ones;
+        c.beyond.tangential * tail;
     b = MatrixXd::Zero(2 * terms, 2);
     b.col(0) << pi * odd.col(0), pi * even.col(0);
     b.col(1).tail(terms) = 2 * pi * turn;
@@ -213,7 +233,7 @@ struct Ball : Equations {
     const Size size = size_of(pair, half_angle);
     const int count = size.harmonics;
     terms = size.terms;
-    const Compliances c = compliances(JointKind::ball, pair, count);
+    const Compliances c(JointKind::ball, pair, count);
     const CapNodes nodes(half_angle, size);
     const Moments m = ball_moments(nodes, size);
     const ArrayXd n = ArrayXd::LinSpaced(count, 1, count);
@@ -226,25 +246,22 @@ struct Ball : Equations {
     const ArrayXd edge =
         even_legendre(terms, VectorXd::Zero(1)).row(0).transpose().array() *
         std::sqrt(std::tan(half_angle / 2));
-    const MatrixXd tail = edge.matrix() * edge.matrix().transpose() *
-                          (std::sin(half_angle) / (count + 1));
-    const double normal = count * c.normal(count - 1);
-    const double along = count * c.tangential(count - 1);
-    const double around = count * c.toroidal(count - 1);
+    const MatrixXd tail =
+        edge.matrix() * edge.matrix().transpose() * std::sin(half_angle);
     const auto product = [](const MatrixXd& x, const ArrayXd& w,
                             const MatrixXd& y) -> MatrixXd {
       return x * w.matrix().asDiagonal() * y.transpose();
     };
     a.resize(3 * terms, 3 * terms);
     a.topLeftCorner(terms, terms) =
-        product(m.normal, c.normal, m.normal) + normal * tail;
+        product(m.normal, c.normal, m.normal) + c.beyond.normal * tail;
     a.topRightCorner(terms, 2 * terms) = product(m.normal, c.cross / l, t);
     a.bottomLeftCorner(2 * terms, terms) =
         a.topRightCorner(terms, 2 * terms).transpose();
     auto shear = a.bottomRightCorner(2 * terms, 2 * terms);
     shear = product(t, c.tangential / l, t) + product(q, c.toroidal / l, q);
-    const double same = (along + around) / 4;
-    const double mixed = (along - around) / 4;
+    const double same = (c.beyond.tangential + c.beyond.toroidal) / 4;
+    const double mixed = (c.beyond.tangential - c.beyond.toroidal) / 4;
     shear.topLeftCorner(terms, terms) += same * tail;
     shear.bottomRightCorner(terms, terms) += same * tail;
     shear.topRightCorner(terms, terms) += mixed * tail;
@@ -257,7 +274,7 @@ struct Ball : Equations {
         nodes.minus * (z - one) / 2;
     b.col(1).tail(2 * terms) << nodes.plus * (one + z) / 2,
         nodes.minus * (one - z) / 2;
-    spin_a = product(m.normal, c.toroidal, m.normal) + around * tail;
+    spin_a = product(m.normal, c.toroidal, m.normal) + c.beyond.toroidal * tail;
     spin_b = nodes.normal * s;
   }
 };
