@@ -378,10 +378,10 @@ TEST(MotionTree, LocksKeepMomentum) {
   Motion motion(System(t.carrier, t.bodies), {}, nullptr, t.start,
                 tight(Vector3d::Zero()));
   motion.advance_to(0.5);
-  motion.save();  // at a step's end, as lock() does
+  motion.save();  // at a step's end, as latch() does
   const Momentum p = momentum_of(motion.sample(), t.carrier, t.bodies);
   const double energy = motion.sample().energy().balance();
-  for (int i = 0; i < 8; i += 2) motion.lock(i);
+  for (int i = 0; i < 8; i += 2) motion.latch(i);
   expect_same(p, momentum_of(motion.sample(), t.carrier, t.bodies), 1e-12);
   EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-9 * energy);
   motion.advance_to(1);
@@ -404,7 +404,7 @@ TEST(MotionTree, ReleasedSubtreesGoOn) {
   const BodyMotion tip = motion.sample().body(7);
   motion.release(5);
   EXPECT_LE((motion.sample().body(7).velocity - tip.velocity).norm(), 1e-13);
-  motion.lock(7);  // whose impulse the released body feels
+  motion.latch(7);  // whose impulse the released body feels
   expect_same(p, all(), 1e-12);
   motion.release(1);
   const MotionState saved = motion.save();

@@ -134,11 +134,11 @@ TEST(CaseTree, DrawnNumbersReachWhatHangsOnABody) {
     return separation::read_case(file, {}, settings);
   };
   const Case nominal = read({});
-  separation::CaseForm form({}, file, {{"body[2].com_m[1]", 0.625}}, nominal,
+  separation::CaseForm form({}, file, {{"body[2].com_m[1]", "0.625"}}, nominal,
                             {});
   const std::vector<double> number = {0.625};
   const Case drawn = form.with({number});
-  const Case set = read({{"body[2].com_m[1]", 0.625}});
+  const Case set = read({{"body[2].com_m[1]", "0.625"}});
   for (std::size_t i = 0; i < nominal.bodies.size(); ++i) {
     EXPECT_EQ(drawn.bodies[i].hinge.parent_point,
               set.bodies[i].hinge.parent_point);
