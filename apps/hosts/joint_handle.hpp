@@ -40,7 +40,8 @@ inline std::vector<contact_setting> c_settings(const Settings& keys) {
   return given;
 }
 
-/// A joint of libcontact from its file (libcontact/docs/joint_file.md).
+/// A joint of libcontact from its file
+/// (libcontact/docs/reference/joint_file.md).
 using JointHandle = std::unique_ptr<contact_joint, void (*)(contact_joint*)>;
 
 /// @param where  the host's joint, for messages

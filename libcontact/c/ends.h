@@ -1,5 +1,6 @@
-/* Contacts that end, of balls in a [seat] (docs/seats.md) and pins of finite
- * length (docs/finite_pin.md), and any quantity of any joint by its key. */
+/* Contacts that end, of balls in a [seat] (docs/explanation/seats.md) and pins
+ * of finite length (docs/how-to/finite_pin.md), and any quantity of any joint
+ * by its key. */
 #ifndef LIBCONTACT_C_ENDS_H
 #define LIBCONTACT_C_ENDS_H
 

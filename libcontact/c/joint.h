@@ -13,8 +13,8 @@ extern "C" {
 
 typedef struct contact_joint contact_joint;
 
-/* From a joint file (docs/joint_file.md). CONTACT_BAD_INPUT with the line and
- * key that are wrong, or without friction. */
+/* From a joint file (docs/reference/joint_file.md). CONTACT_BAD_INPUT with the
+ * line and key that are wrong, or without friction. */
 contact_status contact_joint_read(const char* path,
                                   const contact_setting* settings, size_t count,
                                   contact_joint** joint);

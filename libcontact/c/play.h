@@ -1,5 +1,5 @@
 /* Joints with play: the force law of a clearance, impacts, and the joint as a
- * force without constraint (docs/play.md). */
+ * force without constraint (docs/how-to/play.md). */
 #ifndef LIBCONTACT_C_PLAY_H
 #define LIBCONTACT_C_PLAY_H
 

@@ -39,10 +39,10 @@ contact_status contact_patch_get(const contact_joint* joint,
                                  double normal_force, const char* key,
                                  double* value);
 
-/* p v and heat over the contact of a slip and its solution (docs/duty.md);
- * computed anew at each call. At a rim of a seat there are pv_max, 0.02 radii
- * (report_distance) or more from every rim, pv_total, to 5e-3 and 1e-3, and
- * heat. */
+/* p v and heat over the contact of a slip and its solution
+ * (docs/how-to/duty.md); computed anew at each call. At a rim of a seat there
+ * are pv_max, 0.02 radii (report_distance) or more from every rim, pv_total, to
+ * 5e-3 and 1e-3, and heat. */
 contact_status contact_rating_get(const contact_joint* joint,
                                   const contact_slip* slip,
                                   const contact_solution* solution,

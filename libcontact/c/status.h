@@ -31,7 +31,7 @@ const char* contact_last_message(void);
 contact_status contact_report(contact_status status, const char* message);
 
 /* A key of a file that is given another value, as "geometry.radius_mm" = "25";
- * of a joint of a case as docs/case_file.md of apps/separation says. */
+ * of a joint of a case as docs/reference/case_file.md says. */
 typedef struct contact_setting {
   const char* key;
   const char* value;

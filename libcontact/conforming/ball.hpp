@@ -16,9 +16,10 @@ struct SignedContact;
 }
 
 /// Exact contact of a ball in a seat, for any elastic pair: Legendre-Galerkin
-/// solution of the Abel-transformed equation of docs/conforming_methods.md. One
-/// object per pair and loading; copies share its tables. Const functions that
-/// do not allocate and do not throw.
+/// solution of the Abel-transformed equation of
+/// docs/internals/conforming_methods.md. One object per pair and loading;
+/// copies share its tables. Const functions that do not allocate and do not
+/// throw.
 ///
 /// Axial symmetry, no friction, first order in the clearance; the outer body
 /// is infinite unless it is given its walls. The load parameter is
@@ -51,7 +52,7 @@ class BallContact {
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated ball that is
   ///               loaded through the back, or for thin layers that hardly
-  ///               yield between stiff bodies (docs/walls_matter.md).
+  ///               yield between stiff bodies (docs/how-to/walls_matter.md).
   explicit BallContact(const LayeredPair& pair,
                        InnerLoading loading = InnerLoading::centre(),
                        int unknowns = 0);

@@ -22,7 +22,7 @@ struct HarmonicCompliance {
   double correction;
 };
 
-/// Compliances of one body of bonded layers: docs/walls.md.
+/// Compliances of one body of bonded layers: docs/explanation/walls.md.
 /// Poisson's ratio 1/2 is an ordinary value everywhere.
 ///
 /// Accuracy (conforming/layer_compliance_test.cpp): relative error of c_n below

@@ -24,8 +24,9 @@ struct PinConstants {
 };
 
 /// Exact contact of a pin in a hole, for any elastic pair: Chebyshev-Galerkin
-/// solution of the Prandtl equation of docs/conforming_methods.md. One object
-/// per pair and loading; const functions that do not allocate and do not throw.
+/// solution of the Prandtl equation of docs/internals/conforming_methods.md.
+/// One object per pair and loading; const functions that do not allocate and do
+/// not throw.
 ///
 /// Plane strain, no friction, first order in the clearance; the outer body is
 /// infinite unless it is given its walls. The load parameter is
@@ -58,7 +59,7 @@ class PinContact {
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated pin that is
   ///               loaded through the back, or for thin layers that hardly
-  ///               yield between stiff bodies (docs/walls_matter.md).
+  ///               yield between stiff bodies (docs/how-to/walls_matter.md).
   explicit PinContact(const LayeredPair& pair,
                       InnerLoading loading = InnerLoading::centre(),
                       int unknowns = 0);

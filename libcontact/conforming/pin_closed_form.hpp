@@ -18,8 +18,8 @@ namespace contact {
 /// 1/lambda = 0.1, where its own rounding begins to be magnified by the
 /// nearness of the limit angle; half_angle() 4e-16 of itself there; pressure
 /// 5e-15 of the peak (conforming/pin_test.cpp, against 50-digit arithmetic).
-/// Sources: docs/references.md#persson-1964 for identical materials,
-/// docs/references.md#ciavarella-2001 for beta = 0.
+/// Sources: docs/reference/references.md#persson-1964 for identical materials,
+/// docs/reference/references.md#ciavarella-2001 for beta = 0.
 class PinClosedForm {
  public:
   /// @param outer_compliance_share  w_2 = (1 + alpha)/2, [0, 1]

@@ -120,7 +120,7 @@ class JointCycle {
     return {contact(), instant.solution, instant.state.angular_velocity};
   }
 
-  /// Would refer to a joint that is gone.
+  /// Deleted for temporaries: the result would refer to a destroyed joint.
   SlidingContact sliding(const Instant&) const&& = delete;
   /// p v over the contact of an instant; at a rim of rows alone.
   ContactPv pv(const Instant& instant) const;

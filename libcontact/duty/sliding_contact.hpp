@@ -19,7 +19,7 @@ class PressureProfile;
 /// where the solution is NaN.
 ///
 /// Places are unit vectors r from the joint's centre, of a pin normal to its
-/// axis; frame and signs as in Joint. Theory: docs/duty.md.
+/// axis; frame and signs as in Joint. Theory: docs/how-to/duty.md.
 ///
 /// Refers to the contact and must not outlive it. Const functions neither
 /// allocate nor throw.

@@ -79,7 +79,7 @@ struct WearIn {
 ///
 /// **Where it moves** the depth of the wear is one more gap at each point, and
 /// the contact is solved there by elasticity alone, at places of the cycle,
-/// block after block (docs/moving_wear.md). Accuracy:
+/// block after block (docs/explanation/wear.md). Accuracy:
 /// duty/moving_wear_test.cpp. penetration is the deepest wear, v that of the
 /// volume, largest values are of 36 instants (balls: 24), R_n and its direction
 /// those before wear. The wear of the pin changes nothing.

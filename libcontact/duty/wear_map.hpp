@@ -63,7 +63,7 @@ class WearMap {
   /// @param coefficient  k, m^2/N
   /// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
   ///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published
-  ///         (docs/bearing_wear.md).
+  ///         (docs/tutorials/bearing_design.md).
   static std::string coefficient_note(double coefficient);
   /// @param depth  of the wear, m
   /// @return a sentence if it is above a tenth of the radius, where seat and

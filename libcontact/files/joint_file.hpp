@@ -10,7 +10,8 @@
 #include "libcontact/pair/friction_law.hpp"
 #include "libcontact/pair/material.hpp"
 
-/// Material pairs and joints from TOML files (keys: docs/joint_file.md).
+/// Material pairs and joints from TOML files (keys:
+/// docs/reference/joint_file.md).
 ///
 /// Every reader throws contact::Error with one line that names file, line,
 /// key, value and what they must be; unknown keys are refused.

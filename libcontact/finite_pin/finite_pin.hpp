@@ -65,11 +65,11 @@ struct FinitePinSolution {
 };
 
 /// A pin of finite length whose axis is shifted and tilted in its hole, with or
-/// without relief of the ends: docs/finite_pin.md. Each slice obeys the exact
-/// law of an endless pin (ForceLaw) with its own clearance; slices do not feel
-/// each other, which is off within a length of rho sin(theta0), or the wall's
-/// thickness if that is less, from where contact or pin end. The pin does not
-/// bend.
+/// without relief of the ends: docs/how-to/finite_pin.md. Each slice obeys the
+/// exact law of an endless pin (ForceLaw) with its own clearance; slices do not
+/// feel each other, which is off within a length of rho sin(theta0), or the
+/// wall's thickness if that is less, from where contact or pin end. The pin
+/// does not bend.
 ///
 /// A solution takes some 0.1 ms after the law, and no function but the
 /// constructor throws. Several threads may share one.

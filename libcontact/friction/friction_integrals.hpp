@@ -8,13 +8,14 @@ namespace contact {
 
 class PressureLaw;
 
-/// Friction integrals and coefficients of a ball joint (docs/friction.md) with
-/// any pressure law.
+/// Friction integrals and coefficients of a ball joint
+/// (docs/explanation/friction.md) with any pressure law.
 ///
 /// For the cosine pressure by the exact method: great-circle arcs through the
 /// slip axis, every integrand non-negative, a midpoint rule in the Jacobi
-/// variable (docs/exact_method.md). Nothing cancels, so each of the ten numbers
-/// has its own relative accuracy, the pole on the contact's edge included.
+/// variable (docs/internals/exact_method.md). Nothing cancels, so each of the
+/// ten numbers has its own relative accuracy, the pole on the contact's edge
+/// included.
 ///
 /// For the others the same great circles, with a sum over points of each in
 /// place of the closed forms: the pressure comes as PressureExpansion, whose

@@ -4,7 +4,7 @@
 
 #include "libcontact/base/units.hpp"
 
-/// Friction integrals of a ball joint (theory: docs/friction.md).
+/// Friction integrals of a ball joint (theory: docs/explanation/friction.md).
 ///
 /// Axes: origin at the joint's centre, Z through the centre of the contact,
 /// the relative angular velocity in the plane OYZ at the slip axis angle a

@@ -26,7 +26,7 @@ inline constexpr int usual_stress_points = 24;
 ///     ∬ tau e dO,  e = v/|v|;  about Y and Z ∬ tau (-e x r) dO
 ///
 /// Up to 90 deg along great circles through the slip axis, beyond by the
-/// definition with double exponential nodes (docs/friction_stress.md).
+/// definition with double exponential nodes (docs/how-to/friction_stress.md).
 /// @param points  n, 4 or more
 /// @return relative error at most 1e-10 for tau that is smooth in p and v and
 ///         for powers of p, 1e-9 for functions of v/p, which change fast

@@ -22,7 +22,7 @@ struct ExactRelation;
 }  // namespace detail
 
 /// The exact contact of PinContact and BallContact as a half-angle law, for
-/// any elastic pair: docs/conforming.md.
+/// any elastic pair: docs/explanation/conforming.md.
 ///
 /// The constructor solves the contact at 18 to 64 half-angles and keeps them
 /// as one Chebyshev series, so that a half-angle takes a fraction of a
@@ -36,18 +36,18 @@ struct ExactRelation;
 /// load_parameter() keeps its relative accuracy, 1e-9, up to the double below
 /// theta0*.
 ///
-/// A table of its own has what joints without clearance and with interference
-/// ask, whose load parameters are infinite and negative: half-angles from the
-/// limit to 180 deg, where the contact closes all round (PinGap, BallGap). The
-/// first such question makes it by 24 to 96 solutions; any thread. The
-/// constructor makes it where the solver by the pressure does not reach the
-/// limit half-angle (a nearly incompressible inner body in a nearly rigid outer
-/// one: a pin beyond 163 deg, a ball beyond 175 deg). Accuracy
-/// (half_angle/interference_test.cpp): x + c_0 at theta0 within 1e-7 of the
-/// solver, for walls below 0.1 radii 5e-6. There is none if the inner body is
-/// loaded through the back, and where c_0 = 0: an incompressible layer between
-/// rigid bodies cannot have interference, and its limit_half_angle() may be
-/// the end of the solver, which larger loads give with not_converged.
+/// Joints with zero clearance or interference (load parameter infinite or
+/// negative) use a second table, of half-angles from the limit to 180 deg,
+/// where the contact closes all round (PinGap, BallGap). The first query builds
+/// it by 24 to 96 solutions, in any thread. The constructor builds it if the
+/// solver by the pressure does not reach the limit half-angle (a nearly
+/// incompressible inner body in a nearly rigid outer one: a pin beyond 163 deg,
+/// a ball beyond 175 deg). Accuracy (half_angle/interference_test.cpp): x + c_0
+/// at theta0 within 1e-7 of the solver, for walls below 0.1 radii 5e-6. There
+/// is none if the inner body is loaded through the back, and where c_0 = 0: an
+/// incompressible layer between rigid bodies cannot have interference, and its
+/// limit_half_angle() may be the end of the solver, which larger loads give
+/// with not_converged.
 class ExactLaw final : public HalfAngleLaw {
  public:
   /// @param loading  how the inner body is loaded; the force at its centre

@@ -15,7 +15,7 @@ class FittedHalfAngle;
 }  // namespace detail
 
 /// A formula for the load at a half-angle, for any elastic pair, fitted to the
-/// exact contact: docs/fitted_laws.md. With r =
+/// exact contact: docs/internals/fitted_laws.md. With r =
 /// sin(theta0/2), c = cos^2(theta0/2):
 ///
 ///     pin:  r^2/lambda = c^2 - w_2 (2 r^4 - c^2 ln c)

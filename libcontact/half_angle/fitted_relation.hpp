@@ -7,10 +7,10 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/material.hpp"
 
-/// The fitted laws' relation between load and half-angle (docs/fitted_laws.md):
-/// a closed form, exact for some elastic pairs, and a polynomial in
-/// r = sin(theta0/2) whose coefficients are sums over the features of the
-/// pair,
+/// The fitted laws' relation between load and half-angle
+/// (docs/internals/fitted_laws.md): a closed form, exact for some elastic
+/// pairs, and a polynomial in r = sin(theta0/2) whose coefficients are sums
+/// over the features of the pair,
 ///
 ///     F = closed form + weight(r) sum_k r^k sum_i feature_i C_ik,
 ///     k = 1 ... fitted_terms,   weight = 1 (pin), cos^4(theta0/2) (ball).

@@ -22,7 +22,7 @@ class LimitHalfAngle {
   ///     84.85 - 2.88 atan(0.711 (Ebar - 1))      Ebar >= 1
   ///
   /// from 92.53 (Ebar = 0) to 80.33 (infinity). Against exact solutions it is
-  /// within 0.7 % (docs/half_angle.md); computed to 4e-16 relative
+  /// within 0.7 % (docs/explanation/half_angle.md); computed to 4e-16 relative
   /// (half_angle/paper_laws_test.cpp).
   /// @param modulus_ratio  Ebar, [0, infinity]
   /// @throws Error if out of range.

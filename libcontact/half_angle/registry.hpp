@@ -22,8 +22,8 @@ struct HalfAngleRequest {
 struct HalfAngleEntry {
   LawEntry about;
   std::string_view equation = {};  ///< equation of the paper; "" for none
-  /// Cost of a half-angle in multiples of std::tanh (docs/speed.md), ball and
-  /// pin.
+  /// Cost of a half-angle in multiples of std::tanh (docs/reference/speed.md),
+  /// ball and pin.
   int ball_cost = 0;
   int pin_cost = 0;
   bool takes_options = false;    ///< HalfAngleOptions

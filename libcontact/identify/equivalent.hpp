@@ -5,7 +5,8 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/joint/spec.hpp"
 
-/// Numbers for the friction formulas of other programs (docs/equivalent.md).
+/// Numbers for the friction formulas of other programs
+/// (docs/how-to/equivalent.md).
 namespace contact {
 
 /// A number to type into another program.

@@ -12,7 +12,7 @@
 #include "libcontact/joint/contact_notes.hpp"
 #include "libcontact/pressure/validity.hpp"
 
-/// Friction parameters from measured moments (docs/identify.md).
+/// Friction parameters from measured moments (docs/how-to/identify.md).
 namespace contact {
 
 /// A friction moment that was measured while a joint slides.

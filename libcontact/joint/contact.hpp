@@ -209,7 +209,7 @@ class JointContact {
   ContactApproach approach(double half_angle) const noexcept {
     return approach(*half_angle_law_, geometry_, pair_, half_angle);
   }
-  /// The same of a joint whose friction nobody asks for.
+  /// As above, for callers that need no friction.
   static ContactApproach approach(const HalfAngleLaw& law,
                                   const JointGeometry& geometry,
                                   const ElasticPair& pair,

@@ -22,9 +22,9 @@ struct SlipDerivatives {
   Eigen::Matrix3d over_reaction = Eigen::Matrix3d::Zero();
 };
 
-/// The derivatives of Joint::solve(). docs/joint.md has the formulas: closed
-/// ones in the vectors and in n, R_n of the solution; what the contact's
-/// friction has over R_n, a and |Dw| is differences of fourth order.
+/// The derivatives of Joint::solve(). docs/explanation/joint.md has the
+/// formulas: closed ones in the vectors and in n, R_n of the solution; what the
+/// contact's friction has over R_n, a and |Dw| is differences of fourth order.
 ///
 /// A pin's Dw stays along its axis, and R normal to it.
 ///

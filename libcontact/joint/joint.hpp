@@ -48,18 +48,19 @@ struct RestSolution {
 ///
 /// The reaction R is the sum of the normal force R_n n and the friction
 /// force R_t normal to it; n, R_n, the half-angle theta0 and the friction
-/// coefficient depend on each other. docs/joint.md has the equations. That of
-/// a pin is the ball's with R normal to Dw: b = 90 deg, a = 0.
+/// coefficient depend on each other. docs/explanation/joint.md has the
+/// equations. That of a pin is the ball's with R normal to Dw: b = 90 deg, a =
+/// 0.
 ///
 /// A joint that is made from a spec with a seat that ends
-/// (JointGeometry::seat()) is in it: docs/seat_joint.md. Where the contact of
-/// the laws `exact` stays inside the rims it answers, to the last bit; else the
-/// contact of the seat is found, in 20 to 60 ms, and R_n n is the sum of its
-/// pressures.
+/// (JointGeometry::seat()) is in it: docs/explanation/seat_joint.md. Where the
+/// contact of the laws `exact` stays inside the rims it answers, to the last
+/// bit; else the contact of the seat is found, in 20 to 60 ms, and R_n n is the
+/// sum of its pressures.
 ///
 /// A pin that is made from a spec with a relief ends, slice by slice by the
-/// exact law: docs/finite_pin.md; so does any pin whose Placement tilts it,
-/// loads it at a place or slides it along its axis. Without dry friction, a
+/// exact law: docs/how-to/finite_pin.md; so does any pin whose Placement tilts
+/// it, loads it at a place or slides it along its axis. Without dry friction, a
 /// clearance, loading = centre and a wall with an end there are no slices: the
 /// relief is left out, as a note of contact() says, and such a Placement has no
 /// answer.
@@ -98,8 +99,8 @@ class Joint {
   struct Slip {
     /// R on the body, N; 0 gives JointState::unloaded.
     Eigen::Vector3d reaction;
-    /// Dw, rad/s; exactly 0 gives JointState::resting: whether a joint rests
-    /// is the caller's to say, see at_rest().
+    /// Dw, rad/s; exactly 0 gives JointState::resting. The caller decides
+    /// whether a joint rests, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
     /// How the halves lie; null: the axes of a seat that ends are those of the
@@ -170,7 +171,7 @@ class Joint {
     return {contact_, solution.normal, solution.normal_force,
             solution.half_angle};
   }
-  /// Would refer to a joint that is gone.
+  /// Deleted for temporaries: the set would refer to a destroyed joint.
   MomentSet moment_set(const JointSolution&) const&& = delete;
 
   /// The contact of a solution in a seat that ends, at its rims or free: polar

@@ -25,10 +25,10 @@ class ContactMoments;
 ///                           + A rho^2 (J[1] cos a + K[1] sin a) }
 ///             = max over M in C of M . Dw,   M_t = -dPhi/dDw
 ///
-/// (sigma, J, K: docs/friction.md). This potential exists at fixed n, R_n and
-/// theta0 only: under a fixed reaction R all three move with Dw, M_t has no
-/// potential, and what a resting joint holds is
-/// Joint::at_rest(), not this set with n = R/|R|.
+/// (sigma, J, K: docs/explanation/friction.md). This potential exists at fixed
+/// n, R_n and theta0 only: under a fixed reaction R all three move with Dw, M_t
+/// has no potential, and what a resting joint holds is Joint::at_rest(), not
+/// this set with n = R/|R|.
 ///
 /// A set refers to the joint that made it and must not outlive it. Const
 /// functions do not throw, and do not allocate but at a rim; NaN gives NaN.

@@ -7,9 +7,9 @@
 namespace contact {
 
 /// How a pin of finite length lies in its hole, and what that takes:
-/// docs/finite_pin.md. Vectors are in the frame of the solution, places along
-/// the pin's axis from the middle of the contact, in the direction of the axis
-/// that the call gave, or of Dw or M where it gave none.
+/// docs/how-to/finite_pin.md. Vectors are in the frame of the solution, places
+/// along the pin's axis from the middle of the contact, in the direction of the
+/// axis that the call gave, or of Dw or M where it gave none.
 struct PinLie {
   Eigen::Vector3d tilt = Eigen::Vector3d::Zero();   ///< slope of the pin's axis
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();  ///< shift of the middle, m

@@ -7,7 +7,7 @@
 #include <functional>
 #include <limits>
 
-/// Contacts of balls in seats that end: docs/seats.md.
+/// Contacts of balls in seats that end: docs/explanation/seats.md.
 namespace contact {
 
 /// A place on a seat. The longitude is counted about the seat's axis from the

@@ -28,7 +28,7 @@ struct SeatGrids;
 }  // namespace detail
 
 /// Growth of the clearance of a joint that is warmer or colder than when its
-/// clearance was measured: docs/temperature.md.
+/// clearance was measured: docs/how-to/interference.md.
 struct ThermalGrowth {
   Temperatures temperatures;
   double reference_clearance;  ///< at temperatures.reference, m
@@ -119,11 +119,11 @@ struct JointSpec {
   /// Notes of the geometry, own_notes(), and those of the half-angle law.
   std::vector<std::string> validity_notes() const;
 
-  /// The joint as the text of a joint file (docs/joint_file.md) that needs no
-  /// other file, in SI units and with all digits: read again it gives an equal
-  /// joint, and joints whose texts are equal are equal. A friction stress that
-  /// is one's own function has no keys; it stands there as law = "own", which
-  /// cannot be read.
+  /// The joint as the text of a joint file (docs/reference/joint_file.md) that
+  /// needs no other file, in SI units and with all digits: read again it gives
+  /// an equal joint, and joints whose texts are equal are equal. A friction
+  /// stress that is one's own function has no keys; it stands there as law =
+  /// "own", which cannot be read.
   std::string canonical_text() const;
 
   friend bool operator==(const JointSpec&, const JointSpec&) = default;

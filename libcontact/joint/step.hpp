@@ -8,7 +8,7 @@
 
 namespace contact {
 
-/// A joint at the start of a step of somebody's simulator.
+/// A joint at the start of a time step of an external simulator.
 struct StepStart {
   /// R on the body, N, of the step before or as good as it is known.
   Eigen::Vector3d reaction;

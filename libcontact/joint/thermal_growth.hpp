@@ -8,8 +8,8 @@
 namespace contact::detail {
 
 /// How far the surface of a body moves from the centre, m, when it is warmed
-/// throughout and touches nothing: docs/temperature.md. Linear in the warming;
-/// moduli and radius are those before it.
+/// throughout and touches nothing: docs/how-to/interference.md. Linear in the
+/// warming; moduli and radius are those before it.
 ///
 /// Accuracy (joint/thermal_growth_test.cpp): relative error below 1e-13
 /// on the 16 rows of thermal.csv.

@@ -8,7 +8,7 @@
 #include "libcontact/joint/joint.hpp"
 
 /// Dry friction that depends on the load, in few numbers and as a function in
-/// another language: docs/equivalent.md.
+/// another language: docs/how-to/equivalent.md.
 namespace contact {
 
 /// The friction moment of a pin by its radial load R and its coefficient f:

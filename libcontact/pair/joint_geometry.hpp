@@ -10,7 +10,7 @@
 
 /// Shape of a joint: a ball or pin of radius rho1 in a seat or hole of radius
 /// rho1 + eps. eps may be 0, and below 0: interference, by which the two are
-/// pressed together before any load (docs/preload.md).
+/// pressed together before any load (docs/explanation/preload.md).
 namespace contact {
 
 enum class JointKind {

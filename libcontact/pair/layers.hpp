@@ -8,7 +8,7 @@
 #include "libcontact/pair/material.hpp"
 
 /// Bodies of finite walls: liners, cups and bushes on a backing, coatings on
-/// a ball or pin. docs/walls.md.
+/// a ball or pin. docs/explanation/walls.md.
 namespace contact {
 
 /// A layer, bonded to what lies before and behind it.

@@ -55,9 +55,9 @@ void check_material(const Material& material, std::string place);
 /// absolute error is at most 4e-16 (pair/pair_test.cpp, against 50-digit
 /// arithmetic).
 /// Sources: the paper, section 2 (E, Ebar);
-/// `docs/references.md#dundurs-1969`, on edge-bonded wedges (alpha, beta,
-/// where the sign is here the one that makes
-/// alpha = -1 a rigid outer body).
+/// `docs/reference/references.md#dundurs-1969`, on edge-bonded wedges (alpha,
+/// beta, where the sign is here the one that makes alpha = -1 a rigid outer
+/// body).
 class ElasticPair {
  public:
   /// @param inner  body 1: ball or pin

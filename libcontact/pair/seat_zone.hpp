@@ -57,8 +57,8 @@ class SeatZone {
   SeatZone about(const std::array<double, 3>& axis) const;
 
   /// The zone with its rims moved in, by which contacts ask what a side face
-  /// that yields does (docs/seats.md). Only angles of side faces and areas of
-  /// catalogues remain those of drawn().
+  /// that yields does (docs/explanation/seats.md). Only angles of side faces
+  /// and areas of catalogues remain those of drawn().
   /// @param setback  rad, at least 0
   /// @throws Error if less than smallest_width is left.
   SeatZone moved_in(double setback) const;

@@ -4,7 +4,7 @@ namespace contact {
 
 /// Damping of an impact, F (1 + a d delta/dt) with any force law F(delta), and
 /// its restitution, exact for every law and mass as long as no other force
-/// acts: docs/play.md. With X = a v0, v0 the speed at touch,
+/// acts: docs/how-to/play.md. With X = a v0, v0 the speed at touch,
 ///
 ///     ln((1 + X)/(1 - e X)) = (1 + e) X,   e = (1 + W_0(-(1+X) exp(-1-X)))/X.
 ///

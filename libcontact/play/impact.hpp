@@ -23,7 +23,7 @@ struct Impact {
   double duration() const { return compression_time + restitution_time; }
 };
 
-/// Impacts of one joint: docs/play.md.
+/// Impacts of one joint: docs/how-to/play.md.
 ///
 /// Accuracy: penetration and force within 1e-10 of independent solutions
 /// (play/impact_test.cpp), times within 1e-9 of an integrated motion

@@ -54,7 +54,7 @@ struct FrictionBounds {
 /// A joint with play as a force law, without any constraint: position and
 /// velocity in, force and moment out, with derivatives, energy and the function
 /// whose zero is touching and parting. For simulators, which integrate the
-/// motion of the two bodies: docs/play.md.
+/// motion of the two bodies: docs/how-to/play.md.
 ///
 /// Dry friction is that of the contact's sliding at each of its points. The
 /// translation's part of it is that at the contact's centre: right where the

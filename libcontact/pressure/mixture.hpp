@@ -16,7 +16,7 @@ namespace contact {
 ///     ball: D = w_2 k_2 (1 - 2 nu_2) - w_1 k_1 (1 - 2 nu_1)
 ///
 /// A pin's pressure depends on theta0 and D alone; for a ball D is the leading
-/// term of the kernel (docs/conforming.md).
+/// term of the kernel (docs/explanation/conforming.md).
 double pressure_contrast(JointKind kind, const ElasticPair& pair);
 
 /// p = w p[sqrt_tan] + (1 - w) p[cosine]: the exact pressure in closed form,

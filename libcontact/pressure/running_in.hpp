@@ -21,8 +21,8 @@ namespace contact {
 /// friction integrals mix likewise.
 ///
 /// Accuracy: s is a fit to pins and balls that wear step by step, unworn
-/// half-angles 10 to 40 deg, and within 0.02 of them. docs/duty.md has the
-/// error of the peak that is left. Within 1e-14 of what the two laws say
+/// half-angles 10 to 40 deg, and within 0.02 of them. docs/how-to/duty.md has
+/// the error of the peak that is left. Within 1e-14 of what the two laws say
 /// (pressure/running_in_test.cpp).
 class RunningInPressure final : public PressureLaw {
  public:

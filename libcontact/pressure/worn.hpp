@@ -8,8 +8,8 @@
 namespace contact {
 
 /// p = p(0) cos theta: a seat or hole that has worn in while the ball or pin
-/// turned about one axis and sank steadily (docs/pressure_laws.md). Unlike all
-/// others it does not vanish at the edge.
+/// turned about one axis and sank steadily (docs/internals/pressure_laws.md).
+/// Unlike all others it does not vanish at the edge.
 ///
 /// | | ball | pin |
 /// |---|---|---|

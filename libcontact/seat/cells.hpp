@@ -24,8 +24,8 @@ struct SeatWindow {
 };
 
 /// Cells of latitude over a window of a seat, and the shape that the pressure
-/// has in each (docs/seat_methods.md). In cell i it is p_i w_i(v), w_i = a_i
-/// g(v) with the singular shape of a punch's edge at each rim,
+/// has in each (docs/internals/seat_methods.md). In cell i it is p_i w_i(v),
+/// w_i = a_i g(v) with the singular shape of a punch's edge at each rim,
 ///
 ///     g = prod sqrt(1 + b/s),   s = distance from the rim, rad,
 ///

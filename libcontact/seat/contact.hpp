@@ -71,7 +71,7 @@ struct RoundedRim {
 /// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
 /// socket, for any elastic pair and any walls, under any load. The bodies go on
 /// beyond the rims as they do in the laws without rims; only the contact ends
-/// there. What that leaves out, 0 to 68 %, says docs/seats.md.
+/// there. What that leaves out, 0 to 68 %, says docs/explanation/seats.md.
 ///
 /// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
 /// act on the seat, shifts are those of the ball's centre.
@@ -83,8 +83,8 @@ struct RoundedRim {
 /// matrices. A contact much narrower than its zone gets finer grids, made when
 /// first asked for and kept too. Any number of threads may ask.
 ///
-/// Accuracy (seat/seat_test.cpp, against two-grid references): docs/seats.md,
-/// "Accuracy".
+/// Accuracy (seat/seat_test.cpp, against two-grid references):
+/// docs/explanation/seats.md, "Accuracy".
 class SeatContact {
  public:
   struct Grid {

@@ -31,7 +31,8 @@ struct SeatPatch {
 ///
 /// u what p presses in, as mean over each cell at each longitude. Solved by
 /// conjugate gradients on the set of cells in contact, which is improved until
-/// no pressure pulls and nothing overlaps outside (docs/seat_methods.md).
+/// no pressure pulls and nothing overlaps outside
+/// (docs/internals/seat_methods.md).
 class SeatPatchSolver {
  public:
   /// @param order      M: longitudes pi j/M

@@ -16,7 +16,7 @@ namespace contact::detail {
 double corner_exponent(double corner);
 
 /// What finite elements of seats with free side faces say of contacts at rims
-/// and beside them: docs/seats.md, "What is neglected".
+/// and beside them: docs/explanation/seats.md, "What is neglected".
 class RimWarning {
  public:
   /// By how much the free face makes them larger, per cent of the confined

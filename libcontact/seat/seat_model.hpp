@@ -39,15 +39,17 @@ struct SeatFound final : ContactWork {
   int evaluations = 0;
 };
 
-/// A joint (docs/joint.md) whose seat ends: with the force F on the seat, any
-/// vector, and s = 1 if the carrier has the ball, -1 if the body has it,
+/// A joint (docs/explanation/joint.md) whose seat ends: with the force F on the
+/// seat, any vector, and s = 1 if the carrier has the ball, -1 if the body has
+/// it,
 ///
 ///     R = s F + R_t(F, Dw).
 ///
 /// R_t is normal to Dw, but not to F, and M_t need not lie in the plane of
 /// both. Friction is dry or viscous.
 ///
-/// Accuracy (seat/joint_test.cpp, by another program): docs/seat_joint.md.
+/// Accuracy (seat/joint_test.cpp, by another program):
+/// docs/explanation/seat_joint.md.
 class SeatModel final : public ContactModel {
  public:
   /// @param endless  the joint without its seat, with the laws exact

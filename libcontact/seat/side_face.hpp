@@ -26,7 +26,7 @@ namespace contact::detail {
 /// behind layers goes on beside them.
 ///
 /// Elements follow the rim down to a thousandth of the radius or a 15th of the
-/// surface layer. Measured: docs/seats.md, "Free side faces".
+/// surface layer. Measured: docs/explanation/seats.md, "Free side faces".
 class SideFaceCompliance {
  public:
   /// @throws Error if the backing is held, or if a side face meets the axis or

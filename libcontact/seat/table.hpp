@@ -50,8 +50,8 @@ class SeatTable {
   int size() const;
   const Check& check() const { return check_; }
 
-  /// Whether a contact reaches a rim and is in the table. A tenth of the way
-  /// from the limit of the directions that a seat carries none is.
+  /// Whether the contact reaches a rim and the table covers it. Directions
+  /// within 10 % of the largest that a seat carries are never covered.
   bool covers(const Eigen::Vector3d& force) const;
 
   /// A contact that is covered; longitudes of maxima, and where the load

@@ -161,6 +161,23 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   EXPECT_EQ(cited, rows);
 }
 
+// "docs/FOLDER/PAGE.md" in comments and messages is a page.
+TEST(Pages, ThatTheCodeNamesAreThere) {
+  int count = 0;
+  const std::set<std::string> kinds = {".hpp", ".cpp", ".h", ".py", ".txt"};
+  for (const char* folder : {"apps", "libcontact"}) {
+    for (const auto& entry : fs::recursive_directory_iterator(root / folder)) {
+      if (!kinds.contains(entry.path().extension())) continue;
+      for (const std::string& page :
+           matches(contents(entry.path()), R"(docs/([\w/-]+\.md))")) {
+        ++count;
+        EXPECT_TRUE(fs::exists(docs / page)) << entry << ": " << page;
+      }
+    }
+  }
+  EXPECT_GT(count, 50);
+}
+
 /// Words of a text; marks that stand alone are none.
 std::ptrdiff_t words(const std::string& text) {
   std::istringstream stream(text);

@@ -45,8 +45,8 @@ std::vector<Hinge> make_hinges(const System& system,
                                const std::vector<HingeFriction>& friction);
 
 /// All hinges at one instant: the friction moments that they are given, and
-/// the motion and the reactions that follow from them. Whether the moments fit
-/// the reactions is for others to say (CoupledDynamics).
+/// the motion and the reactions that follow from them. Does not check that the
+/// moments match the reactions: see CoupledDynamics.
 class Hinges {
  public:
   /// A part of this size of the largest moment in the system counts as scale

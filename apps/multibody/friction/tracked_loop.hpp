@@ -28,7 +28,7 @@ class TrackedLoop {
   /// After others have found them: from the last solutions of the hinges'
   /// solvers, where tracking is likely to work the next time.
   void start(const Hinges& hinges);
-  /// A hinge does something else: all starts anew.
+  /// Call after a hinge changed its mode; discards the tracked state.
   void stop(int body);
   /// Forgets the path of the motion, which no longer tells where it goes.
   void forget_path();

@@ -44,9 +44,9 @@ struct MotionChange {
 /// The hinges' rest and slip are found on the way: a resting hinge has relative
 /// velocity exactly 0 and stays where it is to the last bit.
 ///
-/// Accuracy (apps/multibody/accuracy.md, multibody/motion_test.cpp): stops,
-/// onsets of sliding and energies meet closed forms to 1e-9 or the chosen
-/// tolerance.
+/// Accuracy (libcontact/docs/reference/accuracy.md, multibody/motion_test.cpp):
+/// stops, onsets of sliding and energies meet closed forms to 1e-9 or the
+/// chosen tolerance.
 class Motion {
  public:
   /// @param friction  one for each body, or none at all

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-/// Carrier with hinged bodies (apps/multibody/README.md): what the bodies and
-/// hinges are, validated once. A body hangs on the carrier or on another body,
-/// its parent.
+/// Carrier with hinged bodies (libcontact/docs/reference/multibody.md): what
+/// the bodies and hinges are, validated once. A body hangs on the carrier or on
+/// another body, its parent.
 ///
 /// Frames. Carrier axes: fixed to the carrier, origin at its centre of mass.
 /// Body axes: fixed to the body, origin at its centre of mass, chosen by

@@ -98,7 +98,7 @@ using Move = ContactMove<Lanes>;
 [[gnu::always_inline]] inline void newton(Slip& t, const State& s,
                                           const Lanes& residual) {
   const auto fall = t.response();
-  // docs/joint.md (6)
+  // docs/explanation/joint.md (6)
   t.inverse_slope = 1.0 / (1.0 + s.friction.by_force * fall.force +
                            2.0 * s.friction.by_cosine * fall.cosine);
   t.step = -residual * t.inverse_slope;

@@ -104,7 +104,7 @@ template <class T>
 struct TrackerState {
   // The joint.
   T radius;                    ///< rho, m
-  T side;                      ///< s of docs/joint.md (7)
+  T side;                      ///< s of docs/explanation/joint.md (7)
   T is_ball, is_viscous;       ///< 1 or 0
   T is_plain;                  ///< 1: the exact integrals alone make its values
   T pressure_part, area_part;  ///< JointContact::Strength at speed 1

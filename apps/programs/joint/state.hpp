@@ -38,7 +38,8 @@ inline Input state_from_reaction(double reaction, double b_deg, double rate) {
           {0, 0, rate},
           Input::Given{reaction, b_deg}};
 }
-/// R_n n along Z, Dw in the plane YOZ at the angle a from Y, as in NOTATION.md.
+/// R_n n along Z, Dw in the plane YOZ at the angle a from Y, as in
+/// docs/reference/notation.md.
 inline Input state_from_contact(double normal_force, double a_deg,
                                 double rate) {
   const auto [sin, cos] = contact::detail::sine_cosine_deg(a_deg);

@@ -33,8 +33,8 @@ double contact_run_time(const contact_run* run);     /* s; NaN of NULL */
 double contact_run_end_time(const contact_run* run); /* s; NaN of NULL */
 
 /* The columns of hinge-separation's history
- * (apps/programs/separation/output.md): modes, angles, reactions, pressures,
- * positions, velocities, distances, energies. */
+ * (libcontact/docs/reference/separation_output.md): modes, angles, reactions,
+ * pressures, positions, velocities, distances, energies. */
 size_t contact_run_column_count(const contact_run* run);
 /* NULL behind the last one. Valid until the run is restored or freed. */
 const char* contact_run_column(const contact_run* run, size_t i);

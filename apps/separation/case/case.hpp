@@ -15,7 +15,8 @@
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
 
-/// A separation as its case file describes it (apps/separation/case_file.md).
+/// A separation as its case file describes it
+/// (libcontact/docs/reference/case_file.md).
 ///
 /// Body axes: the directions of the axes in which the file describes a body,
 /// origin at its centre of mass; the file's own origin is gone after reading.

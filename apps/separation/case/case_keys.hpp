@@ -4,7 +4,7 @@
 
 namespace separation {
 
-/// All keys that a case file may have (apps/separation/case_file.md).
+/// All keys that a case file may have (libcontact/docs/reference/case_file.md).
 contact::KnownKeys case_keys();
 
 }  // namespace separation

@@ -14,7 +14,7 @@ class TomlTable;
 
 namespace separation {
 
-/// Reads a case file; its keys: apps/separation/case_file.md.
+/// Reads a case file; its keys: libcontact/docs/reference/case_file.md.
 /// @throws contact::Error with one line that names file, line, key, value and
 ///   what is allowed
 /// @param settings  keys whose values are others than in the case, its joint

@@ -27,7 +27,7 @@ struct Nearest {
 };
 
 /// The distance of two solids, by the algorithm of Gilbert, Johnson and
-/// Keerthi (libcontact/docs/references.md#gilbert-1988).
+/// Keerthi (libcontact/docs/reference/references.md#gilbert-1988).
 ///
 /// It is certified: it is the distance of two points of the solids, and two
 /// parallel planes between the solids are as far apart, to 1e-7 of the size

@@ -15,8 +15,9 @@ struct Missed {
 };
 std::vector<Missed> missed_events(const Case& c, const Outcome& outcome);
 
-/// Summary of a run as JSON (keys: apps/programs/separation/output.md). Angles
-/// in degrees, all else in SI units; infinity is the text "inf" or "-inf".
+/// Summary of a run as JSON (keys:
+/// libcontact/docs/reference/separation_output.md). Angles in degrees, all else
+/// in SI units; infinity is the text "inf" or "-inf".
 nlohmann::ordered_json summary(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

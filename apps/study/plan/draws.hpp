@@ -6,9 +6,9 @@
 namespace study {
 
 /// Random numbers that depend on a seed, a key and a run alone (Philox 4x32 of
-/// Random123, libcontact/docs/references.md#salmon-2011): the same on any
-/// machine, in any order and any thread. Another key leaves those of the others
-/// as they are.
+/// Random123, libcontact/docs/reference/references.md#salmon-2011): the same on
+/// any machine, in any order and any thread. Another key leaves those of the
+/// others as they are.
 class Stream {
  public:
   Stream(std::uint64_t seed, std::string_view key);

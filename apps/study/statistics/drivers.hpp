@@ -50,11 +50,11 @@ struct SobolIndex {
 
 /// Indices from the outputs of Saltelli's design, groups of A, B and A with a
 /// column of B for each source: the estimators of
-/// libcontact/docs/references.md#saltelli-2010 and
-/// libcontact/docs/references.md#jansen-1999. Errors are from the spread of the
-/// shifts, which take turns with the groups: as a root of mean squares 0.8
-/// to 1.3 times the true error (Drivers.SobolErrorsAreAsLargeAsTheySay). Groups
-/// with a NaN are left out.
+/// libcontact/docs/reference/references.md#saltelli-2010 and
+/// libcontact/docs/reference/references.md#jansen-1999. Errors are from the
+/// spread of the shifts, which take turns with the groups: as a root of mean
+/// squares 0.8 to 1.3 times the true error
+/// (Drivers.SobolErrorsAreAsLargeAsTheySay). Groups with a NaN are left out.
 std::vector<SobolIndex> sobol_indices(std::span<const double> outputs,
                                       std::size_t sources, std::size_t shifts);
 

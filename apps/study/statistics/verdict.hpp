@@ -5,8 +5,8 @@
 #include <span>
 
 /// Bounds of a probability from random runs, by counting alone (Hanson and
-/// Beard, libcontact/docs/references.md#hanson-2010): nothing is assumed of the
-/// distribution.
+/// Beard, libcontact/docs/reference/references.md#hanson-2010): nothing is
+/// assumed of the distribution.
 namespace study {
 
 /// Requirement on a share of runs.

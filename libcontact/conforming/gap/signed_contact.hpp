@@ -7,7 +7,7 @@ namespace contact::detail {
 /// A contact of one half-angle in quantities that have a meaning at any
 /// clearance eps, positive, 0 or negative. Lengths are over
 /// K_1 = (4 rho/E) p_1, p_n being the harmonics of the pressure
-/// (docs/preload.md).
+/// (docs/explanation/preload.md).
 struct SignedContact {
   /// x = eps/K_1: 1/(2 lambda) of a pin, (pi/2)/mu of a ball.
   double inverse;

@@ -3,7 +3,7 @@
 #include "libcontact/pair/joint_geometry.hpp"
 #include "libcontact/pair/layers.hpp"
 
-/// Contacts that stick all over: docs/presliding.md.
+/// Contacts that stick all over: docs/explanation/presliding.md.
 namespace contact::detail {
 
 /// Stiffness of a stuck contact: the force across the load and the moment of a

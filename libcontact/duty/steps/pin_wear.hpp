@@ -8,8 +8,9 @@
 namespace contact::detail {
 
 /// A pin and its hole, with interference at first or not, under loads that may
-/// move in the hole: docs/preload_wear.md. A point of the hole wears by its own
-/// pressure; the pin, which turns, stays round and wears by the mean pressure.
+/// move in the hole: docs/explanation/wear.md. A point of the hole wears by its
+/// own pressure; the pin, which turns, stays round and wears by the mean
+/// pressure.
 ///
 /// While the contact is closed all round it is exact: interference falls
 /// exponentially. Then it steps (WornCircle). Accuracy

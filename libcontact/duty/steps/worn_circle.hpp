@@ -21,7 +21,7 @@ struct CircleSprings {
 ///     gap(t) = eps + h(t) + u(t) - D_x cos t - D_y sin t >= 0,   u_n = C_n p_n
 ///
 /// With springs, which yield by `spring` times the pressure, it is an implicit
-/// step of wear: h grows by that much (docs/preload_wear.md).
+/// step of wear: h grows by that much (docs/explanation/wear.md).
 ///
 /// Accuracy with 360 points (duty/worn_circle_test.cpp): S to 3e-4, the
 /// half-angle to 0.25 deg of exact contacts without wear, in any direction.

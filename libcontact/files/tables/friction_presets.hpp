@@ -8,12 +8,12 @@ namespace contact::detail {
 
 /// The range of one pair of surfaces. Where it is of friction factors f_M,
 /// which belong to bearings, f0 is up to 18 % smaller where a ball slides
-/// (docs/identify.md): as f0 they err on the safe side.
+/// (docs/how-to/identify.md): as f0 they err on the safe side.
 struct FrictionPreset {
   std::string_view name;
   double least;
   double largest;
-  std::string_view source;  ///< key of docs/references.md
+  std::string_view source;  ///< key of docs/reference/references.md
 
   /// A share of the way from the least to the largest; the middle.
   double at(double share) const { return least + share * (largest - least); }

@@ -7,7 +7,7 @@ namespace contact {
 /// Friction integrals and coefficients of a ball joint with the cosine
 /// pressure (3.3), by the exact elliptic form: complete elliptic integrals
 /// K, E, Pi of the modulus min(z, 1/z), z = sin theta0/cos a, and the slip
-/// speed integral (docs/elliptic_form.md).
+/// speed integral (docs/internals/elliptic_form.md).
 ///
 /// The form subtracts numbers of order theta0^2 to leave integrals of order
 /// theta0^4 and theta0^6. In double precision it is a check of the exact

@@ -11,7 +11,7 @@
 
 /// The functions of friction/elliptic/friction.hpp for any real type that
 /// Boost.Math takes. The formulas and letters are those of
-/// docs/elliptic_form.md.
+/// docs/internals/elliptic_form.md.
 namespace contact {
 namespace elliptic_form {
 

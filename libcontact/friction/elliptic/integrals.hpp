@@ -1,7 +1,7 @@
 #pragma once
 
 /// Complete elliptic integrals, the only place of the library that calls
-/// Boost's elliptic functions (docs/elliptic.md).
+/// Boost's elliptic functions (docs/internals/elliptic.md).
 ///
 /// Everything takes the complementary parameter x = 1 - k^2 and, for the
 /// third kind, the complementary characteristic p = 1 - n, because that is
@@ -16,8 +16,8 @@
 /// numerator. The parts are what the friction integrals are made of: each is
 /// positive, and they stay accurate where K - E or Pi - K have lost their
 /// digits (x -> 1, n -> 0). Fukushima calls the parts of K B and D
-/// (docs/references.md#fukushima-2011). All reduce to Carlson's symmetric
-/// integrals, DLMF 19.25.
+/// (docs/reference/references.md#fukushima-2011). All reduce to Carlson's
+/// symmetric integrals, DLMF 19.25.
 ///
 /// Arguments: x >= 0 (x > 1 is an imaginary modulus), p >= 0. K, Pi and the
 /// sine parts are +infinity at x = 0, Pi and its sine part also at p = 0.

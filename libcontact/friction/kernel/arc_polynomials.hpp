@@ -8,9 +8,9 @@ namespace contact::detail {
 /// of a great-circle arc inside the contact:
 ///   arc_f(x) = (d - sin d cos d) / sin^3 d             = f / sd^3
 ///   arc_h(x) = (2/3 - x arc_f(x)) / sin^2 d            = h / sd^5
-/// f, h as in docs/exact_method.md. Both are analytic on [0, 1], their nearest
-/// singularity is x = -1. Coefficients of powers of (x - centre), by
-/// interpolation at the Chebyshev points of the interval in 60-digit
+/// f, h as in docs/internals/exact_method.md. Both are analytic on [0, 1],
+/// their nearest singularity is x = -1. Coefficients of powers of (x - centre),
+/// by interpolation at the Chebyshev points of the interval in 60-digit
 /// arithmetic; friction/exact_test.cpp makes them anew and compares.
 template <int n>
 struct ArcPolynomial {

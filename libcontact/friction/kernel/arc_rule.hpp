@@ -2,8 +2,9 @@
 
 #include "libcontact/friction/kernel/cap_rule.hpp"
 
-/// Rules for pressures that start like a square root (docs/friction.md, "Other
-/// pressures"), to some 1e-11, to be had by cap_rule_index.
+/// Rules for pressures that start like a square root
+/// (docs/explanation/friction.md, "Other pressures"), to some 1e-11, to be had
+/// by cap_rule_index.
 namespace contact::detail {
 
 /// Kinds of terms in the pressure along an arc, beside a few smooth ones.

@@ -7,8 +7,8 @@
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// The arithmetic of pressures that start like a square root from the edge
-/// (docs/friction.md, "Other pressures"), for V a lane type; instantiated like
-/// cap_integrals.hpp. Letters as on that page.
+/// (docs/explanation/friction.md, "Other pressures"), for V a lane type;
+/// instantiated like cap_integrals.hpp. Letters as on that page.
 namespace contact::detail {
 
 /// Great circles through the slip axis that a sum runs over.

@@ -4,7 +4,7 @@
 #include "libcontact/friction/kernel/arc_polynomials.hpp"
 #include "libcontact/friction/kernel/cap_rule.hpp"
 
-/// The arithmetic of the exact method (docs/exact_method.md),
+/// The arithmetic of the exact method (docs/internals/exact_method.md),
 /// for a number type V: a lane type or double. Letters as on that page.
 ///
 /// Each translation unit instantiates it with the lane type of its own

@@ -2,7 +2,7 @@
 
 #include "libcontact/joint/contact.hpp"
 
-/// Joints before they slide: docs/presliding.md.
+/// Joints before they slide: docs/explanation/presliding.md.
 namespace contact {
 
 /// How far the surfaces move over each other before the joint slides, m: f0 D

@@ -6,7 +6,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/spec.hpp"
 
-/// Joints that friction holds: docs/presliding.md.
+/// Joints that friction holds: docs/explanation/presliding.md.
 namespace contact {
 
 /// Stiffness of a contact that sticks all over against a turn of ball or pin,

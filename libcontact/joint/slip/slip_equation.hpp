@@ -19,7 +19,7 @@ struct SlipPoint {
 };
 
 /// The one scalar equation of a joint: tan psi = f/cos a, f the friction
-/// coefficient at R_n = R cos g and a (docs/joint.md).
+/// coefficient at R_n = R cos g and a (docs/explanation/joint.md).
 class SlipEquation {
  public:
   /// @param reaction_force  R > 0

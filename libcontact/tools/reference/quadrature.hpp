@@ -21,11 +21,11 @@ struct QuadratureResult {
 };
 
 /// Friction integrals and coefficients of a ball joint with the cosine
-/// pressure (3.3), straight from their definition (docs/friction.md): for
-/// each of the six integrals an adaptive quadrature over the colatitude t
-/// from the contact's centre, whose integrand is an adaptive quadrature over
-/// the longitude f. The independent check of the other methods and the
-/// baseline of the benchmarks; shares nothing with them.
+/// pressure (3.3), straight from their definition
+/// (docs/explanation/friction.md): for each of the six integrals an adaptive
+/// quadrature over the colatitude t from the contact's centre, whose integrand
+/// is an adaptive quadrature over the longitude f. The independent check of the
+/// other methods and the baseline of the benchmarks; shares nothing with them.
 ///
 /// The integrands jump in direction at the poles of the slip axis
 /// (t = 90 deg - |a| and 90 deg + |a|, f = +-90 deg): the outer interval is
