@@ -110,10 +110,10 @@ TEST(CaseTree, CopiesCarryWhatHangsOnThem) {
     }
   }
   // A motor acts between the two bodies of its hinge: the hub does not turn.
-  EXPECT_NEAR(last("hub.wz_deg_per_s"), 0, 1e-9);
+  EXPECT_NEAR(last("hub.wz_rad_per_s"), 0, 1e-9);
 }
 
-// A single one may hang on one of several copies.
+// One or several may hang on one of several copies.
 TEST(CaseTree, BodiesHangOnOneCopy) {
   const Case c = parse_case(arms + R"(
 [[body]]; name = "camera"; mass_kg = 1; principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
@@ -122,6 +122,19 @@ hinge = { kind = "ball", on = "arm 2", parent_point_m = [0.5, 0, 0], body_point_
                             "c.toml");
   EXPECT_EQ(c.bodies.back().rigid.name, "camera");
   EXPECT_EQ(c.bodies.back().hinge.on, 5);
+  const Case two = parse_case(arms + R"(
+[[body]]; name = "wing"; mass_kg = 1; principal_inertia_kg_m2 = [0.1, 0.1, 0.1]
+hinge = { kind = "axis", axis = [0, 1, 0], on = "arm 2", parent_point_m = [0.5, 0.1, 0] }
+pattern = { count = 2, axis = [1, 0, 0] }
+)"_toml,
+                              "c.toml");
+  EXPECT_EQ(two.bodies[6].hinge.on, 5);
+  EXPECT_EQ(two.bodies[7].rigid.name, "wing 2");
+  EXPECT_EQ(two.bodies[7].hinge.on, 5);
+  // Half a turn about x, from the centre of mass at x = 0.5.
+  EXPECT_LE(
+      (two.bodies[7].hinge.parent_point - Eigen::Vector3d(0, -0.1, 0)).norm(),
+      1e-15);
 }
 
 // Drawn numbers of a body count for what hangs on it too: its centre of mass

@@ -57,8 +57,7 @@ class Reader {
       for (int copy = 0; copy < static_cast<int>(entry.copies.size()); ++copy) {
         Body& body = entry.copies[copy];
         if (entry.parent >= 0) {
-          body.hinge.on =
-              1 + first[entry.parent] + (entry.copy >= 0 ? entry.copy : copy);
+          body.hinge.on = 1 + first[entry.parent] + parent_copy(entry, copy);
         }
         tree.bodies.push_back(std::move(body));
         tree.turns.push_back(entry.turns[copy]);
@@ -105,11 +104,15 @@ class Reader {
                : static_cast<int>(entries_[entry.parent].copies.size());
   }
 
+  // The copy of that on which this copy hangs.
+  int parent_copy(const Entry& entry, int copy) const {
+    if (entry.copy >= 0) return entry.copy;
+    return carried_copies(entry) > 1 ? copy : 0;
+  }
+
   Matrix3d turn_of(const Entry& entry, const Pattern& pattern, int copy) const {
     if (entry.parent < 0) return pattern.turn(copy);
-    return entries_[entry.parent].turns[entry.copy >= 0             ? entry.copy
-                                        : carried_copies(entry) > 1 ? copy
-                                                                    : 0];
+    return entries_[entry.parent].turns[parent_copy(entry, copy)];
   }
 
   // Reads what it hangs on, and finds that.
