@@ -20,6 +20,8 @@
 #   libcxx_apps  programs are compiled by clang++ 19 with libc++, not linked
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
 #   long      the tests that take some of many rows pass with all of them
+#   fe        contacts by finite elements of our own and by CalculiX are the
+#             programs' (numpy and calculix-ccx; ten minutes)
 #   page      the page to calculate on has the programs' numbers and manners
 #   all       all of them
 # Format, symbols and libcxx_quick are in the gate too.
@@ -28,7 +30,7 @@ unset CDPATH
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,24s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,26s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -48,6 +50,16 @@ check_format() {
 check_long() {
   CONTACT_LONG=1 ctest --test-dir "${CONTACT_BUILD:-build}" \
     --output-on-failure -R '^(Quarter/EllipticForm|Seat\.)'
+}
+
+# In $PYTHON, which has numpy; those of CalculiX by one mesh each.
+check_fe() {
+  local python=${PYTHON:-python3} build=${CONTACT_BUILD:-build}
+  "$python" -c 'import numpy' 2>/dev/null || missing numpy
+  "$python" scripts/fe/check.py "$build"
+  command -v ccx >/dev/null || missing CalculiX
+  "$python" scripts/fe/check.py "$build" --calculix --elements 20 \
+    pin_fixed pin_held pin_liner ball_hip ball_bronze
 }
 
 check_english() {
