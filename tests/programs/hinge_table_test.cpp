@@ -1,12 +1,14 @@
 // The program hinge-table, run as its users run it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
 #include "cli/number.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/friction/elliptic/friction.hpp"
@@ -144,6 +146,25 @@ TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
   options.output.format = cli::Format::markdown;
   options.quantity = "sigma_Y";
   EXPECT_TRUE(has_text(run(options), "|  ERROR |"));
+}
+
+// The largest errors of the paper's approximations, at 34.8 and 74.6 deg.
+TEST(HingeTable, EllipticIntegralsAndThePapersApproximations) {
+  const ProgramFolder folder;
+  const CsvTable exact =
+      folder.table("hinge-table --theta0 0,30 --quantity K,E");
+  EXPECT_NEAR(exact.at(1, "K"), detail::pi / 2, 1e-15);
+  EXPECT_NEAR(exact.at(2, "K"), 1.6857503548125961, 1e-14);
+  EXPECT_NEAR(exact.at(2, "E"), 1.4674622093394272, 1e-14);
+  const CsvTable table = folder.table(
+      "hinge-table --theta0 1:89:0.05 --quantity K,E --method chebyshev");
+  double k = 0, e = 0;
+  for (std::size_t row = 1; row <= table.size(); ++row) {
+    k = std::max(k, std::abs(table.at(row, "K_error_percent")));
+    e = std::max(e, std::abs(table.at(row, "E_error_percent")));
+  }
+  EXPECT_NEAR(k, 0.108, 5e-4);
+  EXPECT_NEAR(e, 0.269, 5e-4);
 }
 
 TEST(HingeTable, PointsOfTheReferenceTable) {

@@ -11,17 +11,19 @@ int main(int argc, char** argv) {
   hinge_table::Options o;
   program.add(
       "Table",
-      {{"--theta0", &o.theta0, "ANGLES", "half-angles, deg", "--alpha"},
+      {{"--theta0", &o.theta0, "ANGLES", "half-angles, deg"},
        {"--alpha", &o.alpha, "ANGLES", "slip axis angles, deg", "--theta0"},
        {"--points", &o.points, "FILE",
         "CSV file of points, - for standard input", "",
         "--theta0 --alpha --quantity --plot"},
        {"--method", &o.method, "NAME",
-        "exact (default), elliptic, quadrature, planar, viscous, cosine"},
+        "exact (default), elliptic, quadrature, planar, viscous, cosine;\n"
+        "of K,E: exact, chebyshev"},
        {"--tolerance", &o.tolerance, "NUMBER",
         "relative tolerance of --method quadrature; default 1e-10"},
        {"--quantity", &o.quantity, "NAME",
-        "quantity of a grid in markdown, latex and pictures; default chi"}});
+        "quantity of a grid in markdown, latex and pictures; default chi;\n"
+        "K,E: the complete elliptic integrals of sin theta0"}});
   add_joint_options(program, o.joint);
   add_law_options(program, o.joint, cli::Laws::one, cli::Laws::one);
   program.add_output(o.output);

@@ -97,6 +97,9 @@ Method find_method(const std::string& name, double tolerance,
       {"viscous", {pointwise(viscous), true}},
       {"cosine", {pointwise(contact::cosine_friction_integrals), false}},
   };
+  if (name == "chebyshev") {
+    cli::refuse_without(cli::given("--method", name), "--quantity K,E");
+  }
   const Row method = cli::choice("--method", name, methods);
   if (!method.any_pressure && pressure->name() != papers_pressure) {
     std::vector<std::string> others;

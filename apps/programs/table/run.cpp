@@ -18,6 +18,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/pressure/registry.hpp"
 #include "libcontact/quantities/tables.hpp"
+#include "programs/table/elliptic_table.hpp"
 #include "programs/table/method.hpp"
 #include "programs/table/point_block.hpp"
 
@@ -266,6 +267,7 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
         "a table",
         "--theta0 and --alpha, or --points (see hinge-table --help)");
   }
+  if (options.alpha.empty()) cli::refuse_without("--theta0", "--alpha");
   const std::size_t quantity = quantity_index(options.quantity);
   const Grid grid{{"--theta0", options.theta0, point_columns[0].allowed,
                    contact::Dimension::angle},
@@ -309,6 +311,7 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
 
 cli::ExitStatus run(const Options& options) {
   const double tolerance = tolerance_of(options);
+  if (options.quantity == elliptic_quantity) return run_elliptic(options);
   const cli::Joint ball = make_ball(options.joint);
   return run(options, find_method(options.method, tolerance, ball.pressures[0]),
              ball.spec.name);
