@@ -10,6 +10,7 @@
 #include "cli/picture/canvas.hpp"
 #include "cli/picture/text_size.hpp"
 #include "cli/refuse.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace cli {
@@ -27,38 +28,90 @@ struct Stacked {
   double share = 1;   // share of the height
   bool whole = true;  // its axis ends with ticks
   std::string marks = {};
-  std::string curves = {};  // arguments of `plot` for them
+  std::string curves = {};        // arguments of `plot` for them
+  std::vector<double> ends = {};  // of curves that have a label
+
+  // Where the ends are, em from the top; none if all are at one height, as of
+  // pressures, which end at 0.
+  std::vector<double> heights_of_ends(const Box& box,
+                                      const Ticks& ticks) const {
+    std::vector<double> heights;
+    for (const double end : ends) {
+      heights.push_back(box.bottom -
+                        box.height() * ticks.share(end, axis.logarithmic));
+    }
+    const auto [high, low] = std::ranges::minmax_element(heights);
+    if (heights.empty() || *low - *high < line_step / 2) return {};
+    return heights;
+  }
 };
 
-std::string style_of(const Curve& curve, std::size_t i, std::size_t count,
-                     bool family) {
-  const double part = static_cast<double>(i) /
-                      static_cast<double>(std::max<std::size_t>(count - 1, 1));
-  const std::string colour =
-      family ? fmt::format("lw 2.5 lc palette frac {:.3f}", part)
-             : fmt::format("lt {}", curve.colour > 0
-                                        ? static_cast<std::size_t>(curve.colour)
-                                        : i % plain_colours + 1);
-  // Curves that repeat a colour are dotted.
-  const int dashes = curve.dashed ? 2 : !family && i >= plain_colours ? 3 : 1;
-  return fmt::format("{} dt {}", colour, dashes);
+// Whether two curves lie on one another wherever they look alike: over more
+// than half of what both have.
+bool coincide(const Curve& a, const Curve& b, const Extent& y,
+              bool logarithmic) {
+  constexpr double near = 0.006;  // of the axis, about a line's width
+  const auto at = [&](double value) {
+    return logarithmic ? std::log(value) / std::log(y.high / y.low)
+                       : value / (y.high - y.low);
+  };
+  const std::size_t size = std::min(a.x.size(), b.x.size());
+  if (!std::equal(a.x.begin(), a.x.begin() + size, b.x.begin())) return false;
+  std::size_t both = 0;
+  std::size_t close = 0;
+  for (std::size_t i = 0; i < size; ++i) {
+    const double apart = std::abs(at(a.y[i]) - at(b.y[i]));
+    if (std::isfinite(apart)) ++both;
+    if (apart < near) ++close;
+  }
+  return 2 * close > both;
 }
 
-std::vector<LegendEntry> legend_of(const std::vector<Curve>& curves,
-                                   bool family) {
-  std::vector<LegendEntry> legend;
-  for (std::size_t i = 0; i < curves.size(); ++i) {
-    legend.push_back(
-        {contact::detail::printable(curves[i].label, longest_label),
-         style_of(curves[i], i, curves.size(), family)});
+// gnuplot's style of each curve. Those that lie on an earlier one are dashes
+// over it, which begin at once and leave it and each other a part.
+std::vector<std::string> styles_of(const std::vector<Curve>& curves,
+                                   bool family, const Extent& y,
+                                   bool logarithmic) {
+  constexpr std::size_t part = 10;  // in widths of a line
+  const std::size_t count = curves.size();
+  std::vector<std::size_t> under(count);
+  std::vector<std::size_t> place(count, 0);
+  std::vector<std::size_t> all(count, 1);
+  for (std::size_t i = 0; i < count; ++i) {
+    under[i] = i;
+    for (std::size_t j = 0; j < i && under[i] == i; ++j) {
+      if (under[j] != j || curves[i].dashed || curves[j].dashed) continue;
+      if (!coincide(curves[j], curves[i], y, logarithmic)) continue;
+      under[i] = j;
+      place[i] = all[j]++;
+    }
   }
-  return legend;
+  std::vector<std::string> styles;
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto colour = static_cast<std::size_t>(curves[i].colour);
+    const std::size_t most = std::max<std::size_t>(count - 1, 1);
+    styles.push_back(
+        family ? fmt::format("lw 2.5 lc palette frac {:.3f}",
+                             static_cast<double>(i) / static_cast<double>(most))
+               : fmt::format("lt {}",
+                             colour > 0 ? colour : i % plain_colours + 1));
+    styles.back() +=
+        curves[i].dashed ? " dt 2"
+        : place[i] > 0
+            ? fmt::format(" dt ({},{})", part * (all[under[i]] - place[i]),
+                          part * place[i])
+        // Curves that repeat a colour are dotted.
+        : !family && i >= plain_colours ? " dt 3"
+                                        : " dt 1";
+  }
+  return styles;
 }
 
 // The data of the curves, added to the script, and what `plot` says of them.
 std::string add_curves(std::string& script, const std::string& name,
-                       const std::vector<Curve>& curves, bool family,
-                       const Prefix& x, const Prefix& y) {
+                       const std::vector<Curve>& curves,
+                       const std::vector<std::string>& styles, const Prefix& x,
+                       const Prefix& y) {
   std::string lines;
   for (std::size_t i = 0; i < curves.size(); ++i) {
     const Curve& curve = curves[i];
@@ -69,8 +122,7 @@ std::string add_curves(std::string& script, const std::string& name,
     }
     script += "END\n";
     lines += fmt::format("{}${}{} using 1:2 with lines {}",
-                         lines.empty() ? "" : ", \\\n  ", name, i,
-                         style_of(curve, i, curves.size(), family));
+                         lines.empty() ? "" : ", \\\n  ", name, i, styles[i]);
   }
   return lines;
 }
@@ -82,6 +134,13 @@ Extent all_of(const std::vector<Curve>& curves,
     all = joined(all, extent_of(curve.*values, logarithmic));
   }
   return all;
+}
+
+// The last value, NaN without any.
+double end_of(const Curve& curve) {
+  const auto last = std::find_if(curve.y.rbegin(), curve.y.rend(),
+                                 [](double y) { return std::isfinite(y); });
+  return last == curve.y.rend() ? contact::detail::nan : *last;
 }
 
 Extent scaled(const Extent& extent, const Prefix& prefix) {
@@ -118,7 +177,8 @@ std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
   const double right = room.right - 1.2;
   const Ticks across =
       ticks_of(x, x_extent, Run::across, right - room.left - left, false);
-  std::string script = std::move(data) + canvas.script() +
+  const auto heights = plots[0].heights_of_ends(boxes[0], ticks[0]);
+  std::string script = std::move(data) + canvas.script(heights) +
                        "unset key\nunset colorbox\nset multiplot\n" +
                        std::string(tick_style) +
                        (x.logarithmic ? "set logscale x\n" : "");
@@ -175,6 +235,12 @@ void check_curves(std::size_t curves) {
                                        most_curves, curves));
 }
 
+bool is_wide(const std::vector<Curve>& curves) {
+  constexpr double wide = 50;
+  const Extent all = all_of(curves, &Curve::y, false);
+  return all.low > 0 && all.high > wide * all.low;
+}
+
 std::string draw(const LinePlot& plot, const std::string& file) {
   const Extent x_extent = all_of(plot.curves, &Curve::x, plot.x.logarithmic);
   const Extent y_extent = all_of(plot.curves, &Curve::y, plot.y.logarithmic);
@@ -183,19 +249,32 @@ std::string draw(const LinePlot& plot, const std::string& file) {
   std::string data;
   std::vector<Stacked> plots = {
       {.axis = plot.y, .extent = scaled(y_extent, y)}};
-  plots[0].curves = add_curves(data, "curve", plot.curves, plot.family, x, y);
+  const auto styles =
+      styles_of(plot.curves, plot.family, y_extent, plot.y.logarithmic);
+  plots[0].curves = add_curves(data, "curve", plot.curves, styles, x, y);
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < styles.size(); ++i) {
+    const Curve& curve = plot.curves[i];
+    if (curve.label.empty()) continue;
+    legend.push_back(
+        {contact::detail::printable(curve.label, longest_label), styles[i]});
+    plots[0].ends.push_back(y.factor * end_of(curve));
+  }
   std::vector<std::string> labels = {label_of(plot.y, y)};
   if (plot.lower) {
     const double range = plot.lower->half_range;
+    const auto& curves = plot.lower->curves;
     plots[0].share = 1.5;
-    plots.push_back({.axis = plot.lower->y,
-                     .extent = {-range, range},
-                     .whole = false,
-                     .curves = add_curves(data, "lower", plot.lower->curves,
-                                          false, x, {})});
+    plots.push_back(
+        {.axis = plot.lower->y,
+         .extent = {-range, range},
+         .whole = false,
+         .curves = add_curves(data, "lower", curves,
+                              styles_of(curves, false, {-range, range}, false),
+                              x, {})});
     labels.push_back(label_of(plot.lower->y, {}));
   }
-  const Canvas canvas(plot.title, legend_of(plot.curves, plot.family));
+  const Canvas canvas(plot.title, legend);
   return draw_script(
       stack_script(canvas, std::move(data), plot.x, scaled(x_extent, x),
                    label_of(plot.x, x), plots, labels),

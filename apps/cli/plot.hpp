@@ -23,6 +23,10 @@ struct Curve {
   int colour = 0;  ///< curves of one number > 0 share a colour
 };
 
+/// Whether their numbers, all above 0, are so far apart that a linear axis
+/// would hide the small ones.
+bool is_wide(const std::vector<Curve>& curves);
+
 /// A second, lower panel over the same x: errors of what is above.
 struct LowerPanel {
   Axis y;
@@ -30,7 +34,7 @@ struct LowerPanel {
   std::vector<Curve> curves;
 };
 
-/// A line plot with a legend beside or below it.
+/// A line plot with a legend beside or, where labels are long, below it.
 struct LinePlot {
   std::string title;
   Axis x;
@@ -42,7 +46,9 @@ struct LinePlot {
 };
 
 /// Draws a line plot with gnuplot, in the style of plots/style.gp. Units take
-/// prefixes that leave the axes short numbers.
+/// prefixes that leave the axes short numbers. Labels stand at the ends of
+/// their curves where there is room; curves that lie on others are dashed over
+/// them.
 /// @param file  name of the picture; appears when it is complete
 /// @return as for draw_script()
 std::string draw(const LinePlot& plot, const std::string& file);

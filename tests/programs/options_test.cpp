@@ -447,7 +447,7 @@ TEST_F(ComparedJoints, PicturesNameThem) {
     const std::string picture = folder_.read("p.svg");
     for (const char* value : {"50", "100"}) {
       EXPECT_TRUE(
-          has_text(picture, "radial clearance " + std::string(value) + " um"))
+          has_text(picture, "radial clearance " + std::string(value) + " µm"))
           << program;
     }
   }

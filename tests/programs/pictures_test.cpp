@@ -245,6 +245,47 @@ TEST(Pictures, LongLabelsAreCut) {
   EXPECT_TRUE(has(all, std::string(60, 'a') + "..."));
 }
 
+// The number of times that something is drawn.
+std::size_t count(const std::string& svg, const std::string& what) {
+  std::size_t times = 0;
+  for (std::size_t at = 0; (at = svg.find(what, at)) != svg.npos; ++at) ++times;
+  return times;
+}
+
+// Of curves on each other all can be seen; others are whole.
+TEST(Pictures, CurvesOnEachOtherAreDashed) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  cli::LinePlot plot = plot_of(1, 2);
+  plot.curves = {
+      {"a", {1, 2}, {1, 3}}, {"b", {1, 2}, {1, 3}}, {"c", {1, 2}, {1, 3.001}}};
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  // "b" and "c", each with its sample in the legend.
+  EXPECT_EQ(count(folder.read("p.svg"), "stroke-dasharray"), 4U);
+  plot.curves = {{"a", {1, 2}, {1, 2}}, {"b", {1, 2}, {2, 1}}};
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  EXPECT_EQ(count(folder.read("p.svg"), "stroke-dasharray"), 0U);
+}
+
+// Labels are in the order of the ends of their curves, not of the curves.
+TEST(Pictures, LabelsStandAtTheEndsOfTheirCurves) {
+  const ProgramFolder folder;
+  if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;
+  cli::LinePlot plot = plot_of(1, 2);
+  plot.curves = {{"low", {1, 2}, {3, 1}},
+                 {"high", {1, 2}, {1, 9}},
+                 {"middle", {1, 2}, {2, 5}}};
+  EXPECT_EQ(cli::draw(plot, folder.path() / "p.svg"), "");
+  const std::string svg = folder.read("p.svg");
+  const auto height = [&](const std::string& label) {
+    const std::size_t text = svg.find(label + "</text>");
+    const std::size_t at = svg.rfind("translate(", text);
+    return std::stod(svg.substr(svg.find(',', at) + 1));
+  };
+  EXPECT_LT(height("high"), height("middle") - 50);
+  EXPECT_LT(height("middle"), height("low") - 50);
+}
+
 TEST(Pictures, TitlesNameTheJoint) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;

@@ -57,8 +57,9 @@ std::string difference_label(const std::vector<Difference>& differences) {
     }
     std::string name = key.substr(0, key.size() - unit.size() - 1);
     std::ranges::replace(name, '_', ' ');
-    text += fmt::format("{} {} {}", name, difference.value,
-                        contact::unit_symbol(unit));
+    std::string symbol(contact::unit_symbol(unit));
+    if (symbol.starts_with("um")) symbol.replace(0, 1, "µ");
+    text += fmt::format("{} {} {}", name, difference.value, symbol);
   }
   return text;
 }

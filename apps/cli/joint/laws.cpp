@@ -139,4 +139,16 @@ std::vector<std::string> law_notes(const std::vector<NamedLaw>& laws,
   return texts;
 }
 
+int law_colour(std::string_view name) {
+  constexpr std::pair<std::string_view, int> colours[] = {
+      {"exact", 6}, {"fitted", 1},   {"tanh", 3},       {"arctan", 4},
+      {"hertz", 2}, {"blend", 5},    {"paper", 7},      {"cosine", 1},
+      {"worn", 2},  {"sqrt_tan", 3}, {"sqrt_theta", 4}, {"mixture", 5}};
+  // exact_back:20, blend:0.3
+  for (const auto& [law, colour] : colours) {
+    if (name.starts_with(law)) return colour;
+  }
+  return 0;
+}
+
 }  // namespace cli

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libcontact/half_angle/factory.hpp"
@@ -58,5 +59,9 @@ std::string with_loading(const std::string& name,
 /// laws: "law tanh, blend: the limit half-angle is ..."
 std::vector<std::string> law_notes(const std::vector<NamedLaw>& laws,
                                    const contact::ElasticPair& pair);
+
+/// A law's colour in all pictures, a line type of plots/style.gp; 0 for a law
+/// that has none.
+int law_colour(std::string_view name);
 
 }  // namespace cli

@@ -38,16 +38,12 @@ std::string plain(double value) { return fmt::format("{:.12g}", value); }
 
 // Whether no label touches the next one or the end of the canvas' margin.
 bool fit(const Ticks& ticks, Run run, double room, bool logarithmic) {
-  const auto at = [&, range = ticks.range](double x) {
-    const auto [low, high] = range;
-    return logarithmic ? std::log(x / low) / std::log(high / low)
-                       : (x - low) / (high - low);
-  };
   constexpr double apart = 0.8;    // distance of neighbours' ends
   constexpr double height = 1.15;  // distance of lines
   for (std::size_t i = 1; i < ticks.places.size(); ++i) {
     const double distance =
-        room * (at(ticks.places[i]) - at(ticks.places[i - 1]));
+        room * (ticks.share(ticks.places[i], logarithmic) -
+                ticks.share(ticks.places[i - 1], logarithmic));
     const double needed =
         run == Run::up
             ? height
@@ -206,6 +202,14 @@ Prefix prefix_of(const Axis& axis, const Extent& extent) {
 std::string label_of(const Axis& axis, const Prefix& prefix) {
   if (axis.unit.empty()) return axis.name;
   return fmt::format("{}, {}{}", axis.name, prefix.name, axis.unit);
+}
+
+double Ticks::share(double number, bool logarithmic) const {
+  const auto [low, high] = range;
+  const double share = logarithmic
+                           ? std::log(number / low) / std::log(high / low)
+                           : (number - low) / (high - low);
+  return std::isfinite(share) ? std::clamp(share, 0., 1.) : 0.5;
 }
 
 double Ticks::width() const {

@@ -65,6 +65,8 @@ struct Ticks {
   std::vector<double> places = {};
   std::vector<std::string> labels = {};
 
+  /// Where a number is: 0 at the low end, 1 at the high one; 0.5 of no number.
+  double share(double number, bool logarithmic) const;
   /// Width of the widest label.
   double width() const;
   /// gnuplot's range and labels of "x" or "y"; without labels marks alone.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "cli/gnuplot.hpp"
 #include "cli/picture/text_size.hpp"
@@ -22,6 +23,39 @@ double width_of(const std::vector<LegendEntry>& legend) {
     widest = std::max(widest, text_width(entry.label));
   }
   return sample + sample_gap + widest;
+}
+
+// The heights nearest to these that are a line apart, in the room: lines that
+// touch lie about the mean of what they wish.
+std::vector<double> apart(const std::vector<double>& sorted, const Box& room) {
+  struct Block {
+    double top;  // mean of its lines' wishes for its first line
+    double lines;
+  };
+  std::vector<Block> blocks;
+  for (std::size_t i = 0; i < sorted.size(); ++i) {
+    blocks.push_back({sorted[i] - static_cast<double>(i) * line_step, 1});
+    while (blocks.size() > 1 && blocks.back().top < blocks.end()[-2].top) {
+      const Block last = blocks.back();
+      blocks.pop_back();
+      Block& to = blocks.back();
+      to.top =
+          (to.top * to.lines + last.top * last.lines) / (to.lines + last.lines);
+      to.lines += last.lines;
+    }
+  }
+  const double low = room.top + line_step / 2;
+  const double high =
+      std::max(low, room.bottom -
+                        (static_cast<double>(sorted.size()) - 0.5) * line_step);
+  std::vector<double> heights;
+  for (const Block& block : blocks) {
+    for (double n = 0; n < block.lines; ++n) {
+      heights.push_back(std::clamp(block.top, low, high) +
+                        static_cast<double>(heights.size()) * line_step);
+    }
+  }
+  return heights;
 }
 
 }  // namespace
@@ -64,17 +98,24 @@ Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
           named[i]);
     }
   } else if (!named.empty()) {
-    room_.right -= width;
-    const double top = (room_.top + room_.bottom -
-                        static_cast<double>(named.size()) * line_step) /
-                       2;
-    for (std::size_t i = 0; i < named.size(); ++i) {
-      script_ +=
-          entry(room_.right, top + (static_cast<double>(i) + 0.5) * line_step,
-                named[i]);
-    }
-    room_.right -= 2 * margin;
+    room_.right -= width + 2 * margin;
+    beside_ = std::move(named);
   }
+}
+
+std::string Canvas::script(std::vector<double> heights) const {
+  heights.resize(beside_.size(), (room_.top + room_.bottom) / 2);
+  std::vector<std::size_t> order(heights.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::stable_sort(order, {},
+                           [&](std::size_t i) { return heights[i]; });
+  std::ranges::sort(heights);
+  heights = apart(heights, room_);
+  std::string script = script_;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    script += entry(room_.right + 2 * margin, heights[k], beside_[order[k]]);
+  }
+  return script;
 }
 
 std::string Canvas::at(double x, double y) const {

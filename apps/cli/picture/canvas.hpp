@@ -39,8 +39,10 @@ class Canvas {
   const Box& room() const { return room_; }
   /// Height over that of a canvas without a legend below the plots.
   double stretch() const { return stretch_; }
-  /// The title and the legend.
-  const std::string& script() const { return script_; }
+  /// The title and the legend. One beside the plots has its entries, from the
+  /// top of the canvas, at the heights of their curves' ends as far as there is
+  /// room; in the middle without heights.
+  std::string script(std::vector<double> heights = {}) const;
 
   /// A text, its anchor and the middle of its height at a place.
   std::string text(double x, double y, std::string_view text,
@@ -65,6 +67,7 @@ class Canvas {
   Box room_;
   double stretch_ = 1;
   std::string script_;
+  std::vector<LegendEntry> beside_;  // at the right of the room
 };
 
 }  // namespace cli

@@ -125,7 +125,7 @@ std::string draw(const std::vector<Input>& inputs,
   const Input& first = inputs[0];
   const bool several = joints.size() > 1;
   cli::LinePlot plot;
-  plot.title = shared_title(joints, several && joints[0].laws.size() == 1
+  plot.title = shared_title(joints, joints[0].laws.size() == 1
                                         ? "law " + joints[0].laws[0].name
                                         : "");
   plot.family = several && joints[0].laws.size() == 1;
@@ -142,10 +142,15 @@ std::string draw(const std::vector<Input>& inputs,
                       (plot.family ? "" : ", " + law.name);
       }
       if (plot.family) curve.dashed = false;
-      if (!plot.family) curve.colour = static_cast<int>(plot.curves.size()) + 1;
+      if (!plot.family) {
+        const auto place = static_cast<int>(plot.curves.size()) + 1;
+        const int colour = several ? 0 : cli::law_colour(law.name);
+        curve.colour = colour > 0 ? colour : place;
+      }
       plot.curves.push_back(std::move(curve));
     }
   }
+  if (plot.curves.size() == 1) plot.curves[0].label = "";  // in the title
   const auto exact =
       std::find_if(plot.curves.begin(), plot.curves.end(),
                    [](const cli::Curve& c) { return c.label == "exact"; });

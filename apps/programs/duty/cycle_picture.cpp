@@ -16,9 +16,7 @@ std::string draw_cycle(const contact::JointCycle& cycle,
                                contact::solution_quantities(), key)),
                            {}});
   }
-  plot.panels.push_back({cli::short_axis_of(*find_quantity(
-                             contact::rating_quantities(), "pv_max")),
-                         {}});
+  plot.panels.push_back({{"peak p v", "Pa m/s"}, {}});
   for (const contact::JointCycle::Instant& i : cycle.rows()) {
     const double values[] = {i.solution.reaction.norm(),
                              i.solution.friction_moment.norm(),

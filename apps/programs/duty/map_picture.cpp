@@ -24,7 +24,7 @@ using Eigen::Vector3d;
 std::string label(const BodyWear& wear) {
   std::string text = fmt::format("{} ({})", wear.surface, wear.body);
   if (!wear.k) return text;
-  return text + fmt::format(": deepest {:.3g} mm in 10⁶ cycles",
+  return text + fmt::format(": {:.3g} mm in 10⁶ cycles",
                             1e6 * wear.depth(wear.deepest.wear));
 }
 
@@ -43,17 +43,29 @@ cli::SphereView view_of(const BodyWear& wear) {
   return view;
 }
 
-std::string data_block(const WearMap& map, const cli::SphereView& view,
+// What the numbers of a body are: its depth, m, where k is known.
+cli::Axis axis_of(const BodyWear& wear) {
+  if (!wear.k) return {"∫ p v dt", "Pa m"};
+  return {"depth in 10⁶ cycles", "m"};
+}
+double number_of(const BodyWear& wear, const WearMap::Wear& at) {
+  constexpr double millimetre = 1e-3;
+  return wear.k ? 1e6 * millimetre * wear.depth(at) : at.pv;
+}
+
+std::string data_block(const BodyWear& wear, const cli::SphereView& view,
                        double factor, int number) {
-  constexpr int half = 60;  // dots on each side of the middle
+  constexpr int half = 100;  // dots on each side of the middle
   std::string script = fmt::format("$map{} << END\n", number);
   for (int j = -half; j <= half; ++j) {
     for (int i = -half; i <= half; ++i) {
       const double x = view.radius * i / half;
       const double y = view.radius * j / half;
-      const double pv = std::hypot(x, y) < 2 ? map.at(view.point(x, y)).pv : 0;
+      const double of = std::hypot(x, y) < 2
+                            ? number_of(wear, wear.map.at(view.point(x, y)))
+                            : 0;
       script += cli::number_text(x) + ' ' + cli::number_text(y) + ' ' +
-                (pv > 0 ? cli::number_text(factor * pv) : "NaN") + '\n';
+                (of > 0 ? cli::number_text(factor * of) : "NaN") + '\n';
     }
   }
   return script + "END\n";
@@ -61,46 +73,45 @@ std::string data_block(const WearMap& map, const cli::SphereView& view,
 
 std::string draw_balls(const std::vector<BodyWear>& wear,
                        const std::string& title, const std::string& file) {
-  double largest = 0;
-  for (const BodyWear& w : wear) {
-    largest = std::max(largest, w.deepest.wear.pv);
-  }
   const cli::Canvas canvas(title);
   const cli::Box& room = canvas.room();
-  constexpr double scale_width = 7;  // colours, their numbers and label
-  const double width = (room.width() - scale_width) / 2;
+  constexpr double scale_width = 5;  // colours, their numbers and label
+  const double width = room.width() / 2;
   std::array<cli::Box, 2> boxes;
   double titles = 0;
   for (int n = 0; n < 2; ++n) {
     const double left = room.left + n * width;
-    boxes[n] = {left, left + width - 1, 0, room.bottom - cli::line_step};
+    boxes[n] = {left, left + width - scale_width - 1, 0,
+                room.bottom - cli::line_step};
     titles =
         std::max(titles, cli::Canvas::above_height(boxes[n], label(wear[n])));
   }
-  for (cli::Box& box : boxes) box.top = room.top + titles + cli::line_step / 2;
-  const cli::Box colours{room.right - scale_width + 1,
-                         room.right - scale_width + 2, boxes[0].top + 2,
-                         boxes[0].bottom - 2};
-  const cli::Axis axis{"∫ p v dt", "Pa m"};
-  const cli::Prefix prefix = cli::prefix_of(axis, {0, largest});
-  const cli::Ticks ticks = cli::ticks_of(axis, {0, prefix.factor * largest},
-                                         cli::Run::up, colours.height(), false);
   std::string script =
       "set multiplot\nunset border\nunset xtics\nunset ytics\nunset key\n"
       "unset grid\nset size ratio -1\n" +
-      canvas.script() + ticks.script("cb") +
-      canvas.upward(room.right - cli::line_step / 2, colours,
-                    cli::label_of(axis, prefix));
+      canvas.script();
   std::array<cli::SphereView, 2> views = {view_of(wear[0]), view_of(wear[1])};
   const double radius = std::max(views[0].radius, views[1].radius);
   for (int n = 0; n < 2; ++n) {
     const BodyWear& w = wear[n];
+    cli::Box& box = boxes[n];
+    box.top = room.top + titles + cli::line_step / 2;
     cli::SphereView& view = views[n];
     view.radius = radius;  // to the same scale
-    script += data_block(w.map, view, prefix.factor, n);
+    const cli::Box colours{box.right + 0.5, box.right + 1.3, box.top + 2,
+                           box.bottom - 2};
+    const cli::Axis axis = axis_of(w);
+    const double largest = number_of(w, w.deepest.wear);
+    const cli::Prefix prefix = cli::prefix_of(axis, {0, largest});
+    const cli::Ticks ticks =
+        cli::ticks_of(axis, {0, prefix.factor * largest}, cli::Run::up,
+                      colours.height(), false);
+    script += data_block(w, view, prefix.factor, n);
     script += view.axis_labels() + view.circles();
-    script += canvas.margins(boxes[n]) + canvas.above(boxes[n], label(w)) +
-              (n == 0 ? "unset colorbox\n" : canvas.colour_box(colours)) +
+    script += ticks.script("cb") + canvas.margins(box) +
+              canvas.above(box, label(w)) + canvas.colour_box(colours) +
+              canvas.upward(box.right + scale_width, colours,
+                            cli::label_of(axis, prefix)) +
               fmt::format(
                   "set xrange [-{0}:{0}]\nset yrange [-{0}:{0}]\n"
                   "plot $map{1} using 1:2:3 with image\n"
@@ -133,8 +144,12 @@ std::string draw_pins(const std::vector<BodyWear>& wear,
                       const std::string& title, const std::string& file) {
   cli::LinePlot plot{.title = title,
                      .x = {"β from X towards Y", "deg"},
-                     .y = {"∫ p v dt", "Pa m"},
+                     .y = axis_of(wear[0]),
                      .curves = {}};
+  // Depths on one axis if all are known.
+  const bool depths = std::ranges::all_of(
+      wear, [](const BodyWear& w) { return w.k.has_value(); });
+  if (!depths) plot.y = {"∫ p v dt", "Pa m"};
   const double cut = cut_of(wear);
   for (const BodyWear& w : wear) {
     std::vector<std::pair<double, double>> points;
@@ -143,14 +158,15 @@ std::string draw_pins(const std::vector<BodyWear>& wear,
       // The point at the cut may come out on either side of it.
       constexpr double rounding = 1e-9;
       const double turns = std::floor((beta - cut + rounding) / 360);
-      points.emplace_back(beta - 360 * turns, w.wear[i].pv);
+      points.emplace_back(beta - 360 * turns,
+                          depths ? number_of(w, w.wear[i]) : w.wear[i].pv);
     }
     std::ranges::sort(points);
     points.emplace_back(points.front().first + 360, points.front().second);
     cli::Curve curve{.label = label(w), .x = {}, .y = {}};
-    for (const auto& [beta, pv] : points) {
+    for (const auto& [beta, number] : points) {
       curve.x.push_back(beta);
-      curve.y.push_back(pv);
+      curve.y.push_back(number);
     }
     plot.curves.push_back(std::move(curve));
   }

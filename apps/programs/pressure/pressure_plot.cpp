@@ -130,7 +130,10 @@ std::string draw(const std::vector<PressureTable>& tables,
         }
         curve.dashed = by_law ? law.name.starts_with("exact") : i == 1;
         if (!plot.family) {
-          curve.colour = by_law ? static_cast<int>(i) + 1 : group;
+          const int colour = cli::law_colour(law.name);
+          curve.colour = !by_law      ? group
+                         : colour > 0 ? colour
+                                      : static_cast<int>(i) + 1;
         }
         plot.curves.push_back(std::move(curve));
       }

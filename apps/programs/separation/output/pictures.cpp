@@ -90,19 +90,6 @@ cli::LinePlot reactions(const Case& c, const Rows& rows) {
   return plot;
 }
 
-// Bodies that drift far apart do not hide how near they were.
-bool is_wide(const std::vector<cli::Curve>& curves) {
-  constexpr double wide = 50;
-  double smallest = INFINITY;
-  double largest = 0;
-  for (const cli::Curve& c : curves) {
-    const auto [low, high] = std::minmax_element(c.y.begin(), c.y.end());
-    smallest = std::min(smallest, *low);
-    largest = std::max(largest, *high);
-  }
-  return smallest > 0 && largest > wide * smallest;
-}
-
 cli::LinePlot clearances(const Case& c, const Rows& rows) {
   cli::LinePlot plot = plot_of(c, {"clearance", "m"});
   for (const Case::Pair& pair : c.clearance) {
@@ -111,7 +98,8 @@ cli::LinePlot clearances(const Case& c, const Rows& rows) {
         rows, fmt::format("{}, {}", c.rigid_body(a).name, c.rigid_body(b).name),
         clearance_column(c, pair) + "_m"));
   }
-  plot.y.logarithmic = is_wide(plot.curves);
+  // Bodies that drift far apart do not hide how near they were.
+  plot.y.logarithmic = cli::is_wide(plot.curves);
   return plot;
 }
 
