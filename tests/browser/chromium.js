@@ -14,7 +14,8 @@ const settings = [
   '--disable-sync', '--disable-quic',
 ];
 
-// Calls use(page, said) with a page on which `file` is open and ready; `said`
+// Calls use(page, said) with a page on which `file` is open and ready, a replay at
+// its start and not playing; `said`
 // has everything that a good page does not do: console messages, errors,
 // requests for anything but itself and parts of itself (blobs). `hash` follows
 // in the address. `prepare` sees the page before.
@@ -40,7 +41,8 @@ async function withPage(file, {hash = '', ...options}, use,
     await prepare(page);
     await page.goto(url + hash);
     // A report of a study has no data.
-    await page.evaluate(() => document.getElementById('data') && replay.ready);
+    await page.evaluate(() => document.getElementById('data') &&
+        replay.ready.then(() => replay.go(-Infinity)));
     return await use(page, said);
   } finally {
     await context.close();

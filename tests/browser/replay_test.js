@@ -172,6 +172,72 @@ test('numbers of soyuz are those of the history and the summary', async () => {
   assert.ok(!fs.readFileSync(file('a.html'), 'utf8').includes('Soyuz-FG'));
 });
 
+// Until somebody takes hold of it; slower near an event than far from it.
+test('it plays by itself, slowly at events', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    await page.reload();
+    said.length = 0;
+    await page.evaluate(() => replay.ready);
+    await page.waitForFunction(() => replay.time > 0.05);
+    const {time_s: event} = await page.evaluate(() => JSON.parse(
+        document.getElementById('data').textContent).takes[0].summary.events[0]);
+    const pace = (time) => page.evaluate((t) => replay.paceAt(t), time);
+    assert.strictEqual(await pace(event), 1 / 6);
+    assert.ok(Math.abs(await pace(event - 0.1) - 1 / 3) < 1e-9);
+    assert.strictEqual(await pace(4), 1);
+    await page.uncheck('#slow');
+    assert.strictEqual(await pace(event), 1);
+    assert.deepStrictEqual(said, []);
+    await page.emulateMedia({reducedMotion: 'reduce'});
+    await page.reload();
+    await page.evaluate(() => replay.ready);
+    await page.waitForTimeout(700);
+    assert.strictEqual(await page.evaluate(() => replay.time), 0);
+  });
+});
+
+// The colours of the corner in a snapshot, by the number of their dots.
+test('the corner has the contact of the chosen hinge', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  await withPage(file('a.html'), {}, async (page, said) => {
+    const colours = () => page.evaluate(async () => {
+      replay.update();
+      const bitmap = await createImageBitmap(await replay.snapshot());
+      const canvas = document.createElement('canvas');
+      [canvas.width, canvas.height] = [190, 150];
+      const context = canvas.getContext('2d');
+      context.drawImage(bitmap, bitmap.width - 198, 28, 190, 150, 0, 0, 190, 150);
+      const {data: rgba} = context.getImageData(0, 0, 190, 150);
+      const counts = {};
+      for (let i = 0; i < rgba.length; i += 4) {
+        const key = [0, 1, 2].map((k) => rgba[i + k] >> 5).join();
+        counts[key] = (counts[key] ?? 0) + 1;
+      }
+      return Object.values(counts).filter((count) => count > 40).length;
+    });
+    await page.evaluate(() => replay.go(0.5));
+    assert.ok(await page.isVisible('#contact'));
+    assert.ok(await colours() > 8, `${await colours()} colours`);
+    const text = () => page.textContent('#contact_text');
+    assert.match(await text(), /θ₀ [\d.]+°  peak .*Pa\nfriction .*N m/);
+    const first = await text();
+    await page.selectOption('#follow', '3');
+    await page.evaluate(() => replay.update());
+    assert.strictEqual(await page.inputValue('#hinge'), '2');
+    await page.evaluate(() => {
+      replay.go(5);
+      replay.update();
+    });
+    assert.strictEqual(await text(), 'no contact');
+    assert.notStrictEqual(first, 'no contact');
+    await page.uncheck('#show_contact');
+    await page.evaluate(() => replay.update());
+    assert.ok(await page.isHidden('#contact'));
+    assert.deepStrictEqual(said, []);
+  });
+});
+
 test('the keyboard alone suffices', async () => {
   run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
   await withPage(file('a.html'), {}, async (page, said) => {

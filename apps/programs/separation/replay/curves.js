@@ -114,7 +114,14 @@ function addGraph(title, curves, unit, logarithmic) {
       strokeWidth: curve.faint ? 1.2 : 1.8,
     };
   });
-  const graph = new Dygraph(place, rowsOf(curves), {
+  const rows = rowsOf(curves);
+  // What ends early, as hinges do, has the width; a double click shows all.
+  const has = rows.filter((row) => row.slice(1).some(Number.isFinite));
+  const end = has.length > 0 ? has[has.length - 1][0] : take.end;
+  const isShort = end - take.start < 0.6 * (take.end - take.start);
+  const graph = new Dygraph(place, rows, {
+    ...(isShort && {dateWindow: [
+      take.start, end + 0.1 * (end - take.start)]}),
     labels: ['time', ...curves.map((_, i) => `c${i}`)],
     colors: curves.map((curve) => curve.colour),
     series: options,
@@ -127,7 +134,12 @@ function addGraph(title, curves, unit, logarithmic) {
     axes: {
       x: {axisLabelFormatter: (t) => String(Number(t.toPrecision(6)))},
       y: {axisLabelWidth: 62, pixelsPerLabel: 26,
-          axisLabelFormatter: (y) => show(y, unit)},
+          axisLabelFormatter: (y, _, __, of) => {
+            const [low, high] = of.yAxisRange();
+            // Neighbours differ in the digits that are shown.
+            const digits = Math.log10(Math.abs(y) / (high - low)) + 2.5;
+            return show(y, unit, Math.min(9, Math.max(4, Math.ceil(digits))));
+          }},
     },
     clickCallback: (event, x) => go(x),
   });

@@ -22,19 +22,19 @@ function bytes(base64) {
   return result;
 }
 
-// 4 digits, with a prefix for the units that take one: "1.234 MN".
-function show(value, unit) {
+// With a prefix for the units that take one: "1.234 MN".
+function show(value, unit, digits = 4) {
   if (!Number.isFinite(value)) return '–';
   const prefixes = {9: 'G', 6: 'M', 3: 'k', 0: '', '-3': 'm', '-6': 'µ'};
   if (!/^(N|N m|Pa|J|m)$/.test(unit)) {
-    return `${round(value)}${unit ? ' ' + unit : ''}`;
+    return `${round(value, digits)}${unit ? ' ' + unit : ''}`;
   }
   const largest = unit === 'm' ? 0 : 9;
   const exponent = value === 0 ? 0 : Math.min(largest, Math.max(
       -6, 3 * Math.floor(Math.log10(Math.abs(value)) / 3)));
-  return `${round(value / 10 ** exponent)} ${prefixes[exponent]}${unit}`;
+  return `${round(value / 10 ** exponent, digits)} ${prefixes[exponent]}${unit}`;
 }
-const round = (value) => String(Number(value.toPrecision(4)));
+const round = (value, digits) => String(Number(value.toPrecision(digits)));
 const seconds = (time) => `${time.toFixed(3)} s`;
 
 // A run: its rows under the names of the history's columns.

@@ -38,6 +38,15 @@ function drawCompass(context, style) {
   drawText(context, text, 95 + width / 2, picture.height - 23, style('--text'));
 }
 
+function drawContact(context, style) {
+  const x = picture.width - contactSize - 2;
+  context.font = '12px sans-serif';
+  [at('hinge').selectedOptions[0].textContent,
+   ...at('contact_text').textContent.split('\n')].forEach((line, i) => drawText(
+      context, line, x, i === 0 ? 20 : contactSize - 26 + 15 * i,
+      style('--text')));
+}
+
 // The picture as it is now, with the name of the case and the time.
 function snapshot() {
   const canvas = document.createElement('canvas');
@@ -60,6 +69,7 @@ function snapshot() {
   drawText(context, document.querySelector('h1').textContent, 10, 16,
            style('--text'));
   drawText(context, seconds(now), 10, 36, style('--text'));
+  if (picture.contact.shown) drawContact(context, style);
   return new Promise((resolve) => canvas.toBlob(resolve, 'image/png'));
 }
 

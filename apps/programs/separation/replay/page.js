@@ -31,6 +31,7 @@ function update(clock) {
     picture.set(now);
     labels.place();
     compass.place();
+    picture.contact.place();
   }
   // Numbers that change sixty times a second nobody reads.
   if (!playing || clock - lastFill > 120) {
@@ -58,6 +59,16 @@ function go(time) {
   refresh();
 }
 
+// Seconds of the motion in a second. Events are watched at a sixth of the speed,
+// from half a second before them to half a second behind.
+function paceAt(moment) {
+  const speed = Number(at('speed').value);
+  if (!at('slow').checked) return speed;
+  const near = instants.reduce((nearest, {time}) =>
+      Math.min(nearest, Math.abs(time - moment)), Infinity);
+  return Math.min(speed, speed / 6 + 5 / 3 * near);
+}
+
 function play(on) {
   playing = on;
   at('play').textContent = on ? '\u23F8\uFE0E' : '\u25B6\uFE0E';
@@ -67,12 +78,14 @@ function play(on) {
   let before;
   // Who wants no motion gets two pictures a second.
   const least = still ? 500 : 0;
+  // A busy machine shows all of the motion, and later.
+  const most = still ? 1000 : 100;
   const step = (clock) => {
     if (!playing) return;
     if (before === undefined) before = clock;
     if (clock - before >= least) {
-      now = Math.min(take.end,
-                     now + (clock - before) / 1000 * Number(at('speed').value));
+      now = Math.min(
+          take.end, now + Math.min(clock - before, most) / 1000 * paceAt(now));
       before = clock;
       update(clock);
     }
@@ -90,6 +103,7 @@ function jump(direction) {
 }
 
 function row(direction) {
+  play(false);
   take.go(now);
   let i = take.row;
   if (direction > 0) while (take.time[i] <= now) ++i;
@@ -99,6 +113,9 @@ function row(direction) {
 
 function follow(body) {
   at('follow').value = body;
+  const hinge =
+      picture.contact.hinges.findIndex(({number}) => number === body);
+  if (hinge >= 0) at('hinge').value = hinge;
   picture.setFollow(body);
   refresh();
 }
@@ -189,7 +206,8 @@ function addControls() {
   };
   at('save_picture').onclick = savePicture;
   at('save_film').onclick = saveFilm;
-  for (const id of ['show_forces', 'show_distance', 'show_names']) {
+  for (const id of
+      ['show_forces', 'show_distance', 'show_names', 'show_contact']) {
     at(id).onchange = refresh;
   }
   document.addEventListener('keydown', onKey);
@@ -203,6 +221,7 @@ async function addPicture() {
     picture.controls.addEventListener('change', refresh);
     labels = new Labels(picture);
     compass = new Compass(picture);
+    picture.contact = new ContactView(picture);
     addLegend(picture);
     new ResizeObserver(() => {
       picture.resize();
@@ -225,11 +244,18 @@ addControls();
 addValues();
 addSummary();
 addCurves();
-const ready = addPicture().then(() => update(performance.now()));
+const ready = addPicture().then(() => {
+  update(performance.now());
+  if (!still) play(true);
+});
 
 // The page, asked from its console.
 window.replay = {
-  ready, go, play, snapshot,
+  ready, play, paceAt, snapshot,
+  go: (time) => {
+    play(false);
+    go(time);
+  },
   get time() { return now; },
   get ownTime() { return ownTime; },
   update: () => update(performance.now()),

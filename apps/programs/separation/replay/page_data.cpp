@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 #include <string_view>
 
+#include "libcontact/base/units.hpp"
+#include "libcontact/pressure/law.hpp"
 #include "libcontact/version.hpp"
 #include "programs/separation/replay/motion.hpp"
 #include "programs/separation/replay/scene.hpp"
@@ -50,6 +53,26 @@ std::string base64(const std::vector<Number>& numbers) {
 
 ordered_json xyz(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
+// Pressures over the peak from the centre of the contact to its edge, of some
+// half-angles.
+ordered_json contact_json(const contact::PressureLaw& law) {
+  ordered_json j;
+  constexpr int places = 12;
+  for (int degrees = 10; degrees <= 180; degrees += 10) {
+    const double theta0 = degrees * contact::degree;
+    if (theta0 > law.largest_half_angle()) break;
+    j["half_angles_deg"].push_back(degrees);
+    ordered_json shares;
+    for (int i = 0; i <= places; ++i) {
+      const double share =
+          law.pressure(theta0 * i / places, theta0) / law.peak(theta0);
+      shares.push_back(std::round(1e3 * share) / 1e3);
+    }
+    j["shares"].push_back(std::move(shares));
+  }
+  return j;
+}
+
 ordered_json body_json(const Case& c, int i) {
   ordered_json j = {{"name", c.rigid_body(i).name},
                     {"column", column_name(c.rigid_body(i).name)},
@@ -66,6 +89,8 @@ ordered_json body_json(const Case& c, int i) {
         body.hinge.joints.front().contact().geometry().inner_body();
     j["hinge"]["inner"] =
         inner == contact::JointBody::carrier ? "carrier" : "body";
+    j["hinge"]["contact"] =
+        contact_json(body.hinge.joints.front().contact().pressure_law());
   }
   if (body.lock) j["lock"] = {{"point", xyz(body.lock->body_point)}};
   return j;

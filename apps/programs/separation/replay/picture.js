@@ -41,6 +41,38 @@ function cornersOf(body) {
       k & 1 ? min.x : max.x, k & 2 ? min.y : max.y, k & 4 ? min.z : max.z));
 }
 
+// A cap of a ball about y, or a strip of a pin along z, of a half-angle in
+// whole degrees.
+function patchShape(degrees, pin, radius) {
+  const t = degrees * Math.PI / 180;
+  if (!pin) {
+    return new THREE.SphereBufferGeometry(radius, 32, 12, 0, 2 * Math.PI, 0, t);
+  }
+  const shape = new THREE.CylinderBufferGeometry(
+      radius, radius, 2 * radius, 24, 1, true, -t, 2 * t);
+  shape.rotateX(Math.PI / 2);  // the axis to z, its middle to -y
+  shape.rotateZ(Math.PI);
+  return shape;
+}
+
+// Along a vector, with its heads one behind the other.
+function layArrow({shaft, heads}, from, vector, length, headLength) {
+  const width = 0.3 * headLength;
+  const way = vector.clone().normalize();
+  const turn = new THREE.Quaternion().setFromUnitVectors(
+      new THREE.Vector3(0, 1, 0), way);
+  shaft.position.copy(from);
+  shaft.quaternion.copy(turn);
+  shaft.scale.set(0.3 * width + 1e-9, Math.max(1e-9, length - headLength),
+                  0.3 * width + 1e-9);
+  heads.forEach((head, i) => {
+    head.position.copy(from)
+        .addScaledVector(way, length - 0.85 * i * headLength);
+    head.quaternion.copy(turn);
+    head.scale.set(width + 1e-9, headLength + 1e-9, width + 1e-9);
+  });
+}
+
 class Picture {
   constructor(canvas) {
     this.renderer = new THREE.WebGLRenderer(
@@ -136,24 +168,10 @@ class Picture {
     this.line = this.addLine(colours.distance, 4);
   }
 
-  // A cap of a ball about y, or a strip of a pin along z, of a half-angle in
-  // whole degrees.
   patch(degrees, pin) {
     const key = pin ? -degrees - 1 : degrees;
     if (!this.patches.has(key)) {
-      const radius = 0.035 * this.size;
-      const t = degrees * Math.PI / 180;
-      let shape;
-      if (pin) {
-        shape = new THREE.CylinderBufferGeometry(
-            radius, radius, 2 * radius, 24, 1, true, -t, 2 * t);
-        shape.rotateX(Math.PI / 2);  // the axis to z, its middle to -y
-        shape.rotateZ(Math.PI);
-      } else {
-        shape = new THREE.SphereBufferGeometry(
-            radius, 32, 12, 0, 2 * Math.PI, 0, t);
-      }
-      this.patches.set(key, shape);
+      this.patches.set(key, patchShape(degrees, pin, 0.035 * this.size));
     }
     return this.patches.get(key);
   }
@@ -200,6 +218,8 @@ class Picture {
     this.setArrow(hinge.reaction, on, hinge.centre, force, this.most.reaction);
     this.setArrow(hinge.moment, on && moment.length() > 0, hinge.centre, moment,
                   this.most.moment);
+    hinge.force = force;
+    hinge.turning = moment;
     this.setPatch(hinge, on, force, patch);
   }
 
@@ -235,21 +255,8 @@ class Picture {
     for (const part of [shaft, ...heads]) part.visible = on && most > 0;
     if (!shaft.visible) return;
     const length = arrowLength * this.size * vector.length() / most;
-    const headLength = Math.min(0.035 * this.size, 0.6 * length / heads.length);
-    const width = 0.3 * headLength;
-    const way = vector.clone().normalize();
-    const turn = new THREE.Quaternion().setFromUnitVectors(
-        new THREE.Vector3(0, 1, 0), way);
-    shaft.position.copy(from);
-    shaft.quaternion.copy(turn);
-    shaft.scale.set(0.3 * width + 1e-9, Math.max(1e-9, length - headLength),
-                    0.3 * width + 1e-9);
-    heads.forEach((head, i) => {
-      head.position.copy(from)
-          .addScaledVector(way, length - 0.85 * i * headLength);
-      head.quaternion.copy(turn);
-      head.scale.set(width + 1e-9, headLength + 1e-9, width + 1e-9);
-    });
+    layArrow({shaft, heads}, from, vector, length, Math.min(
+        0.035 * this.size, 0.6 * length / heads.length));
   }
 
   // Between the two bodies that are nearest, by the points of the last row.
@@ -412,5 +419,6 @@ class Picture {
   draw() {
     this.controls.update();
     this.renderer.render(this.scene, this.camera);
+    if (this.contact) this.contact.draw();
   }
 }
