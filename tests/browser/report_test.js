@@ -38,6 +38,17 @@ test('a report has tables and pictures and asks for nothing', async () => {
         assert.ok(box.width > 300 && box.height > 150, JSON.stringify(box));
         assert.ok(await picture.locator('path').count() > 5);
       }
+      // The answers come first, with both probabilities.
+      const verdicts = await page.locator('main > .verdict').allTextContents();
+      assert.strictEqual(verdicts.length, report.requirements.length);
+      for (const verdict of verdicts) {
+        assert.match(verdict, /^(Met|Not met|Open): .*\d %.*\d % confidence/);
+      }
+      assert.match(verdicts[0], /smallest clearance at least 50 mm/);
+      assert.match(verdicts[1], /rate at release of booster_\*/);
+      const name = page.locator('tbody td').first();
+      assert.strictEqual(await name.evaluate((cell) =>
+          getComputedStyle(cell, '::before').content !== 'none'), width < 600);
       const text = await page.textContent('main');
       for (const {quantity} of report.requirements) {
         assert.ok(text.includes(quantity));

@@ -281,9 +281,11 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   for (const char* words :
        {R"(<h1>a &lt;/script>&lt;b onload="x" 'y'> &amp; study</h1>)",
         "default-src 'none'", "<h2>Verdicts</h2>", "<h2>Percentiles</h2>",
-        "<th>M_t_N_m at most 700</th><td>99 %</td><td>10 %</td>",
+        "<p class=\"verdict ", "confidence",
+        "<th data-name=\"requirement\">Mₜ at most 700 N m</th>"
+        "<td data-name=\"success\">99 %</td><td data-name=\"risk\">10 %</td>",
         "<th>probability of a miss: lower bound</th><th>upper bound</th>",
-        "What drives M_t_N_m", "The worst runs for M_t_N_m at most 700",
+        "What drives Mₜ, N m", "The worst runs for Mₜ at most 700 N m",
         "<code>hinge-study s.toml --run "}) {
     EXPECT_TRUE(has_text(page, words)) << words;
   }
@@ -293,7 +295,7 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   if (folder_.run("gnuplot --version").status == 0) {
     // Histogram, ranking, inputs.
     EXPECT_EQ(times_in(page, "<svg"), 3);
-    EXPECT_TRUE(has_text(page, "load.reaction_N, factor</text>"));
+    EXPECT_TRUE(has_text(page, "reaction of load, factor</text>"));
   }
   // The same study, the same page.
   run("s.toml --report again.html --jobs 2");

@@ -148,15 +148,17 @@ std::vector<Envelope> envelopes(const Study& study, const Findings& findings) {
   struct Kind {
     const char* name;
     const char* label;
+    const char* quantity;
     Samples samples;
   };
   std::vector<Kind> kinds;
   if (!nominal.clearance.empty()) {
     kinds.push_back({envelope_names[0], "smallest clearance, m",
+                     "clearance.smallest_m",
                      Samples(nominal, smallest_clearance)});
   }
   if (nominal.has_hinges()) {
-    kinds.push_back({envelope_names[1], "angles of the hinges, deg",
+    kinds.push_back({envelope_names[1], "angles of the hinges, deg", "",
                      Samples(nominal, angles)});
   }
   const auto runs = runs_of(study, findings);
@@ -170,6 +172,7 @@ std::vector<Envelope> envelopes(const Study& study, const Findings& findings) {
     result.push_back(kind.samples.envelope());
     result.back().name = kind.name;
     result.back().label = kind.label;
+    result.back().quantity = kind.quantity;
     result.back().runs = runs.size();
     result.back().special =
         runs.back() == 0 ? "nominal" : fmt::format("run {}", runs.back());

@@ -12,6 +12,8 @@ namespace study {
 struct Envelope {
   std::string name;   ///< name of its picture
   std::string label;  ///< with its unit
+  /// What requirements call it, "" if nothing.
+  std::string quantity;
   std::size_t runs;
   std::string special;  ///< run of the last number
   std::vector<double> times;

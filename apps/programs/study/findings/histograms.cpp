@@ -7,6 +7,9 @@
 
 #include "cli/gnuplot.hpp"
 #include "cli/number.hpp"
+#include "cli/picture/axis.hpp"
+#include "libcontact/base/text.hpp"
+#include "programs/study/findings/names.hpp"
 
 namespace study {
 
@@ -85,8 +88,20 @@ std::string histogram(const Study& study, const Journal& journal,
   std::ranges::sort(values);
   const Classes classes = classes_of(values);
   const int top = std::ranges::max(classes.counts);
-  std::string script = data_of(classes, "counts") +
-                       heading(study.plan().name, requirement.quantity, "runs");
+  std::string script =
+      data_of(classes, "counts") +
+      heading(study.plan().name, shown_label(requirement.quantity), "runs");
+  // A limit at the end of the numbers is not on an axis.
+  const double high =
+      classes.low + classes.width * static_cast<double>(classes.counts.size());
+  cli::Extent extent{classes.low, high};
+  if (std::isfinite(requirement.limit)) {
+    extent = cli::joined(extent, {requirement.limit, requirement.limit});
+  }
+  const double margin = 0.04 * (extent.high - extent.low);
+  script +=
+      fmt::format("set xrange [{}:{}]\n", cli::number_text(extent.low - margin),
+                  cli::number_text(extent.high + margin));
   script += fmt::format(
       "top = {}\nset samples 3\nset yrange [0:*]\nset style fill solid 0.5\n"
       "set key above\n"
@@ -95,9 +110,11 @@ std::string histogram(const Study& study, const Journal& journal,
       judgement.missing == 0
           ? ""
           : fmt::format(", {} have no number", judgement.missing));
-  script += upright(requirement.limit, 2, 1, "limit");
+  script += upright(requirement.limit, 2, 1,
+                    requirement.at_least ? "least allowed" : "most allowed");
   const Percentile& p = judgement.percentile;
-  const std::string share = fmt::format("{:.6g} %", 100 * judgement.share);
+  const std::string share =
+      fmt::format("percentile {:.6g} %", 100 * judgement.share);
   script += upright(p.value, 3, 1, share);
   if (p.low) script += upright(*p.low, 3, 2, "lower bound");
   if (p.high) script += upright(*p.high, 3, 3, "upper bound");
@@ -125,25 +142,16 @@ std::vector<double> drawn(const Study& study, const Journal& journal,
   return all;
 }
 
-// The end of a long key tells more of it than its beginning.
-std::string end_of(std::string_view key) {
-  constexpr std::size_t longest = 32;
-  if (key.size() <= longest) return std::string(key);
-  key.remove_prefix(key.size() - longest);
-  // The cut is not within a character.
-  while ((static_cast<unsigned char>(key.front()) & 0xc0) == 0x80) {
-    key.remove_prefix(1);
-  }
-  return "..." + std::string(key);
-}
-
 std::string panel(const Study& study, const Journal& journal,
                   std::size_t dispersion) {
   const Dispersion& d = study.plan().dispersions[dispersion];
   const std::vector<double> values = drawn(study, journal, dispersion);
   const Classes classes = classes_of(values);
   const std::string name = fmt::format("input{}", dispersion);
-  const std::string title = end_of(d.key) + (d.relative ? ", factor" : "");
+  constexpr std::size_t longest = 32;
+  const std::string title = contact::detail::printable(
+      d.relative ? shown_name(d.key) + ", factor" : shown_label(d.key),
+      longest);
   const auto tic = [](double x) {
     return fmt::format("{} {}", cli::gnuplot_tic(fmt::format("{:.4g}", x)),
                        cli::number_text(x));
@@ -175,14 +183,16 @@ std::string input_histograms(const Study& study, const Journal& journal,
   const std::size_t end =
       std::min(first + most_panels, study.plan().dispersions.size());
   const std::size_t panels = end - first;
-  const std::size_t columns = panels == 1 ? 1 : panels <= 4 ? 2 : 3;
+  // Later pictures have the places of the first.
+  const std::size_t places = number > 0 ? most_panels : panels;
+  const std::size_t columns = places == 1 ? 1 : places <= 4 ? 2 : 3;
   std::string script = fmt::format(
       "unset key\nunset ytics\nunset grid\nset xtics font ',13' nomirror "
       "scale 0.4 offset 0,0.3\nset tmargin 1.6\nset bmargin 1.8\n"
       "set title font ',13' offset 0,-0.6\nset yrange [0:*]\n"
       "set style fill solid 0.5\nset lmargin 3\nset rmargin 4\n"
       "set multiplot layout {},{} title {}\n",
-      (panels + columns - 1) / columns, columns,
+      (places + columns - 1) / columns, columns,
       cli::gnuplot_text(
           fmt::format("What was drawn in {} runs", study.runs())));
   for (std::size_t i = first; i < end; ++i) {

@@ -4,6 +4,7 @@
 
 #include "cli/html/markup.hpp"
 #include "libcontact/version.hpp"
+#include "programs/study/findings/names.hpp"
 #include "programs/study/findings/report.hpp"
 
 namespace study {
@@ -26,6 +27,13 @@ std::string address(std::string_view name) {
 
 std::string cell(const char* element, const std::string& markup) {
   return fmt::format("<{0}>{1}</{0}>", element, markup);
+}
+
+// With the name of its column, which stands before it where a row is a card.
+std::string named_cell(const char* element, const std::string& name,
+                       const std::string& content) {
+  return fmt::format("<{0} data-name=\"{1}\">{2}</{0}>", element,
+                     in_markup(name), in_markup(content));
 }
 
 // Cells of the worst runs beside their numbers.
@@ -55,10 +63,8 @@ std::string table(const Study& study, const Part& part,
   text += "</tr></thead>\n<tbody>\n";
   for (std::size_t i = 0; i < part.rows.size(); ++i) {
     text += "<tr>";
-    const char* element = "th";
-    for (const std::string& content : part.rows[i]) {
-      text += cell(element, in_markup(content));
-      element = "td";
+    for (std::size_t k = 0; k < part.rows[i].size(); ++k) {
+      text += named_cell(k == 0 ? "th" : "td", part.header[k], part.rows[i][k]);
     }
     if (!part.runs.empty()) {
       text += ways_to(study, part.runs[i], command, extras);
@@ -93,6 +99,23 @@ std::string markup(const Study& study, const std::vector<Part>& parts,
   return body + end;
 }
 
+// The answers, before everything else.
+std::string answers_of(const Study& study, const Findings& findings) {
+  std::string body;
+  for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
+    const Judgement& judgement = findings.requirements[i];
+    constexpr const char* kinds[] = {"met", "not_met", "open"};
+    body += fmt::format(
+        "<p class=\"verdict {}\">{}</p>\n",
+        judgement.answer ? kinds[static_cast<int>(*judgement.answer)] : "open",
+        in_markup(
+            verdict_sentence(study, study.plan().requirements[i], judgement)));
+  }
+  return body;
+}
+
+constexpr Words in_words = {shown_label, shown_demand};
+
 }  // namespace
 
 std::string report_page(const Study& study, const Findings& findings,
@@ -101,8 +124,9 @@ std::string report_page(const Study& study, const Findings& findings,
       "<header>\n<h1>{}</h1>\n<p id=\"about\">hinge-study (libcontact) "
       "{}</p>\n</header>\n<main class=\"report\">\n",
       in_markup(study.plan().name), contact::version);
-  body += markup(study, parts_of(study, findings), command, extras) +
-          markup(study, inputs_of(study), command, extras) +
+  body += answers_of(study, findings) +
+          markup(study, parts_of(study, findings, in_words), command, extras) +
+          markup(study, inputs_of(study, in_words), command, extras) +
           fmt::format("<section>\n<h2>{}</h2>\n<pre>{}</pre>\n</section>\n",
                       in_markup(study.plan().path.filename().string()),
                       in_markup(extras.study_file));

@@ -10,8 +10,10 @@
 #include "cli/picture/axis.hpp"
 #include "cli/picture/canvas.hpp"
 #include "cli/picture/text_size.hpp"
+#include "libcontact/base/constants.hpp"
 #include "programs/study/findings/envelope.hpp"
 #include "programs/study/findings/histograms.hpp"
+#include "programs/study/findings/names.hpp"
 #include "programs/study/findings/report.hpp"
 
 namespace study {
@@ -72,19 +74,21 @@ std::string ranking(const Study& study, const Driven& driven) {
     const double strength =
         sobol ? driven.sobol[i].total : driven.regression.standardised[i];
     bars.emplace_back(std::isnan(strength) ? 0 : strength,
-                      sobol ? study.design().source_label(i)
-                            : study.design().draws()[i].label);
+                      shown_name(sobol ? study.design().source_label(i)
+                                       : study.design().draws()[i].label));
   }
   std::ranges::stable_sort(bars, std::greater(),
                            [](const auto& bar) { return std::abs(bar.first); });
   bars.resize(std::min(shown, bars.size()));
   return bar_script(
-      "What drives " + driven.quantity,
+      "What drives " + shown_name(driven.quantity),
       sobol ? "total Sobol' index" : "standardised regression coefficient",
       bars);
 }
 
-std::string band(const Envelope& envelope, const std::string& title) {
+// @param limit  NaN without one
+std::string band(const Envelope& envelope, const std::string& title,
+                 double limit) {
   std::string script = "$band << END\n";
   for (std::size_t i = 0; i < envelope.times.size(); ++i) {
     script += fmt::format("{}", envelope.times[i]);
@@ -111,8 +115,13 @@ std::string band(const Envelope& envelope, const std::string& title) {
       "plot $band using 1:2:6 with filledcurves lc rgb '#c8d6e8' title "
       "'{0} runs', '' using 1:3:5 with filledcurves lc rgb '#7fa3c8' "
       "title '5 to 95 %', '' using 1:4 with lines lt 1 title '50 %', "
-      "'' using 1:7 with lines lt 2 dt 2 title {1}{2}\n",
+      "'' using 1:7 with lines lw 2 lc rgb '#333333' dt 2 title {1}{2}",
       envelope.runs, cli::gnuplot_text(envelope.special), counts);
+  if (std::isfinite(limit)) {
+    script += fmt::format(", {} with lines lt 2 title 'least allowed'",
+                          cli::number_text(limit));
+  }
+  script += '\n';
   return script;
 }
 
@@ -135,7 +144,12 @@ std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
   }
   if (!study.plan().joint_file.empty()) return pictures;
   for (const Envelope& envelope : envelopes(study, findings)) {
-    pictures.push_back({envelope.name, band(envelope, study.plan().name)});
+    double limit = contact::detail::nan;
+    for (const Requirement& r : study.plan().requirements) {
+      if (r.quantity == envelope.quantity) limit = r.limit;
+    }
+    pictures.push_back(
+        {envelope.name, band(envelope, study.plan().name, limit)});
   }
   return pictures;
 }

@@ -90,7 +90,7 @@ std::string verdict_text(const Judgement& judgement, std::size_t runs) {
 }
 
 void add_requirements(const Study& study, const Findings& findings,
-                      std::vector<Part>& parts) {
+                      const Words& words, std::vector<Part>& parts) {
   Part verdicts{
       .heading = "Verdicts",
       .header = {"requirement", "success", "risk", "misses", "verdict",
@@ -102,7 +102,7 @@ void add_requirements(const Study& study, const Findings& findings,
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
     const Judgement& j = findings.requirements[i];
-    const std::string name = to_string(r);
+    const std::string name = words.demand(r);
     verdicts.rows.push_back(
         {name, percent(r.demand.success), percent(r.demand.risk),
          fmt::format("{}", j.misses), verdict_text(j, study.runs()),
@@ -121,16 +121,17 @@ void add_requirements(const Study& study, const Findings& findings,
                "so that misses can be counted."});
 }
 
-Part quantities_part(const Study& study, const Findings& findings) {
+Part quantities_part(const Study& study, const Findings& findings,
+                     const Words& words) {
   Part part{.heading = "Numbers",
             .header = {"quantity", "nominal", "mean", "deviation", "smallest",
                        "5 %", "50 %", "95 %", "largest", "missing"}};
   if (study.plan().joint_file.empty()) part.pictures = {"clearance", "angles"};
   for (const Scatter& s : findings.quantities) {
-    part.rows.push_back({s.quantity, number(s.nominal), number(s.mean),
-                         number(s.deviation), number(s.low), number(s.p5),
-                         number(s.median), number(s.p95), number(s.high),
-                         fmt::format("{}", s.missing)});
+    part.rows.push_back({words.key(s.quantity), number(s.nominal),
+                         number(s.mean), number(s.deviation), number(s.low),
+                         number(s.p5), number(s.median), number(s.p95),
+                         number(s.high), fmt::format("{}", s.missing)});
   }
   return part;
 }
@@ -147,39 +148,40 @@ std::string with_error(double value, double error) {
 }
 
 // The strongest first.
-Part drivers_part(const Study& study, const Driven& driven) {
+Part drivers_part(const Study& study, const Driven& driven,
+                  const Words& words) {
   constexpr std::size_t shown = 10;
   std::vector<std::pair<double, Cells>> rows;
   if (driven.sobol.empty()) {
     for (std::size_t i = 0; i < study.inputs(); ++i) {
       const double strength = std::abs(driven.regression.standardised[i]);
-      rows.push_back(
-          {std::isnan(strength) ? 0 : strength,
-           {study.design().draws()[i].label, number(driven.spearman[i]),
-            number(driven.regression.standardised[i])}});
+      rows.push_back({std::isnan(strength) ? 0 : strength,
+                      {words.key(study.design().draws()[i].label),
+                       number(driven.spearman[i]),
+                       number(driven.regression.standardised[i])}});
     }
   } else {
     for (std::size_t i = 0; i < driven.sobol.size(); ++i) {
       const SobolIndex& s = driven.sobol[i];
-      rows.push_back(
-          {std::isnan(s.total) ? 0 : s.total,
-           {study.design().source_label(i), with_error(s.first, s.first_error),
-            with_error(s.total, s.total_error)}});
+      rows.push_back({std::isnan(s.total) ? 0 : s.total,
+                      {words.key(study.design().source_label(i)),
+                       with_error(s.first, s.first_error),
+                       with_error(s.total, s.total_error)}});
     }
   }
   std::ranges::stable_sort(rows, std::greater(),
                            [](const auto& row) { return row.first; });
   const bool sobol = !driven.sobol.empty();
+  const std::string quantity = words.key(driven.quantity);
   Part part{
       .text = sobol ? fmt::format("What drives {} (shares of its variance):",
-                                  driven.quantity)
+                                  quantity)
               : std::isnan(driven.regression.explained)
                   ? fmt::format("What drives {} (runs are too few to explain "
                                 "it):",
-                                driven.quantity)
+                                quantity)
                   : fmt::format("What drives {} (regression explains {}):",
-                                driven.quantity,
-                                about(driven.regression.explained)),
+                                quantity, about(driven.regression.explained)),
       .header = sobol ? Cells{"input", "alone", "with others"}
                       : Cells{"input", "rank correlation", "regression"}};
   for (std::size_t i = 0; i < std::min(shown, rows.size()); ++i) {
@@ -188,9 +190,10 @@ Part drivers_part(const Study& study, const Driven& driven) {
   return part;
 }
 
-Part worst_part(const Requirement& requirement, const Judgement& judgement) {
+Part worst_part(const Requirement& requirement, const Judgement& judgement,
+                const Words& words) {
   Part part{
-      .text = fmt::format("The worst runs for {}:", to_string(requirement)),
+      .text = fmt::format("The worst runs for {}:", words.demand(requirement)),
       .header = {"run", "value"}};
   for (const RunValue& run : judgement.worst) {
     part.rows.push_back(
@@ -245,6 +248,9 @@ ordered_json driven_json(const Study& study, const Driven& d) {
 
 }  // namespace
 
+const Words as_in_files = {
+    [](std::string_view key) { return std::string(key); }, to_string};
+
 std::string to_string(const Requirement& requirement) {
   return fmt::format("{} {} {}", requirement.quantity,
                      requirement.at_least ? "at least" : "at most",
@@ -294,7 +300,7 @@ ordered_json to_json(const Study& study, const Findings& findings) {
   return j;
 }
 
-std::vector<Part> inputs_of(const Study& study) {
+std::vector<Part> inputs_of(const Study& study, const Words& words) {
   const Plan& plan = study.plan();
   Part part{.heading = "Inputs",
             .header = {"key", "what is drawn", "distribution", "factors"}};
@@ -305,7 +311,7 @@ std::vector<Part> inputs_of(const Study& study) {
                                     cli::number_text(loading)));
     }
     part.rows.push_back(
-        {d.key,
+        {words.key(d.key),
          fmt::format("{}{}", d.relative ? "factor of its number" : "number",
                      d.each ? ", for each copy" : ""),
          d.distribution, fmt::format("{}", fmt::join(factors, ", "))});
@@ -321,7 +327,8 @@ std::vector<Part> inputs_of(const Study& study) {
   return parts;
 }
 
-std::vector<Part> parts_of(const Study& study, const Findings& findings) {
+std::vector<Part> parts_of(const Study& study, const Findings& findings,
+                           const Words& words) {
   const Plan& plan = study.plan();
   std::vector<Part> parts;
   parts.push_back({.heading = "Runs",
@@ -339,10 +346,12 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
   if (findings.above_limit > 0) {
     parts.push_back({.text = above_limit_text(study, findings) + "."});
   }
-  if (!plan.requirements.empty()) add_requirements(study, findings, parts);
-  parts.push_back(quantities_part(study, findings));
+  if (!plan.requirements.empty()) {
+    add_requirements(study, findings, words, parts);
+  }
+  parts.push_back(quantities_part(study, findings, words));
   for (std::size_t i = 0; i < findings.driven.size(); ++i) {
-    parts.push_back(drivers_part(study, findings.driven[i]));
+    parts.push_back(drivers_part(study, findings.driven[i], words));
     parts.back().pictures = {fmt::format("ranking_{}", i + 1)};
     if (i == 0) parts.back().heading = "Drivers";
   }
@@ -352,7 +361,8 @@ std::vector<Part> parts_of(const Study& study, const Findings& findings) {
     if (i == 0) parts.back().heading = "Keys without effect";
   }
   for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
-    parts.push_back(worst_part(plan.requirements[i], findings.requirements[i]));
+    parts.push_back(
+        worst_part(plan.requirements[i], findings.requirements[i], words));
     if (i == 0) parts.back().heading = "Worst runs";
   }
   return parts;
@@ -370,7 +380,9 @@ std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command) {
   std::string text =
       fmt::format("# {}\n\n", cli::markdown_text(study.plan().name));
-  for (const Part& part : parts_of(study, findings)) text += markdown(part);
+  for (const Part& part : parts_of(study, findings, as_in_files)) {
+    text += markdown(part);
+  }
   if (!findings.requirements.empty()) {
     const std::uint64_t worst = findings.requirements[0].worst[0].run;
     text +=

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "programs/study/findings/findings.hpp"
@@ -24,13 +25,21 @@ struct Part {
   std::vector<std::uint64_t> runs = {};    ///< run of each row
 };
 
+/// How keys and requirements are written: as in files, or in words.
+struct Words {
+  std::string (*key)(std::string_view);
+  std::string (*demand)(const Requirement&);
+};
+extern const Words as_in_files;
+
 /// Distributions of the inputs, for people.
-std::vector<Part> inputs_of(const Study& study);
+std::vector<Part> inputs_of(const Study& study, const Words& words);
 /// Note on pressures above over_limit, with the number of runs.
 std::string above_limit_text(const Study& study, const Findings& findings);
 
 /// Results of a study, for people.
-std::vector<Part> parts_of(const Study& study, const Findings& findings);
+std::vector<Part> parts_of(const Study& study, const Findings& findings,
+                           const Words& words);
 
 /// Command that repeats a run.
 /// @param command  its beginning
