@@ -522,7 +522,7 @@ TEST(HingeJoint, DrawsTheMomentCurve) {
                  "--reaction 1e4:1e6:log20 --beta 30,90 --plot torque.svg "
                  "--output torque.csv");
   if (result.status == 0) {
-    EXPECT_TRUE(has_text(folder.read("torque.svg"), "from R"));
+    EXPECT_TRUE(has_text(folder.read("torque.svg"), "R as the normal force"));
   } else {
     EXPECT_TRUE(has_text(result.err, "gnuplot"));
   }

@@ -55,7 +55,7 @@ double largest_slip(const SlidingContact& contact, double half_angle,
 // Dots with p, p v and |v|, empty outside of the contact.
 std::string dots(const SlidingContact& contact, double half_angle,
                  const cli::SphereView& view) {
-  constexpr int half = 60;  // dots on each side of the middle
+  constexpr int half = 150;  // dots on each side of the middle
   const double edge = 2 * std::sin(half_angle / 2);
   std::string script = "$map << END\n";
   for (int j = -half; j <= half; ++j) {
@@ -184,7 +184,7 @@ std::string draw_pin(const SlidingContact& contact, double half_angle,
       .x = {"angle from the contact's centre, the way the body slips", "deg"},
       .values = {},
       .panels = {{.axis = {"p", "Pa"}, .y = {}},
-                 {.axis = {"p v", "W/m²"}, .y = {}},
+                 {.axis = {"p v", "Pa m/s"}, .y = {}},
                  {.axis = {"slip", "m/s"}, .y = {}}}};
   constexpr int half = 200;  // points on each side
   for (int i = -half; i <= half; ++i) {

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <variant>
 
+#include "cli/joint/laws.hpp"
 #include "cli/plot.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "libcontact/quantities/tables.hpp"
@@ -17,6 +19,7 @@ class Labels {
  public:
   Labels(const Setup& setup, const Inputs& inputs, bool over_angle)
       : reaction_(inputs.question() == Question::reaction),
+        over_textbook_(over_textbook(setup)),
         over_angle_(over_angle),
         member_(!setup.joints[0].joint.is_pin() || over_angle) {
     const auto& first = setup.joints[0];
@@ -57,12 +60,29 @@ class Labels {
     return axis(reaction_ ? "reaction" : "normal_force");
   }
   cli::Axis y() const {
-    cli::Axis moment = axis("friction_moment");
-    if (reaction_) moment.name += "; dashed: from R";
-    return moment;
+    if (!over_textbook_) return axis("friction_moment");
+    return {reaction_ ? "friction moment over f₀Rρ"
+                      : "friction moment over f₀Rₙρ"};
+  }
+  // Over the textbook's moment the difference is seen, which is small beside
+  // both.
+  double drawn(double moment, const Answer& a) const {
+    return over_textbook_ ? moment / a.solution().textbook_moment : moment;
+  }
+  // Laws have their colours where curves differ by them alone.
+  int colour(const NamedJoint& joint, int place) const {
+    const int law = cli::law_colour(joint.law);
+    return laws_ && !members_ && !pressures_ && law > 0 ? law : place;
   }
 
  private:
+  static bool over_textbook(const Setup& setup) {
+    return std::ranges::all_of(setup.joints, [](const NamedJoint& joint) {
+      const auto* dry =
+          std::get_if<contact::FrictionLaw>(&joint.joint.contact().friction());
+      return dry != nullptr && dry->coefficient() > 0;
+    });
+  }
   static cli::Axis axis(std::string_view key) {
     return cli::axis_of(
         *contact::find_quantity(contact::solution_quantities(), key));
@@ -74,6 +94,7 @@ class Labels {
   }
 
   bool reaction_;
+  bool over_textbook_;
   bool over_angle_;
   bool member_;  // worth naming: a pin has no angles
   bool members_ = false;
@@ -98,7 +119,7 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
   plot.title = labels.title(setup, family[0]);
   plot.x = labels.x();
   plot.y = labels.y();
-  plot.x.logarithmic = plot.y.logarithmic = x.is_logarithmic();
+  plot.x.logarithmic = x.is_logarithmic();
   const std::size_t most_members = std::max<std::size_t>(
       1, std::min<std::size_t>(6, most_pairs_of_laws / setup.joints.size()));
   int colour = 0;
@@ -106,24 +127,25 @@ std::string draw_torque(const Setup& setup, const Inputs& inputs,
     for (const double member : cli::spread(family, most_members)) {
       const std::string label = labels.curve(joint, member);
       ++colour;
-      cli::Curve solved{
-          label.empty() ? "solved" : label, {}, {}, false, colour};
-      // Without a name: the axis says what is dashed.
-      cli::Curve traditional{"", {}, {}, true, colour};
+      const int own = labels.colour(joint, colour);
+      cli::Curve solved{label.empty() ? "solved" : label, {}, {}, false, own};
+      cli::Curve traditional{
+          colour == 1 ? "R as the normal force" : "", {}, {}, true, own};
       for (const double value : cli::spread(x, most_points)) {
         const Answer a = answer(joint, inputs.question(),
                                 over_angle ? inputs.at(member, value, rate)
                                            : inputs.at(value, member, rate));
         const double moment = contact::magnitude(a.solution().friction_moment);
         solved.x.push_back(value);
-        solved.y.push_back(moment);
+        solved.y.push_back(labels.drawn(moment, a));
         traditional.x.push_back(value);
-        traditional.y.push_back(a.traditional);
+        traditional.y.push_back(labels.drawn(a.traditional, a));
       }
       plot.curves.push_back(std::move(solved));
       if (reaction) plot.curves.push_back(std::move(traditional));
     }
   }
+  plot.y.logarithmic = plot.x.logarithmic && cli::is_wide(plot.curves);
   return cli::draw(plot, file);
 }
 
