@@ -58,7 +58,7 @@ double angle_between(double v1, double v2, double longitude) {
                  1.0)));
 }
 
-// Of the pressure at a corner whose side face is free.
+// How the pressure goes at a corner whose side face is free.
 std::string at_corner(double corner) {
   const double exponent = detail::corner_exponent(corner);
   constexpr double small = -0.005;

@@ -156,7 +156,7 @@ class SeatContact {
   bool is_free(double direction, double half_angle) const;
   bool has_free_side_face() const;
   const detail::SideFaceReach& reach() const;
-  // What free side faces add to the shift of one that is far from them.
+  // The shift that free side faces add to that of one that is far from them.
   Eigen::Vector3d more_shift(const Eigen::Vector3d& force,
                              double half_angle) const;
   Eigen::Matrix3d free_stiffness(const Eigen::Vector3d& force) const;

@@ -43,7 +43,7 @@ class SideFaceCompliance {
   struct Point {
     double angle, longitude, force;
   };
-  /// What the points of a pressure's rule are pressed in more, in units of
+  /// How much more the points of a pressure's rule are pressed in, in units of
   /// 4 rho/E. The pressure is alike on both sides of longitude 0; the points
   /// are those of one side, with the forces of both.
   Eigen::VectorXd under(const std::vector<Point>& points) const;

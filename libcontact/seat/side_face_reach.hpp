@@ -31,15 +31,15 @@ class SideFaceReach {
   /// @param direction  polar angle of the load, in the zone
   double half_angle(double direction) const;
 
-  /// What a contact yields more.
+  /// How much more a contact yields.
   struct More {
     Eigen::Vector2d shift;  ///< D over the load, in its plane: x, z; m/N
-    double rest;            ///< of du, over the load
+    double rest;            ///< the rest of du, over the load
   };
   More more(double direction, double half_angle) const;
 
  private:
-  double unit_;  // of compliances
+  double unit_;  // the unit of compliances
   SideFaceCompliance compliance_;
   double from_, step_;
   Eigen::ArrayXd largest_;  // by direction

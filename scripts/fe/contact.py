@@ -11,7 +11,7 @@ from body import Body
 
 
 class Joint:
-    """What a joint file with plain keys in mm and MPa says."""
+    """A joint file with plain keys in mm and MPa."""
 
     def __init__(self, path):
         with open(path, "rb") as file:
@@ -55,7 +55,7 @@ def angles(half_angle, n):
     places = [0.]
     while places[-1] < np.pi - 1e-9:
         size = 0
-        for _ in range(2):  # that of its middle
+        for _ in range(2):  # the size of its middle
             middle = places[-1] + size / 2
             size = min(edge + .35 * abs(middle - half_angle),
                        even if middle < half_angle else largest)
@@ -165,7 +165,7 @@ class Contact:
         return self.pressures(force, contact), shift
 
     def pressures(self, force, contact):
-        """Those whose consistent forces on the nodes are these."""
+        """Pressures whose consistent forces on the nodes are these."""
         there = self.nodes[contact]
         if self.joint.round:
             there = np.union1d(0, there)
