@@ -119,7 +119,7 @@ class Body:
         return matrix
 
     def forces(self, u):
-        """Those on the nodes that displacements ask for."""
+        """Forces on the nodes that displacements ask for."""
         force = np.einsum("kij,kj->ki", self.stiffness, u[self.dofs])
         return np.bincount(self.dofs.ravel(), force.ravel())
 

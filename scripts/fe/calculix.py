@@ -125,7 +125,7 @@ def run(joint, half_angle, n, load, shift, folder):
     force[1::2] -= inner.volume * load / inner.volume.sum()
     at, t = inner.circle(True), contact.t
     pressing = -(force[2 * at] * np.sin(t) + force[2 * at + 1] * np.cos(t))
-    # Of nodes inside: at the contact's end penalties leave small ones.
+    # Nodes inside alone: at the contact's end penalties leave small forces.
     inside = np.cumsum(pressing[::-1] > 1e-4 * pressing.max())[::-1] > 0
     p = contact.pressures(pressing[contact.nodes], inside[contact.nodes])
     shift += inner.volume @ of_inner[:, 1] / inner.volume.sum()

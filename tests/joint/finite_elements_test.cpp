@@ -28,10 +28,10 @@ double computed(const JointContact& contact, const std::string& quantity,
 }
 
 TEST(FiniteElements, BookHasTheContactsOfTheLaws) {
-  // What the elements leave: pressures and shifts their error bars, largest
-  // pressures beside the edge, stiffnesses by differences of loads, and
-  // half-angles to their last element. The thin ring's pressure off its peak
-  // is hardly resolved: 7e-4 and 3e-4 of bars of 3e-3 and 7e-3.
+  // Budgets are the errors of the elements: pressures and shifts their error
+  // bars, largest pressures beside the edge, stiffnesses by differences of
+  // loads, and half-angles to their last element. The thin ring's pressure off
+  // its peak is hardly resolved: 7e-4 and 3e-4 of bars of 3e-3 and 7e-3.
   AccuracyReport centre("p(0)", 4e-5), ring("p(0) of a thin ring", 1e-3);
   AccuracyReport largest("largest p", 5e-3), shift("shift", 2e-5);
   AccuracyReport stiffness("stiffness", 2e-3), half_angle("theta0", 2e-2);

@@ -5,7 +5,7 @@
 
 namespace hinge_table {
 
-/// What --quantity calls the complete elliptic integrals of the half-angle.
+/// The name in --quantity of the complete elliptic integrals.
 inline constexpr const char* elliptic_quantity = "K,E";
 
 /// Their table over theta0, of the modulus sin theta0: columns K and E, by the
