@@ -154,6 +154,142 @@
   flag = still == 0 ? 2 : flag;                                              \
   flag = M0 == M0 ? flag : 4;
 
+// The same with slopes of Phi and of the force over a and l = ln R_n, by those
+// over x and e, and the derivatives of M as in docs/joint.md: sums of products
+// of two vectors each, of which A is a component.
+#define CONTACT_BALL_HORNER(first, count, argument)                          \
+  place = first + count - 1;                                                 \
+  g = 0;                                                                     \
+  ge = 0;                                                                    \
+  for (int k = 0; k < count; ++k) {                                          \
+    ge = ge * argument + g;                                                  \
+    g = g * argument + poly(place, 1, argument);                             \
+    place = place - 1;                                                       \
+  }
+
+#define CONTACT_BALL_SLOPES                                                  \
+  CONTACT_BALL_HORNER(0, nT, t)                                              \
+  Tl = load == held ? ge / half : 0;                                         \
+  el = load == held ? share * Tl / T_half + other / half : 0;                \
+  sl = 2 * (1 - T * T) * inverse * inverse * Tl;                             \
+  cl = -4 * T * inverse * inverse * Tl;                                      \
+  at = q > s ? outside : inside;                                             \
+  at = at + top;                                                             \
+  G = 0;                                                                     \
+  Gx = 0;                                                                    \
+  Gxx = 0;                                                                   \
+  Ge = 0;                                                                    \
+  Gxe = 0;                                                                   \
+  for (int i = 0; i < n; ++i) {                                              \
+    CONTACT_BALL_HORNER(at, nh, e)                                           \
+    Gxx = Gxx * x + 2 * Gx;                                                  \
+    Gx = Gx * x + G;                                                         \
+    G = G * x + g;                                                           \
+    Gxe = Gxe * x + Ge;                                                      \
+    Ge = Ge * x + ge;                                                        \
+    at = at - nh;                                                            \
+  }                                                                          \
+  at = at + past;                                                            \
+  root = sqrt(x) * x;                                                        \
+  power = seven_halves;                                                      \
+  for (int i = 0; i < odd; ++i) {                                            \
+    CONTACT_BALL_HORNER(at, nh, e)                                           \
+    G = G + g * root * x * x;                                                \
+    Gx = Gx + g * root * x * power;                                          \
+    Gxx = Gxx + g * root * power * (power - 1);                              \
+    Ge = Ge + ge * root * x * x;                                             \
+    Gxe = Gxe + ge * root * x * power;                                       \
+    root = root * x;                                                         \
+    power = power + 1;                                                       \
+    at = at + nh;                                                            \
+  }                                                                          \
+  at = at + r_top;                                                           \
+  r = 0;                                                                     \
+  rx = 0;                                                                    \
+  re = 0;                                                                    \
+  for (int i = 0; i < nr; ++i) {                                             \
+    CONTACT_BALL_HORNER(at, nrh, e)                                          \
+    rx = rx * x + r;                                                         \
+    r = r * x + g;                                                           \
+    re = re * x + ge;                                                        \
+    at = at - nrh;                                                           \
+  }                                                                          \
+  K = s * s / (c * c * wide * wide * wide);                                  \
+  xa = q > s ? -2 * K * sa : q / drop;                                       \
+  xaa = q > s ? -2 * K * (q * q + 3 * sa * sa) / wide : -sa / drop;          \
+  K = cl / (c * c * c * wide * wide);                                        \
+  xl = q > s ? 2 * K * sa * sa : -cl * (1 - x) / drop;                       \
+  xal = q > s ? 4 * K * sa / wide : q * cl / (drop * drop);                  \
+  H = q > s ? f * q : f * s;                                                 \
+  Ha = q > s ? -f * sa : 0;                                                  \
+  Haa = q > s ? -f * q : 0;                                                  \
+  Hl = q > s ? 0 : f * sl;                                                   \
+  Gl = Gx * xl + Ge * el;                                                    \
+  Pl = Hl * G + H * Gl;                                                      \
+  Paa = Haa * G + 2 * Ha * Gx * xa + H * (Gxx * xa * xa + Gx * xaa);         \
+  Pal = Ha * Gl + Hl * Gx * xa + H * ((Gxx * xl + Gxe * el) * xa + Gx * xal);\
+  Pq = q > s ? Ha * (G + 2 * b) / wide : f * b;                              \
+  force = F * q;                                                             \
+  Fa = f * rx * xa * Y * q - r * sa * (Phi + Paa);                           \
+  Fl = f * (rx * xl + re * el) * Y * q + r * (q * Pl - sa * Pal);
+
+#define CONTACT_BALL_VECTORS(A)                                              \
+  d##A = ((e##A - u##A * K) * cs + k##A * turn) / size;                      \
+  t##A = (k##A * cs - (e##A - u##A * K) * turn) / size;                      \
+  n##A = sa * u##A + q * d##A;                                               \
+  j##A = q * u##A - sa * d##A;                                               \
+  p##A = (t##A + side * ((force + Fl) * n##A + Fa * j##A)) / D;              \
+  n##A = n##A - side * force * p##A;                                         \
+  j##A = j##A + side * F * sa * p##A;
+
+#define CONTACT_BALL_ROW(A)                                                  \
+  Cn = h * ((Phi + Pl) * u##A + (Pa + Pal) * d##A);                          \
+  Cj = h * (Pa * u##A + Paa * d##A);                                         \
+  Ct = h * Pq * t##A;                                                        \
+  X##A##0 = Cn * n0 + Cj * j0 + Ct * p0;                                     \
+  X##A##1 = Cn * n1 + Cj * j1 + Ct * p1;                                     \
+  X##A##2 = Cn * n2 + Cj * j2 + Ct * p2;                                     \
+  Ct = (Ct + side * (F * sa * Cj - force * Cn)) / D;                         \
+  Cj = Cj + side * Fa * Ct;                                                  \
+  Cn = (h * (Phi + Paa) * d##A + side * Fa * Ct) * normal / speed;           \
+  Cj = (h * f * Y * t##A - side * F * Cj) * normal / speed;                  \
+  W##A##0 = Cn * d0 + Cj * t0;                                               \
+  W##A##1 = Cn * d1 + Cj * t1;                                               \
+  W##A##2 = Cn * d2 + Cj * t2;
+
+#define CONTACT_BALL_GRADIENT                                                \
+  CONTACT_BALL_FRICTION                                                      \
+  Real place, ge, Tl, el, sl, cl, Gxx, Ge, Gxe, rx, re, xa, xaa, xl, xal, H, \
+      Ha, Haa, Hl, Gl, Pl, Paa, Pal, Pq, force, Fa, Fl, speed, sign, d0, d1, \
+      d2, t0, t1, t2, n0, n1, n2, j0, j1, j2, p0, p1, p2, Cn, Cj, Ct, X00,   \
+      X01, X02, X10, X11, X12, X20, X21, X22, W00, W01, W02, W10, W11, W12,  \
+      W20, W21, W22;                                                         \
+  CONTACT_BALL_SLOPES                                                        \
+  D = 1 + (force + Fl) * force - Fa * F * sa;                                \
+  sign = cbs < 0 ? -1 : 1;                                                   \
+  sa = sign * sa;                                                            \
+  Pal = sign * Pal;                                                          \
+  Pq = sign * Pq;                                                            \
+  Fa = sign * Fa;                                                            \
+  h = still == 0 ? 0 : -radius;                                              \
+  speed = still == 0 ? 1 : big * length;                                     \
+  K = 5 * abs(u0) < 3 ? 1 : 0;                                               \
+  e0 = sb == 0 ? K : e0;                                                     \
+  e1 = sb == 0 ? 1 - K : e1;                                                 \
+  e2 = sb == 0 ? 0 : e2;                                                     \
+  K = u0 * e0 + u1 * e1 + u2 * e2;                                           \
+  k0 = u1 * e2 - u2 * e1;                                                    \
+  k1 = u2 * e0 - u0 * e2;                                                    \
+  k2 = u0 * e1 - u1 * e0;                                                    \
+  size = sqrt(k0 * k0 + k1 * k1 + k2 * k2);                                  \
+  size = size == 0 ? 1 : size;                                               \
+  CONTACT_BALL_VECTORS(0)                                                    \
+  CONTACT_BALL_VECTORS(1)                                                    \
+  CONTACT_BALL_VECTORS(2)                                                    \
+  CONTACT_BALL_ROW(0)                                                        \
+  CONTACT_BALL_ROW(1)                                                        \
+  CONTACT_BALL_ROW(2)
+
 #define CONTACT_BALL_HOLD                                                    \
   CONTACT_BALL_VARIABLES                                                     \
   Real along, across, cot, log_cot, J, Z, force, cg2, both, part, used;      \
@@ -288,6 +424,8 @@ inline Constants ball_constants(const BallLaw<double>& law) {
 
 inline constexpr std::string_view ball_friction_formula =
     CONTACT_TEXT_OF(CONTACT_BALL_FRICTION);
+inline constexpr std::string_view ball_gradient_formula =
+    CONTACT_TEXT_OF(CONTACT_BALL_GRADIENT);
 inline constexpr std::string_view ball_hold_formula =
     CONTACT_TEXT_OF(CONTACT_BALL_HOLD);
 

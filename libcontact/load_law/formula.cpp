@@ -41,10 +41,9 @@ std::string word(const std::smatch& found, const Constants& constants,
   if (c != constants.polynomials.end()) {
     return polynomial(c->second, found[3].str(), in);
   }
-  const std::string_view function = name == "sqrt"   ? in.sqrt
-                                    : name == "log"  ? in.log
-                                    : name == "abs"  ? in.abs
-                                    : name == "exp"  ? in.exp
+  constexpr std::string_view known[] = {"sqrt", "log", "abs", "exp"};
+  const auto at = std::ranges::find(known, name) - std::begin(known);
+  const std::string_view function = at < 4           ? in.functions[at]
                                     : name == "poly" ? "NAME_poly"
                                                      : std::string_view(name);
   return std::string(function) +

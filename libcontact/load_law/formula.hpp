@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -26,7 +27,7 @@ struct Notation {
   std::string_view loop;       ///< variable, count
   std::string_view end;        ///< closes a loop
   std::string_view leave;      ///< condition; "": all rounds are run
-  std::string_view sqrt, log, abs, exp;
+  std::array<std::string_view, 4> functions;  ///< sqrt, log, abs, exp
 };
 
 /// Names of a formula that are no variables.

@@ -19,20 +19,14 @@ constexpr Notation c_notation = {
     .loop = "for (int {0} = 0; {0} < {1}; ++{0}) {{",
     .end = "}",
     .leave = "if ({0}) break;",
-    .sqrt = "sqrt",
-    .log = "log",
-    .abs = "fabs",
-    .exp = "exp"};
+    .functions = {"sqrt", "log", "fabs", "exp"}};
 
 constexpr Notation js_notation = [] {
   Notation js = c_notation;
   js.real = "{0}";
   js.declared = "let {0};";
   js.loop = "for (let {0} = 0; {0} < {1}; ++{0}) {{";
-  js.sqrt = "Math.sqrt";
-  js.log = "Math.log";
-  js.abs = "Math.abs";
-  js.exp = "Math.exp";
+  js.functions = {"Math.sqrt", "Math.log", "Math.abs", "Math.exp"};
   return js;
 }();
 
@@ -41,23 +35,21 @@ constexpr Notation glsl_notation = [] {
   glsl.whole = "{0}.0";
   glsl.real = "{0}";
   glsl.declared = "float {0};";
-  glsl.abs = "abs";
+  glsl.functions[2] = "abs";
   return glsl;
 }();
 
-constexpr Notation python_notation = {.whole = "{0}",
-                                      .real = "{0}",
-                                      .declared = "",
-                                      .assigned = "{0} = {1}",
-                                      .choice = "xp.where({0}, {1}, {2})",
-                                      .component = "{0}[..., {1}]",
-                                      .loop = "for {0} in range({1}):",
-                                      .end = "",
-                                      .leave = "",
-                                      .sqrt = "xp.sqrt",
-                                      .log = "xp.log",
-                                      .abs = "xp.abs",
-                                      .exp = "xp.exp"};
+constexpr Notation python_notation = {
+    .whole = "{0}",
+    .real = "{0}",
+    .declared = "",
+    .assigned = "{0} = {1}",
+    .choice = "xp.where({0}, {1}, {2})",
+    .component = "{0}[..., {1}]",
+    .loop = "for {0} in range({1}):",
+    .end = "",
+    .leave = "",
+    .functions = {"xp.sqrt", "xp.log", "xp.abs", "xp.exp"}};
 
 // There are no loops for pins.
 constexpr Notation st_notation = {.whole = "{0}.0",
@@ -69,10 +61,7 @@ constexpr Notation st_notation = {.whole = "{0}.0",
                                   .loop = "",
                                   .end = "",
                                   .leave = "",
-                                  .sqrt = "SQRT",
-                                  .log = "LN",
-                                  .abs = "ABS",
-                                  .exp = "EXP"};
+                                  .functions = {"SQRT", "LN", "ABS", "EXP"}};
 
 constexpr Language c = {
     .name = "c",
@@ -104,6 +93,13 @@ constexpr Language c = {
     .hold = {"KDEF KREAL NAME_hold(const KREAL R[3], const KREAL m[3], "
              "KREAL f) {",
              "  return used;\n}"},
+    .gradient = {"KDEF int NAME_gradient(const KREAL R[3], const KREAL w[3], "
+                 "KREAL f,\n    KREAL dM_dR[9], KREAL dM_dw[9]) {",
+                 "  const KREAL r9[] = {DM_DR};\n"
+                 "  const KREAL w9[] = {DM_DW};\n"
+                 "  for (int i = 0; i < 9; ++i) {\n"
+                 "    dM_dR[i] = r9[i];\n    dM_dw[i] = w9[i];\n  }\n"
+                 "  return (int)flag;\n}"},
     .was_run = true};
 
 constexpr Language cuda = [] {
@@ -138,6 +134,8 @@ function NAME_poly(first, count, x) {
     .ball = {"export function NAME(R, w, f = F0) {",
              "  return [[M0, M1, M2], normal, flag];\n}"},
     .hold = {"export function NAME_hold(R, m, f = F0) {", "  return used;\n}"},
+    .gradient = {"export function NAME_gradient(R, w, f = F0) {",
+                 "  return [[DM_DR], [DM_DW], flag];\n}"},
     .was_run = true};
 
 constexpr Language numpy = {
@@ -161,7 +159,11 @@ def NAME_poly(first, count, x):
     .pin = {"def NAME(load, f=F0):", "    return moment, slope"},
     .ball = {"def NAME(R, w, f=F0):",
              "    return xp.stack([M0, M1, M2], -1), normal, flag\n\n"},
-    .hold = {"def NAME_hold(R, m, f=F0):", "    return used"},
+    .hold = {"def NAME_hold(R, m, f=F0):", "    return used\n\n"},
+    .gradient = {"def NAME_gradient(R, w, f=F0):",
+                 "    all = xp.stack(xp.broadcast_arrays(DM_DR, DM_DW), -1)\n"
+                 "    all = all.reshape(flag.shape + (2, 3, 3))\n"
+                 "    return all[..., 0, :, :], all[..., 1, :, :], flag"},
     .was_run = true};
 
 constexpr Language jax = [] {
@@ -192,8 +194,11 @@ float NAME_poly(float first, float count, float x) {
              "out float normal_force) {",
              "  M = vec3(M0, M1, M2);\n  normal_force = normal;\n"
              "  return int(flag);\n}"},
-    .hold = {"float NAME_hold(vec3 R, vec3 m, float f) {",
-             "  return used;\n}"}};
+    .hold = {"float NAME_hold(vec3 R, vec3 m, float f) {", "  return used;\n}"},
+    .gradient = {"int NAME_gradient(vec3 R, vec3 w, float f, out mat3 dM_dR, "
+                 "out mat3 dM_dw) {",
+                 "  dM_dR = transpose(mat3(DM_DR));\n"
+                 "  dM_dw = transpose(mat3(DM_DW));\n  return int(flag);\n}"}};
 
 constexpr Language st = {
     .name = "st",

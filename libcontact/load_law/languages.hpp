@@ -25,7 +25,8 @@ struct Language {
   Function pin;
   Function ball = {};
   Function hold = {};
-  bool was_run = false;  ///< whether its text is run by our tests
+  Function gradient = {};  ///< DM_DR and DM_DW are their parts, row by row
+  bool was_run = false;    ///< whether its text is run by our tests
 };
 
 /// @throws Error for a name that is none, with those that are.

@@ -170,24 +170,26 @@ std::vector<double> rates(const JointContact& contact) {
   return {0.03 * rate, rate, 10 * rate};
 }
 
-// The largest error in double, or in float.
-template <class Real>
-double measured(const PinLoadLaw& law, const Joint& pin) {
+// The largest errors.
+void measure(const Joint& pin, PinLoadLaw& law) {
   const auto [low, high] = law.loads;
   constexpr int steps = 2000;
-  double largest = 0;
+  law.error = law.float_error = 0;
   for (const double rate : rates(pin.contact())) {
     for (int i = 0; i < steps; ++i) {
       const double load = low * std::pow(high / low, (i + 0.5) / steps);
       const JointSolution exact = pin.solve(state(load, rate));
       const double f = exact.friction_force.norm() / exact.normal_force;
-      const auto [moment, slope] = detail::pin_moment(
-          law, static_cast<Real>(load), static_cast<Real>(f));
-      const double error = double(moment) / -exact.friction_moment.z() - 1;
-      largest = std::max(largest, std::abs(error));
+      const auto off = [&](double moment) {
+        return std::abs(moment / -exact.friction_moment.z() - 1);
+      };
+      law.error =
+          std::max(law.error, off(detail::pin_moment(law, load, f).first));
+      law.float_error =
+          std::max(law.float_error,
+                   off(detail::pin_moment(law, float(load), float(f)).first));
     }
   }
-  return largest;
 }
 
 }  // namespace
@@ -207,8 +209,7 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
   double best = std::numeric_limits<double>::infinity();
   for (const int count : {4, 6, 8, 10, 12}) {
     fit(pin, count, law);
-    law.error = measured<double>(law, pin);
-    law.float_error = measured<float>(law, pin);
+    measure(pin, law);
     if (law.error <= error) return law;
     best = std::min(best, law.error);
   }

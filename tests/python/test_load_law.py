@@ -57,6 +57,11 @@ void batch(long n, const KREAL *R, const KREAL *w, const KREAL *f, KREAL *M,
     out[3 * i + 2] = friction_hold(R + 3 * i, w + 3 * i, *f);
   }
 }
+void gradients(long n, const KREAL *R, const KREAL *w, const KREAL *f,
+               KREAL *dM_dR, KREAL *dM_dw) {
+  for (long i = 0; i < n; ++i)
+    friction_gradient(R + 3 * i, w + 3 * i, *f, dM_dR + 9 * i, dM_dw + 9 * i);
+}
 """,
 }
 
@@ -101,6 +106,15 @@ def ball_in_c(text, R, w, f, real="double"):
     return M, rest[..., 0], rest[..., 1], rest[..., 2]
 
 
+def gradients_in_c(text, R, w, f):
+    """dM/dR and dM/dw."""
+    given = [np.ascontiguousarray(x, float) for x in (R, w, f)]
+    out = [np.empty(given[0].shape + (3,)) for _ in range(2)]
+    compiled(text, "ball").gradients(
+        ctypes.c_long(given[0].size // 3), *(x.ctypes.data_as(ctypes.c_void_p) for x in given + out))  # fmt: skip
+    return out
+
+
 def in_node(text, call, values):
     """The answers of JavaScript to some values."""
     with tempfile.TemporaryDirectory() as place:
@@ -124,6 +138,11 @@ def in_numpy(text):
 def off(M, exact):
     """The largest error of vectors."""
     return np.max(np.linalg.norm(M - exact, axis=-1) / np.linalg.norm(exact, axis=-1))
+
+
+def matrices_off(A, exact):
+    size = lambda X: np.linalg.norm(X, axis=(-2, -1))
+    return size(A - exact) / size(exact)
 
 
 def ball_states(low, high, number=count):
@@ -312,6 +331,26 @@ class Balls(unittest.TestCase):
                 back, *_ = ball_in_c(text, R, -w, joint.coefficient)
                 self.assertLess(off(back, mirrored), 1e-9)
 
+    # There one formula takes over from the other.
+    def test_have_no_step_at_the_rim(self):
+        joint = joint_of("wheel_ball")
+        for error in (2e-4, 1e-6):
+            text = kernel_of("wheel_ball", error=error)
+            double, _, low, high = claims(text)
+            load = np.geomspace(1.1 * low, 0.9 * high, 50)
+            R = np.stack([0 * load, 0 * load, load], -1)
+            rate = lambda b: np.stack([np.sin(b), 0 * b, np.cos(b)], -1)
+            inside, outside = 0 * load + 1e-6, 0 * load + np.pi / 2
+            for _ in range(60):
+                b = (inside + outside) / 2
+                s = joint.solve(R, rate(b))
+                is_outside = np.cos(s.slip_axis_angle) > np.sin(s.half_angle)
+                inside, outside = np.where(is_outside, inside, b), np.where(is_outside, b, outside)
+            # The two half-angles differ by 1e-6 of themselves at most.
+            M = [ball_in_c(text, R, rate(b * x), joint.coefficient)[0] for x in (1 - 1e-4, 1 - 1e-5, 1, 1 + 1e-5, 1 + 1e-4)]
+            for one, two, turn in zip(M, M[1:], (9e-5, 1e-5, 1e-5, 9e-5)):
+                self.assertLess(off(one, two), 2 * double + 2 * turn)
+
     def test_take_another_coefficient(self):
         text = kernel_of("wheel_ball", error=1e-6)
         _, _, low, high = claims(text)
@@ -354,6 +393,82 @@ class Balls(unittest.TestCase):
             exact = joint.at_rest(R, moment).utilisation
             self.assertLess(relative(used, exact), 2e-5)
 
+    def test_have_the_gradients_of_the_joint(self):
+        for name, error, most, usual in (
+            ("hip_cocr_uhmwpe", 1e-6, 1e-4, 1e-5), ("wheel_ball", 1e-6, 4e-5, 3e-6),
+            ("spherical_plain_bearing", 1e-4, 3e-3, 2e-4),
+        ):  # fmt: skip
+            joint = joint_of(name)
+            text = kernel_of(name, error=error)
+            _, _, low, high = claims(text)
+            R, w = ball_states(low, high, 3000)
+            got = gradients_in_c(text, R, w, joint.coefficient)
+            exact = joint.derivatives(R, w)
+            for of, key in zip(got, ("over_reaction", "over_rate")):
+                errors = matrices_off(of, exact[key])
+                self.assertLess(errors.max(), most, (name, key))
+                self.assertLess(np.quantile(errors, 0.99), usual, (name, key))
+
+    def test_have_gradients_everywhere(self):
+        text = kernel_of("wheel_ball", error=1e-6)
+        joint = joint_of("wheel_ball")
+        _, _, low, high = claims(text)
+        # Along the load and beside it.
+        for w in ([0, 0, 2.0], [0, 0, -2.0]):
+            R = np.array([[0, 0, 2000.0], [2e-6, 0, 2000.0]])
+            of, by = (gradients_in_c(text, R, np.array([w, w]), 0.2))
+            exact = joint.derivatives(R, w)
+            self.assertLess(matrices_off(of, exact["over_reaction"]).max(), 1e-4)
+            self.assertLess(matrices_off(by, exact["over_rate"]).max(), 1e-4)
+            self.assertLess(matrices_off(of[1], of[0]), 1e-5)
+        # Beyond its loads M is proportional to R, and of degree 0 in w always.
+        R, w = ball_states(low, high, 300)
+        for scale in (high / low, 1, low / high):
+            of, by = gradients_in_c(text, scale * R, w, 0.2)
+            M, *_ = ball_in_c(text, scale * R, w, 0.2)
+            size = np.linalg.norm(M, axis=1) / np.linalg.norm(w, axis=1)
+            turned = np.linalg.norm(np.einsum("nij,nj->ni", by, w), axis=1)
+            self.assertLess(np.max(turned / size / np.linalg.norm(w, axis=1)), 1e-9)
+            if scale != 1:
+                along = np.einsum("nij,nj->ni", of, scale * R)
+                self.assertLess(off(along, M), 1e-6)
+        zero, rate = gradients_in_c(text, R, 0 * w, 0.2)
+        self.assertFalse(zero.any() or rate.any())
+
+    # The step of simulator.md: W (w - free) = M(R, w), by Newton's method.
+    def test_make_implicit_steps(self):
+        joint = joint_of("hip_cocr_uhmwpe")
+        text = kernel_of("hip_cocr_uhmwpe", error=1e-6)
+        f = joint.coefficient
+        random = np.random.default_rng(12)
+        counts, held = [], 0
+        for _ in range(200):
+            R = random.normal(size=3)
+            R *= np.exp(random.uniform(np.log(20), np.log(2e4))) / np.linalg.norm(R)
+            Q, _ = np.linalg.qr(random.normal(size=(3, 3)))
+            W = Q @ np.diag(10 ** random.uniform(-1, 1, 3)) @ Q.T
+            free = random.normal(size=3)
+            free *= np.linalg.norm(R) * joint.radius * f * 10 ** random.uniform(-1, 1) / np.linalg.norm(W @ free)
+            share = ball_in_c(text, R, -W @ free, f)[3]
+            self.assertAlmostEqual(float(share / joint.at_rest(R, -W @ free).utilisation), 1, 4)
+            if share <= 1:
+                held += 1
+                continue
+            left = lambda w: W @ (w - free) - ball_in_c(text, R, w, f)[0]
+            w, count = free * (1 - 1 / share), 0
+            # The law's own equation is solved to some 3e-8.
+            while np.linalg.norm(left(w)) > 1e-7 * np.linalg.norm(W @ free):
+                step = np.linalg.solve(W - gradients_in_c(text, R, w, f)[1], -left(w))
+                while np.linalg.norm(left(w + step)) > np.linalg.norm(left(w)):
+                    step /= 2
+                w, count = w + step, count + 1
+                self.assertLess(count, 30)
+            counts.append(count)
+            M = joint.solve(R, w).friction_moment
+            self.assertLess(np.linalg.norm(W @ (w - free) - M), 2e-6 * np.linalg.norm(M))
+        self.assertLess(np.mean(counts), 6)
+        self.assertGreater(held, 20)
+
     def test_flags(self):
         text = kernel_of("hip_cocr_uhmwpe", error=1e-3)
         _, _, low, high = claims(text)
@@ -387,6 +502,14 @@ class Balls(unittest.TestCase):
         self.assertLess(off(np.array([x[0] for x in js]), M), 1e-12)
         self.assertLess(relative([x[1] for x in js], N), 1e-12)
         self.assertEqual([x[2] for x in js], flag.tolist())
+        js = in_node(kernel_of("wheel_ball", "js"), "friction_gradient(...x)",
+                     np.stack([R, w], 1).tolist())  # fmt: skip
+        for at in (0, 1):
+            in_js = np.array([x[at] for x in js]).reshape(-1, 3, 3)
+            exact = gradients_in_c(kernel_of("wheel_ball"), R, w, joint.coefficient)[at]
+            of_numpy = law["friction_gradient"](R, w)[at]
+            for of, most in ((in_js, 1e-11), (of_numpy, 1e-4)):
+                self.assertLess(matrices_off(of, exact).max(), most)
 
     def test_refusals(self):
         for keys, arguments, message in (
