@@ -251,13 +251,34 @@ std::optional<double> HingeEvents::hit(int body) {
                                     rate * std::abs(stepper_.begin()));
     if (rate < 0 && values[0] <= soon) return stepper_.begin();
     if (!(values[0] > 0)) values[0] = just_crossed;
-    const auto crossed =
-        gap.first_crossing(values, values[0], MotionEvent::Crossing::falling);
-    if (!crossed || (first && *first <= crossed->time)) continue;
-    view_.show(stepper_, crossed->time);
-    if (stop.side * view_.rate_of(body).z() < 0) first = crossed->time;
+    const auto time = comes_back(gap, values, body, stop.side);
+    if (time && !(first && *first <= *time)) first = time;
   }
   return first;
+}
+
+// When a gap closes. It does not while it opens, as rounding may have it just
+// behind a stop: then what is left of the step is looked at.
+std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
+                                              StepFunction::Values values,
+                                              int body, int side) {
+  double from = stepper_.begin();
+  const double end = stepper_.end();
+  constexpr int most = 10;
+  for (int i = 0; i < most && from < end; ++i) {
+    const StepFunction rest(from, end, [&](double t) { return gap(t); });
+    const auto crossed =
+        rest.first_crossing(values, values[0], MotionEvent::Crossing::falling);
+    if (!crossed) return {};
+    view_.show(stepper_, crossed->time);
+    if (side * view_.rate_of(body).z() < 0) return crossed->time;
+    from = crossed->time;
+    values[0] = just_crossed;
+    for (int k = 1; k <= StepFunction::last; ++k) {
+      values[k] = gap(StepFunction::point(k, from, end));
+    }
+  }
+  return {};
 }
 
 // Time at which it rests on a stop after its last bounces.

@@ -33,6 +33,9 @@ class HingeEvents {
   std::optional<double> rest_end(int body);
   double excess(int body);
   std::optional<double> hit(int body);
+  std::optional<double> comes_back(const StepFunction& gap,
+                                   StepFunction::Values values, int body,
+                                   int side);
   std::optional<double> settling(int body) const;
   bool stops_in_step(int body);
   /// Function of a value in view that passes 0.
