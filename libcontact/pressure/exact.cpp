@@ -3,9 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
+#include <vector>
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/instruction_set.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/pin.hpp"
@@ -91,6 +94,42 @@ double end(const Contact& contact) {
   return limit.status == Status::ok ? limit.half_angle : infinity;
 }
 
+// Adds t_j times row j. Columns at a time: as many as the processor has
+// registers for.
+template <class Column>
+[[gnu::always_inline]] inline void add_rows(const double* t,
+                                            const std::vector<Column>& rows,
+                                            int width, Column& sum) {
+  constexpr int block = 8;
+  static_assert(std::tuple_size_v<Column> % block == 0);
+  for (int first = 0; first < width; first += block) {
+    double part[block] = {};
+    const double* factor = t;
+    for (const Column& row : rows) {
+      const double* from = row.data() + first;
+      for (int k = 0; k < block; ++k) part[k] += *factor * from[k];
+      ++factor;
+    }
+    std::copy_n(part, block, sum.data() + first);
+  }
+}
+
+template <class Column>
+void add_rows_baseline(const double* t, const std::vector<Column>& rows,
+                       int width, Column& sum) {
+  add_rows(t, rows, width, sum);
+}
+
+// With AVX-512, too: there are few numbers.
+template <class Column>
+#ifdef __x86_64__
+[[gnu::target("avx2,fma")]]
+#endif
+void add_rows_avx2(const double* t, const std::vector<Column>& rows, int width,
+                   Column& sum) {
+  add_rows(t, rows, width, sum);
+}
+
 }  // namespace
 
 ExactPressure::Series::Series(const Eigen::MatrixXd& values)
@@ -125,16 +164,10 @@ ExactPressure::Column ExactPressure::Series::evaluate(double v) const {
     t[2 * j + 1] = 2 * t[j] * t[j + 1] - v;
   }
   Column sum{};
-  // Columns at a time: as many as the processor has registers for.
-  constexpr int block = 8;
-  static_assert(max_width % block == 0);
-  for (int first = 0; first < width_; first += block) {
-    std::array<double, block> part{};
-    for (std::size_t j = 0; j < rows; ++j) {
-      for (int k = 0; k < block; ++k) part[k] += t[j] * rows_[j][first + k];
-    }
-    std::ranges::copy(part, sum.begin() + first);
-  }
+  const auto add_rows = instruction_set() == InstructionSet::baseline
+                            ? add_rows_baseline<Column>
+                            : add_rows_avx2<Column>;
+  add_rows(t.data(), rows_, width_, sum);
   return sum;
 }
 
