@@ -1,6 +1,6 @@
 #include "libcontact/conforming/ball.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -9,6 +9,7 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/back_displacement.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/gap/signed_contact.hpp"
@@ -242,8 +243,9 @@ BallContact::Solution BallContact::Galerkin::solve(int n) const {
   // Factored in its place and as a matrix of any size: another copy, and
   // Eigen's buffers for one of this largest size, take 200 kB of the stack.
   Matrix leading = system.topLeftCorner(n, n);
-  const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> factors(leading);
-  const Columns<3> u = factors.solve(right.topRows(n));
+  Columns<3> u = right.topRows(n);
+  detail::factor_positive(leading);
+  detail::solve_factored(leading, u);
   // Values at the edge from the equation itself, not from the series: twice
   // its order.
   const Eigen::Matrix<double, 3, 1> at_edge =

@@ -1,10 +1,11 @@
 #include "libcontact/conforming/edge_fit.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <array>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace contact::detail {
 namespace {
@@ -52,10 +53,8 @@ EdgeFit::EdgeFit(int terms) : terms_(terms) {
   // With many sines only rounding is left above them.
   if (terms > usual_terms) return;
   logarithms_ = logarithms;
-  fit_ = (sines * logarithms)
-             .bottomRows(count - terms)
-             .colPivHouseholderQr()
-             .solve(sines.bottomRows(count - terms));
+  fit_ = solve_least_squares((sines * logarithms).bottomRows(count - terms),
+                             sines.bottomRows(count - terms));
 }
 
 double EdgeFit::leading_logarithm(double slope, double coefficient,

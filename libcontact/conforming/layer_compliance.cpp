@@ -1,6 +1,6 @@
 #include "libcontact/conforming/layer_compliance.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 

@@ -1,6 +1,6 @@
 #include "libcontact/conforming/pin.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -11,6 +11,7 @@
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/edge_fit.hpp"
 #include "libcontact/conforming/gap/signed_contact.hpp"
 #include "libcontact/conforming/half_angle_root.hpp"
@@ -261,8 +262,8 @@ PinContact::Solution PinContact::System::solve(int n) const {
   // LU: the matrix is not definite for beta < 0 and wide contacts.
   // In its place: a copy and what goes with it take 70 kB of the stack.
   Matrix leading = matrix.topLeftCorner(n, n);
-  const Eigen::PartialPivLU<Eigen::Ref<Matrix>> factors(leading);
-  const decltype(right) solved = factors.solve(right);
+  detail::solve_in_place(leading, right);
+  const auto& solved = right;
 
   // p_0 = (b/pi) ∫ sqrt(1 - s^2) sum a_k U_2k/(1 + b^2 s^2) ds, a = b y;
   // p_1 = 1 fixes C.
@@ -419,7 +420,9 @@ PinContact::Yield PinContact::yield(double half_angle, const System& system,
   right << -beta * std::sqrt(1 + b * b) / b * second -
                t.transpose() * singular / b,
       mean_share * system.given.constant, (1 + beta) * system.given.cosine;
-  const decltype(right) solved = system.matrix.partialPivLu().solve(right);
+  Matrix leading = system.matrix;
+  detail::solve_in_place(leading, right);
+  const auto& solved = right;
   Eigen::Matrix<double, 2, 3> harmonic;  // h_0, h_1 of the columns
   harmonic << b * b / pi * system.given.constant.transpose() * solved,
       2 * b * b / pi * system.given.cosine.transpose() * solved;

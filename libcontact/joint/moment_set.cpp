@@ -1,5 +1,6 @@
 #include "libcontact/joint/moment_set.hpp"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <algorithm>
 #include <limits>
 
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/joint/moment_set.hpp"
 
 namespace contact::detail {
@@ -64,7 +64,7 @@ MomentSet::Prox motion_left(const Moment& moment, const Curvature& curvature,
                 size;
     if (result.residual <= reachable) break;
     const Matrix3d second = inertia + slope / r;
-    const Vector3d step = -second.llt().solve(gradient);
+    const Vector3d step = -solve_positive(second, gradient);
     // Changes of the function below this are rounding.
     const double unseen = -2 * best * rounding / gain;
     bool moved = false;

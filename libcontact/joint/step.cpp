@@ -1,6 +1,6 @@
 #include "libcontact/joint/step.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/joint/contact_model.hpp"
 
@@ -63,7 +64,8 @@ class Sliding {
     }
     if (joint_.contact().is_viscous()) {
       const Matrix3d k = viscosity();
-      const Vector3d rate = (inertia + k).llt().solve(inertia * free);
+      const Vector3d rate =
+          detail::solve_positive(Matrix3d(inertia + k), inertia * free);
       return {rate, -k * rate};
     }
     const MomentSet set = joint_.moment_set(solution_);
@@ -229,7 +231,7 @@ bool is_symmetric(const Matrix& w) {
 }
 
 bool is_inertia_of_ball(const Matrix3d& w) {
-  return is_symmetric(w) && w.llt().info() == Eigen::Success;
+  return is_symmetric(w) && detail::is_positive(w);
 }
 
 }  // namespace
@@ -348,9 +350,10 @@ class Mechanism {
       divide();
       fits_ = guess() && newton(tolerance);
       if (fits_) return;
-      factor_.compute(weight_);
-      const Eigen::VectorXd forces = (moment_ + pull_)(moving_);
-      const Eigen::VectorXd rates = factor_.solve(forces);
+      factor_ = weight_;
+      detail::factor_positive(factor_);
+      Eigen::VectorXd rates = (moment_ + pull_)(moving_);
+      detail::solve_factored(factor_, rates);
       rate_(moving_) = rates;
     }
     fits_ = newton(tolerance);
@@ -443,11 +446,10 @@ class Mechanism {
       const bool is_good = left < infinity && share <= good_share;
       if (!is_good) {
         slope = sloped(rate, moments);
-        const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> in_place(slope);
+        detail::factor_positive(slope);
       }
       Eigen::VectorXd step = change;
-      slope.triangularView<Eigen::Lower>().solveInPlace(step);
-      slope.triangularView<Eigen::Lower>().adjoint().solveInPlace(step);
+      detail::solve_factored(slope, step);
       rate += step;
       if (is_good && share * now <= small / 100) {
         rate_(moving_) = rate;
@@ -462,8 +464,8 @@ class Mechanism {
   void invert() {
     answer_.setZero(inertia_.rows(), inertia_.rows());
     const auto rows = weight_.rows();
-    const Eigen::MatrixXd inverse =
-        factor_.solve(Eigen::MatrixXd::Identity(rows, rows));
+    Eigen::MatrixXd inverse = Eigen::MatrixXd::Identity(rows, rows);
+    detail::solve_factored(factor_, inverse);
     answer_(moving_, moving_) = inverse;
     has_answer_ = true;
   }
@@ -533,11 +535,11 @@ class Mechanism {
       const Part held =
           inertia_.middleRows<rows>(at) * rate_ - pull_.segment<rows>(at);
       w = inertia_.block<rows, rows>(at, at);
-      free = -w.llt().solve(held);
+      free = -solve(w, held);
     } else {
       if (!has_answer_) invert();
       const Block b = answer_.block<rows, rows>(at, at);
-      w = b.llt().solve(Block::Identity());
+      w = inverse_of(b);
       free = rate_.segment<rows>(at) - b * moment_.segment<rows>(at);
     }
     step_of(i, w, free);
@@ -560,6 +562,15 @@ class Mechanism {
     return std::max(0.0, change.norm() - 4 * left);
   }
 
+  using Number = Eigen::Matrix<double, 1, 1>;
+  static Number solve(const Number& w, const Number& of) { return of / w[0]; }
+  static Vector3d solve(const Matrix3d& w, const Vector3d& of) {
+    return detail::solve_positive(w, of);
+  }
+  static Number inverse_of(const Number& b) { return Number(1 / b[0]); }
+  static Matrix3d inverse_of(const Matrix3d& b) {
+    return detail::inverse_of_positive(b);
+  }
   void step_of(std::size_t i, const Eigen::Matrix<double, 1, 1>& w,
                const Eigen::Matrix<double, 1, 1>& free) {
     go_on(*joints_[i], starts_[i], starts_[i].axis, w[0], free[0], steps_[i]);
@@ -585,7 +596,7 @@ class Mechanism {
   Eigen::VectorXd moment_;  // M
   Eigen::VectorXd rate_;    // Dw
   Eigen::MatrixXd weight_;  // W of those that move
-  Eigen::LLT<Eigen::MatrixXd> factor_;
+  Eigen::MatrixXd factor_;  // Cholesky's
   Eigen::MatrixXd answer_;  // B
 };
 

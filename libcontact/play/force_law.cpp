@@ -1,6 +1,6 @@
 #include "libcontact/play/force_law.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -11,6 +11,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/conforming/pin.hpp"
@@ -78,7 +79,8 @@ struct Interpolation {
       node(i) = std::cos(std::numbers::pi * (i + 0.5) / terms);
       for (int k = 0; k < terms; ++k) powers(i, k) = std::pow(node(i), k);
     }
-    coefficients = powers.inverse();
+    coefficients =
+        detail::solve_square(powers, Eigen::MatrixXd::Identity(terms, terms));
   }
   Values node;
   Eigen::Matrix<double, terms, terms> coefficients;

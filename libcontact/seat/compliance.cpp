@@ -1,10 +1,11 @@
 #include "libcontact/seat/compliance.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
 namespace contact::detail {
@@ -164,8 +165,7 @@ SeatCompliance::SeatCompliance(const LayeredPair& pair, const SeatCells& cells,
   for (const auto& a : matrix) mean += a.diagonal() / matrix.size();
   for (Eigen::MatrixXd a : matrix) {
     a.diagonal() += 1e-3 * mean;
-    inverse.push_back(
-        a.llt().solve(Eigen::MatrixXd::Identity(a.rows(), a.cols())));
+    inverse.push_back(inverse_of_positive(a));
   }
 }
 

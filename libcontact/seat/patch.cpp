@@ -1,11 +1,12 @@
 #include "libcontact/seat/patch.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace contact::detail {
 namespace {
@@ -158,7 +159,7 @@ void SeatPatchSolver::balance(Eigen::Vector2d force, SeatPatch& patch) const {
       continue;
     }
     before = rest.norm();
-    step = tangent(patch).ldlt().solve(rest);
+    step = solve_symmetric(tangent(patch), rest);
     // By overlap: a narrow zone may need a long shift for a little of it. The
     // way to where a load beyond the rims is carried is long too.
     const double most = farthest * overlap(shift);

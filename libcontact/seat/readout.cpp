@@ -1,12 +1,12 @@
 #include "libcontact/seat/readout.hpp"
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace contact::detail {
 namespace {
@@ -77,7 +77,7 @@ Vector3d SeatReadout::parabola(int k, int j) const {
     means(n) = cells_.mean_shape(of.i) * patch_.pressure(of.i, of.j);
   }
   Vector3d f = Vector3d::Zero();
-  f.head(terms) = moments.leftCols(terms).colPivHouseholderQr().solve(means);
+  f.head(terms) = solve_least_squares(moments.leftCols(terms), means);
   return f;
 }
 
@@ -283,7 +283,7 @@ double SeatReadout::end(const Run& run, int j, int side) const {
     powers.row(k) << 1, x, x * x;
     square(k) = std::pow(patch_.pressure(i, j), 2);
   }
-  const Eigen::Vector3d c = powers.colPivHouseholderQr().solve(square);
+  const Eigen::Vector3d c = solve_square(powers, square);
   const double rest = c(1) * c(1) - 4 * c(0) * c(2);
   // Over a thin layer p itself is smooth, and the root a double one.
   const double slope = c(1) + 2 * c(2) * powers(0, 1);

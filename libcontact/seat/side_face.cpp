@@ -1,11 +1,11 @@
 #include "libcontact/seat/side_face.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/seat/ring_element.hpp"
 #include "libcontact/seat/side_face_mesh.hpp"
 
@@ -96,11 +96,13 @@ struct Blocks {
     MatrixXd sum = MatrixXd::Zero(faces, load.front().cols());
     for (std::size_t k = 0; k < diagonal.size(); ++k) {
       if (diagonal[k].size() == 0) continue;
-      const Eigen::LLT<MatrixXd> factor(diagonal[k]);
-      const MatrixXd z = factor.matrixL().solve(load[k]);
+      MatrixXd& z = load[k];
+      factor_positive(diagonal[k]);
+      solve_lower(diagonal[k], z);
       sum.noalias() += z.leftCols(faces).transpose() * z;
       if (k + 1 == diagonal.size() || below[k + 1].size() == 0) continue;
-      const MatrixXd w = factor.matrixL().solve(below[k + 1].transpose());
+      MatrixXd w = below[k + 1].transpose();
+      solve_lower(diagonal[k], w);
       diagonal[k + 1].noalias() -= w.transpose() * w;
       load[k + 1].noalias() -= w.transpose() * z;
     }
@@ -196,7 +198,7 @@ MatrixXd difference(const SideFaceMesh& mesh, int m, double unit) {
   MatrixXd both = stiffness * yielding;
   both.diagonal().array() += 1;
   const MatrixXd more =
-      shown.transpose() * both.partialPivLu().solve(stiffness * shown);
+      shown.transpose() * solve_square(both, stiffness * shown);
   return (more + more.transpose()) / 2;
 }
 

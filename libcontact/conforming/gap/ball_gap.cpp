@@ -1,10 +1,11 @@
 #include "libcontact/conforming/gap/ball_gap.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/gap/odd_bessel.hpp"
 #include "libcontact/conforming/wall_harmonics.hpp"
@@ -95,7 +96,7 @@ GapField BallGap::field(double psi) const {
   }
   const Eigen::MatrixXd projected = galerkin_.projection * values;
   const Eigen::MatrixXd right = 2 / pi * projected.leftCols<2>();
-  const Eigen::MatrixXd u = matrix.ldlt().solve(right);
+  const Eigen::MatrixXd u = solve_symmetric(matrix, right);
   // Edge values by the equation, not by the series: twice its order.
   const Eigen::RowVector2d at_edge =
       2 / pi * given(psi).head<2>() - (galerkin_.edge * kappa).transpose() * u;

@@ -1,10 +1,11 @@
 #include "libcontact/conforming/gap/pin_gap.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/gap/harmonic_fade.hpp"
 #include "libcontact/conforming/kernel/pin_wall_modes.hpp"
 #include "libcontact/conforming/pin_integrals.hpp"
@@ -95,9 +96,9 @@ GapField PinGap::field(double psi) const {
     matrix(k, k) += (2 * k + 1) * pi / 4;
   }
   // The gap is -(Q_0 - Q_1) y_0 + Q_1 y_2, Q_1 = 1.
-  Eigen::MatrixXd right(count, 2);
-  right << constant, difference;
-  const Eigen::MatrixXd y = matrix.partialPivLu().solve(right);
+  Eigen::MatrixXd y(count, 2);
+  y << constant, difference;
+  solve_in_place(matrix, y);
   const Eigen::RowVector2d mean = b * b / pi * constant.transpose() * y;
   const Eigen::RowVector2d first = 2 * b * b / pi * cosine.transpose() * y;
 

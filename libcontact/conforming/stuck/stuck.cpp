@@ -1,6 +1,6 @@
 #include "libcontact/conforming/stuck/stuck.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <boost/math/special_functions/bessel.hpp>
 #include <cmath>
@@ -8,6 +8,7 @@
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
 // Stresses are series of few terms that have the square-root edge of the stuck
@@ -102,7 +103,7 @@ VectorXd bessel(int last, double x) {
 }
 
 double stiffness_of(const MatrixXd& a, const VectorXd& b) {
-  return b.dot(a.ldlt().solve(b));
+  return b.dot(solve_symmetric(a, b).col(0));
 }
 
 // A and B of a contact, and how many of its unknowns are of sigma.
@@ -289,7 +290,7 @@ StuckStiffness stuck_stiffness(JointKind kind, const LayeredPair& pair,
   const auto of = [](const Equations& contact, double unit, double spin) {
     const int k = contact.terms;
     const Matrix2d all =
-        contact.b.transpose() * contact.a.ldlt().solve(contact.b);
+        contact.b.transpose() * solve_symmetric(contact.a, contact.b);
     return StuckStiffness{unit * all(0, 0), unit * all(0, 1), unit * all(1, 1),
                           spin,
                           unit * stiffness_of(contact.a.topLeftCorner(k, k),
