@@ -52,7 +52,7 @@ TEST(CaseFile, ReadsEverything) {
   EXPECT_EQ(body.hinge.kind, HingeKind::axis);
   EXPECT_LE((body.hinge.body_point - Vector3d(-1, 0, 0)).norm(), 1e-15);
   // The second copy is turned by 180 deg about x.
-  EXPECT_LE((body.hinge.carrier_point - Vector3d(2, -0.5, 0)).norm(), 1e-15);
+  EXPECT_LE((body.hinge.parent_point - Vector3d(2, -0.5, 0)).norm(), 1e-15);
   EXPECT_LE((body.hinge.axis - Vector3d(0, 0, -1)).norm(), 1e-15);
   EXPECT_TRUE(body.start.locked);
   EXPECT_EQ(body.hinge.joints.size(), 1U);
@@ -76,7 +76,7 @@ TEST(CaseFile, PointsOfAHingeDefaultAlike) {
   const auto hinge = [](const char* points) {
     const Case c = parsed(case_file().edit("24", points));
     return std::pair(c.bodies[0].hinge.body_point,
-                     c.bodies[0].hinge.carrier_point);
+                     c.bodies[0].hinge.parent_point);
   };
   const auto left_out = hinge("");
   EXPECT_EQ(left_out.first, Vector3d(-1, 0, 0));  // from the centre of mass
