@@ -40,6 +40,8 @@ class StepFunction {
   StepFunction(double begin, double end, std::function<double(double)> at)
       : begin_(begin), end_(end), at_(std::move(at)) {}
 
+  double begin() const { return begin_; }
+  double end() const { return end_; }
   double operator()(double time) const { return at_(time); }
   /// Place of a single crossing, to the rounding of time: the side after it.
   /// (Values may be NaN in between.)

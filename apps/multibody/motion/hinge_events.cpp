@@ -257,6 +257,28 @@ std::optional<double> HingeEvents::hit(int body) {
   return first;
 }
 
+// When a gap that opens at `from` has closed before the next of the points.
+std::optional<double> HingeEvents::short_flight(
+    const StepFunction& gap, const StepFunction::Values& values,
+    double from) const {
+  int k = 1;
+  const auto place = [&](int i) {
+    return StepFunction::point(i, gap.begin(), gap.end());
+  };
+  while (k <= StepFunction::last && (values[k] > 0 || place(k) <= from)) ++k;
+  if (k > StepFunction::last) return {};
+  double high = place(k);
+  double high_value = gap(high);
+  if (high_value > 0) return {};
+  for (double part = (high - from) / 2; from + part > from; part /= 2) {
+    const double value = gap(from + part);
+    if (value > 0) return gap.locate(from + part, value, high, high_value);
+    high = from + part;
+    high_value = value;
+  }
+  return {};
+}
+
 // When a gap closes. It does not while it opens, as rounding may have it just
 // behind a stop: then what is left of the step is looked at.
 std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
@@ -272,6 +294,9 @@ std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
     if (!crossed) return {};
     view_.show(stepper_, crossed->time);
     if (side * view_.rate_of(body).z() < 0) return crossed->time;
+    if (const auto time = short_flight(rest, values, crossed->time)) {
+      return time;
+    }
     from = crossed->time;
     values[0] = just_crossed;
     for (int k = 1; k <= StepFunction::last; ++k) {

@@ -33,6 +33,9 @@ class HingeEvents {
   std::optional<double> rest_end(int body);
   double excess(int body);
   std::optional<double> hit(int body);
+  std::optional<double> short_flight(const StepFunction& gap,
+                                     const StepFunction::Values& values,
+                                     double from) const;
   std::optional<double> comes_back(const StepFunction& gap,
                                    StepFunction::Values values, int body,
                                    int side);
