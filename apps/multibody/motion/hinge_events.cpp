@@ -257,24 +257,21 @@ std::optional<double> HingeEvents::hit(int body) {
   return first;
 }
 
-// When a gap that opens at `from` has closed before the next of the points.
-std::optional<double> HingeEvents::short_flight(
-    const StepFunction& gap, const StepFunction::Values& values,
-    double from) const {
-  int k = 1;
-  const auto place = [&](int i) {
-    return StepFunction::point(i, gap.begin(), gap.end());
-  };
-  while (k <= StepFunction::last && (values[k] > 0 || place(k) <= from)) ++k;
-  if (k > StepFunction::last) return {};
-  double high = place(k);
-  double high_value = gap(high);
-  if (high_value > 0) return {};
-  for (double part = (high - from) / 2; from + part > from; part /= 2) {
-    const double value = gap(from + part);
-    if (value > 0) return gap.locate(from + part, value, high, high_value);
-    high = from + part;
-    high_value = value;
+// When a gap that opens at `from` has closed, by the first of the points at
+// which it has.
+std::optional<double> HingeEvents::short_flight(const StepFunction& gap,
+                                                double from) {
+  for (int k = 1; k <= StepFunction::last; ++k) {
+    double high = StepFunction::point(k, gap.begin(), gap.end());
+    double high_value = high > from ? gap(high) : 0;
+    if (!(high_value < 0)) continue;
+    for (double part = (high - from) / 2; from + part > from; part /= 2) {
+      const double value = gap(from + part);
+      if (value > 0) return gap.locate(from + part, value, high, high_value);
+      high = from + part;
+      high_value = value;
+    }
+    return {};
   }
   return {};
 }
@@ -291,10 +288,10 @@ std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
     const StepFunction rest(from, end, [&](double t) { return gap(t); });
     const auto crossed =
         rest.first_crossing(values, values[0], MotionEvent::Crossing::falling);
-    if (!crossed) return {};
+    if (!crossed) return short_flight(rest, from);
     view_.show(stepper_, crossed->time);
     if (side * view_.rate_of(body).z() < 0) return crossed->time;
-    if (const auto time = short_flight(rest, values, crossed->time)) {
+    if (const auto time = short_flight(rest, crossed->time)) {
       return time;
     }
     from = crossed->time;

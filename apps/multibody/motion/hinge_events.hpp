@@ -33,9 +33,8 @@ class HingeEvents {
   std::optional<double> rest_end(int body);
   double excess(int body);
   std::optional<double> hit(int body);
-  std::optional<double> short_flight(const StepFunction& gap,
-                                     const StepFunction::Values& values,
-                                     double from) const;
+  static std::optional<double> short_flight(const StepFunction& gap,
+                                            double from);
   std::optional<double> comes_back(const StepFunction& gap,
                                    StepFunction::Values values, int body,
                                    int side);
