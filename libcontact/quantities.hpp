@@ -8,4 +8,5 @@
 #include "libcontact/quantities/finite_pin.hpp"
 #include "libcontact/quantities/play.hpp"
 #include "libcontact/quantities/fit.hpp"
+#include "libcontact/quantities/stuck.hpp"
 // clang-format on

@@ -46,7 +46,7 @@ constexpr const char* stuck_doc =
 --
 
 Stiffness of the joint while friction holds it, what LuGre and Dahl make of it, and
-the turn at which it slides: docs/presliding.md. Some 10 ms a row.
+the turn at which it slides: docs/explanation/presliding.md. Some 10 ms a row.
 
 normal_force: R_n, N, (...), above 0.
 )" CONTACT_ROWS_DOC R"(

@@ -155,7 +155,7 @@
   flag = M0 == M0 ? flag : 4;
 
 // The same with slopes of Phi and of the force over a and l = ln R_n, by those
-// over x and e, and the derivatives of M as in docs/joint.md: sums of products
+// over x and e, and the derivatives of M as in docs/explanation/joint.md: sums of products
 // of two vectors each, of which A is a component.
 #define CONTACT_BALL_HORNER(first, count, argument)                          \
   place = first + count - 1;                                                 \
