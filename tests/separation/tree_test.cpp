@@ -162,5 +162,18 @@ TEST(CaseTree, DrawnNumbersReachWhatHangsOnABody) {
   EXPECT_EQ(nominal.bodies[0].hinge.parent_point[0], 0.5);
 }
 
+// Two halves on a stage that has left: clamps open at one instant, which is
+// not the same to the last bit as that of the springs' begin.
+TEST(CaseTree, HalvesOpenAlike) {
+  const Outcome outcome = run_case(
+      separation::read_case(CONTACT_DATA_DIR "/cases/fairing_on_stage.toml"),
+      {});
+  ASSERT_EQ(outcome.failure, "");
+  const auto& bodies = outcome.memory.bodies;
+  EXPECT_NEAR(bodies[1].release.angle / degree, 60, 1e-9);
+  EXPECT_NEAR(bodies[1].release.time, bodies[2].release.time, 1e-9);
+  EXPECT_NEAR(bodies[1].release.rate, bodies[2].release.rate, 1e-9);
+}
+
 }  // namespace
 }  // namespace contact::test
