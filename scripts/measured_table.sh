@@ -267,7 +267,7 @@ for stated in 1.18 1.5; do
   row "$(ref "Charnley hips" charnley-friction), retrieved over new, $(
     [ $stated = 1.18 ] && echo dry || echo lubricated)" measured \
     "friction factor larger by $stated" \
-    "one f0; new: 22.225 mm, 8 to 11 mm of 0.5 to 1 GPa, 80 to 150 um, 0.5 to 2 kN; retrieved: worn in over 60 to 90 deg" \
+    "one f0, new: 22.225 mm, 8 to 11 mm of 0.5 to 1 GPa, 80 to 150 um, 0.5 to 2 kN, retrieved: worn in over 60 to 90 deg" \
     "$ours" "$(verdict $stated $stated "$ours")" "$(
     [ $stated = 1.18 ] && echo "geometry can be all of it" ||
       echo "surfaces or film beyond what geometry can do")"
@@ -295,7 +295,7 @@ pressure_modulus() {
 ours=$(for e in 0.5 1; do for liner in 5 12; do for load in 500 3000; do
   pressure_modulus 100 $e $liner $load; done; done; done | interval %.1f)
 row "$(ref "AnyBody" anybody-wiki), pressure module of PE on CoCr" "rule of thumb" \
-  "about 1e11 N/m^3; 4e9 is used for a knee" \
+  "about 1e11 N/m^3, 4e9 is used for a knee" \
   "28 mm, 100 um, 5 to 12 mm of 0.5 to 1 GPa, 0.5 to 3 kN" "$ours e11 N/m^3" \
   "$(verdict 1 1 "$ours")" "no constant: it falls with the thickness"
 
@@ -366,6 +366,6 @@ row "$(ref "Durom cups" durom-deformed), 42 um out of round" measured \
   "wears 7.5 times as much as a round one" "Archard, one wear coefficient" \
   "1.0 times, by the form of the law" outside "film and rim, not pressure"
 row "$(ref "Leslie 2009" leslie-2009), cup at 60 deg, metal on metal" measured \
-  "wears 9 times as much; with microseparation 17 times" \
+  "wears 9 times as much, with microseparation 17 times" \
   "Archard, one wear coefficient" "1.0 times, by the form of the law" outside \
   "film and rim, not pressure"

@@ -411,7 +411,7 @@ TEST(MotionTree, ReleasedSubtreesGoOn) {
   ASSERT_EQ(motion.advance_to(2), Stop::time);
   expect_same(p, all(), 1e-10);
   EXPECT_NEAR(motion.sample().energy().balance(), energy, 1e-9 * energy);
-  EXPECT_EQ(motion.sample().mode(7), HingeMode::locked);
+  EXPECT_EQ(motion.sample().mode(7), HingeMode::latched);
   const Vector3d end = motion.sample().body(7).position;
   motion.restore(saved);
   motion.advance_to(2);

@@ -203,7 +203,7 @@ TEST(Pictures, NamesAreShownAsTheyAre) {
   const std::string joint =
       replaced(folder.read("data/joints/hip_cocr_uhmwpe_infinite.toml"),
                "\"hip, 28 mm CoCrMo head in UHMWPE\"", toml(wild_joint));
-  folder.write("j.toml", replaced(joint, "../", "data/"));
+  folder.write("j.toml", replaced(joint, "\"../", "\"data/"));
   const std::string slosh =
       replaced(folder.read("data/cases/slosh.toml"),
                "\"tank with two slosh pendulums\"", toml(wild_joint));

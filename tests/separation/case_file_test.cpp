@@ -251,7 +251,7 @@ TEST(CaseFile, SettingsThatAreWrongAreNamed) {
             "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
   const std::string joint = "body[1].hinge.joint[1].";
   const std::string in_case =
-      "cases/flywheels.toml:43: body[1].hinge.joint[1].file = "
+      "cases/flywheels.toml:44: body[1].hinge.joint[1].file = "
       "\"../joints/wheel_ball.toml\": cases/../joints/wheel_ball.toml";
   EXPECT_EQ(message(joint + "geometry.radius_mm", "-1"),
             in_case +

@@ -34,7 +34,8 @@ class Examples(Mapping[str, Path]):
         self._all = files
 
     def __getitem__(self, name: str) -> Path:
-        return _known(self._all, name)
+        material: "_core.Material" = _known(self._all, name)
+        return material
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._all)
@@ -70,7 +71,8 @@ class Materials(Mapping[str, "_core.Material"]):
         return dict(sorted(named.items()))
 
     def __getitem__(self, name: str) -> "_core.Material":
-        return _known(self._all, name)
+        material: "_core.Material" = _known(self._all, name)
+        return material
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._all)

@@ -90,7 +90,7 @@ def _label(name: str, unit: str) -> str:
 def _length(values: ArrayLike, rows: int) -> Floats:
     """Of vectors their lengths."""
     array = np.asarray(values, dtype=float)
-    return np.linalg.norm(array, axis=-1) if array.ndim > rows else array
+    return np.asarray(np.linalg.norm(array, axis=-1)) if array.ndim > rows else array
 
 
 def _column(of: Any, key: str) -> tuple[Floats, str]:

@@ -315,12 +315,14 @@ TEST_F(HingeStudy, TheReportSaysWhatScatters) {
   const std::string page = folder_.read("r.html");
   for (const char* words :
        {"<h2>Inputs</h2>",
-        "<th>friction.coefficient</th><td>number</td>"
-        "<td>uniform, low 0.05, high 0.15</td><td></td>",
-        "<th>load.reaction_N</th><td>factor of its number</td>"
-        "<td>normal, mean 1, deviation 0.05, low 0.5, high 1.5</td>"
-        "<td>cold 0.5, batch -0.25</td>",
-        "<td>list, values 200 210, weights 1 3</td>",
+        ">coefficient of friction</th><td data-name=\"what is "
+        "drawn\">number</td>"
+        "<td data-name=\"distribution\">uniform, low 0.05, high 0.15</td>",
+        ">reaction of load, N</th>"
+        "<td data-name=\"what is drawn\">factor of its number</td>",
+        ">normal, mean 1, deviation 0.05, low 0.5, high 1.5</td>"
+        "<td data-name=\"factors\">cold 0.5, batch -0.25</td>",
+        ">list, values 200 210, weights 1 3</td>",
         "standard normal numbers: cold, batch", "<h2>s.toml</h2>",
         "# A &lt;b>comment&lt;/b>.\nname = 'balls'\n"}) {
     EXPECT_TRUE(has_text(page, words)) << words;
