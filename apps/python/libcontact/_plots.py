@@ -132,7 +132,7 @@ def _ends(axis: Any, curves: Iterable[tuple[Floats, Floats, str, str]]) -> None:
 
 
 def plot_solution(
-    solution: Any,
+    self: Any,
     x: str | ArrayLike | None = None,
     quantities: Sequence[str] = ("friction_moment", "half_angle", "peak_pressure"),
     axes: Any = None,
@@ -144,24 +144,24 @@ def plot_solution(
     quantities: attributes; of vectors the length.
     axes: of matplotlib, as many; None makes a figure.
     """
-    if not solution.shape or not solution:
+    if not self.shape or not self:
         raise _core.Error("plot() requires several rows")
     names = [quantities] if isinstance(quantities, str) else list(quantities)
     if x is None:
-        reaction = _length(solution.reaction, len(solution.shape)).ravel()
+        reaction = _length(self.reaction, len(self.shape)).ravel()
         x = "reaction" if np.all(np.diff(reaction) > 0) else "row"
     if isinstance(x, str):
         across, label = (
-            (np.arange(np.prod(solution.shape), dtype=float), "row")
+            (np.arange(np.prod(self.shape), dtype=float), "row")
             if x == "row"
-            else _column(solution, x)
+            else _column(self, x)
         )
     else:
         label = ""
-        across = np.broadcast_to(np.asarray(x, float), solution.shape).ravel()
+        across = np.broadcast_to(np.asarray(x, float), self.shape).ravel()
     paper = _Paper(len(names), axes, (6, 1 + 1.5 * len(names)))
     for axis, name, colour in zip(paper.axes, names, colours):
-        values, its_label = _column(solution, name)
+        values, its_label = _column(self, name)
         axis.plot(across, values, color=colour)
         axis.set_ylabel(its_label)
         if np.nanmin(values) >= 0:
