@@ -41,10 +41,12 @@ class Cost(unittest.TestCase):
         self.assertLess(extra, 10e-6)
 
     def test_of_importing_is_little(self):
-        code = "import time, libcontact; print(time.process_time())"
-        cost = min(float(python(code).stdout) for _ in range(3))
-        print(f"import: {cost:.3f} s with all of Python")
-        self.assertLess(cost, 0.3)
+        """Beside Python and NumPy, without which there is none: 1.4 to 1.5 times."""
+        code = ("import time, numpy; before = time.process_time(); import libcontact;"
+                "print(time.process_time() / before)")  # fmt: skip
+        ratio = min(float(python(code).stdout) for _ in range(3))
+        print(f"import: {ratio:.2f} of Python with NumPy")
+        self.assertLess(ratio, 2)
 
     def test_of_a_million_calls_is_no_memory(self):
         pin = libcontact.Joint.from_file(pin_file)
