@@ -48,8 +48,8 @@ contact_status contact_rating_get(const contact_joint* joint,
                                   const contact_solution* solution,
                                   const char* key, double* value);
 
-/* A joint that friction holds (docs/explanation/presliding.md): what its quantities are
- * made from. */
+/* A joint that friction holds (docs/explanation/presliding.md): what its
+ * quantities are made from. */
 typedef struct contact_stuck {
   double load_stiffness;  /* K_load, N m/rad: the load stays */
   double held_stiffness;  /* K_held, N m/rad: the centre stays */
