@@ -34,8 +34,7 @@ class Examples(Mapping[str, Path]):
         self._all = files
 
     def __getitem__(self, name: str) -> Path:
-        material: "_core.Material" = _known(self._all, name)
-        return material
+        return _known(self._all, name)
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._all)
