@@ -1,5 +1,7 @@
 #include "separation/case/case_names.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "libcontact/base/complaint.hpp"
@@ -24,6 +26,20 @@ std::vector<std::string> body_names(const Case& c, bool with_carrier) {
 }
 
 }  // namespace
+
+std::string circle_of(const std::vector<std::string>& names,
+                      const std::vector<int>& next, int start,
+                      std::string_view word) {
+  std::string text = names[start];
+  int at = next[start];
+  // More steps than names mean that another circle has been met.
+  for (std::size_t i = 0; i < names.size() && at >= 0; ++i) {
+    text += fmt::format(" {} {}", word, names[at]);
+    if (at == start) return text;
+    at = next[at];
+  }
+  return {};
+}
 
 std::vector<int> CaseNames::rigid_bodies(std::string_view name) const {
   std::vector<int> found;

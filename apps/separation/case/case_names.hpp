@@ -10,6 +10,13 @@
 
 namespace separation {
 
+/// "a after b after a" where what follows one leads back to it; "" where it
+/// does not.
+/// @param next  of each name, -1: nothing
+std::string circle_of(const std::vector<std::string>& names,
+                      const std::vector<int>& next, int start,
+                      std::string_view word);
+
 /// Names in a case file and what they stand for, while it is being read.
 struct CaseNames {
   const Case& of;

@@ -55,20 +55,6 @@ void read_all_bodies(const TomlTable& file, const JointLaws& laws,
   }
 }
 
-// "a after b after a" where an event waits for itself by way of others, which
-// is for ever; "" where it does not.
-std::string circle_of(const std::vector<Event>& events, int event) {
-  std::string text = events[event].name;
-  int after = events[event].after;
-  // More steps than events mean that another circle has been met.
-  for (std::size_t i = 0; i < events.size() && after >= 0; ++i) {
-    text += " after " + events[after].name;
-    if (after == event) return text;
-    after = events[after].after;
-  }
-  return {};
-}
-
 void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   const auto tables = file.tables("event");
   for (const TomlTable& table : tables) {
@@ -82,8 +68,11 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   for (const TomlTable& table : tables) {
     c.events.push_back(read_event(table, names));
   }
+  std::vector<int> after;
+  for (const Event& event : c.events) after.push_back(event.after);
   for (std::size_t i = 0; i < tables.size(); ++i) {
-    const std::string circle = circle_of(c.events, static_cast<int>(i));
+    const std::string circle =
+        circle_of(names.events, after, static_cast<int>(i), "after");
     if (circle.empty()) continue;
     tables[i].must_be("after", fmt::format("an event that does not wait "
                                            "for this one: {}",

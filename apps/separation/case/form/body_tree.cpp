@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "separation/case/case_names.hpp"
 #include "separation/case/form/case_parts.hpp"
 
 namespace separation {
@@ -21,9 +22,8 @@ struct Entry {
   TomlTable table;
   std::string name;
   std::string on = {};  // "": the carrier
-  enum class Reading { waits, goes_on, done } reading = Reading::waits;
-  int parent = -1;  // the entry that it hangs on
-  int copy = -1;    // the copy of that one; -1: each copy has one of these
+  int parent = -1;      // the entry that it hangs on
+  int copy = -1;        // the copy of that one; -1: each copy has one of these
   std::vector<Body> copies = {};
   std::vector<Matrix3d> turns = {};
 };
@@ -41,6 +41,10 @@ class Reader {
       if (entry.on == carrier.name) entry.on.clear();
       entries_.push_back(std::move(entry));
     }
+    for (Entry& entry : entries_) {
+      if (!entry.on.empty()) entry.parent = parent_of(entry);
+    }
+    refuse_circles();
   }
 
   BodyTree read() {
@@ -74,9 +78,11 @@ class Reader {
 
   void read(int i) {
     Entry& entry = entries_[i];
-    if (entry.reading == Entry::Reading::done) return;
-    entry.reading = Entry::Reading::goes_on;
-    if (!entry.on.empty()) find_parent(i);
+    if (!entry.copies.empty()) return;
+    if (entry.parent >= 0) {
+      read(entry.parent);
+      find_copy(entry);
+    }
     const RigidBody* parent = &carrier_;
     if (entry.parent >= 0) {
       parent = &entries_[entry.parent].copies[std::max(entry.copy, 0)].rigid;
@@ -94,7 +100,6 @@ class Reader {
       if (count > 1) name_copy(entry.copies.back(), copy);
       entry.turns.push_back(turn_of(entry, pattern, copy));
     }
-    entry.reading = Entry::Reading::done;
   }
 
   // How many it has since what it hangs on has them.
@@ -115,28 +120,7 @@ class Reader {
     return entries_[entry.parent].turns[parent_copy(entry, copy)];
   }
 
-  // Reads what it hangs on, and finds that.
-  void find_parent(int i) {
-    Entry& entry = entries_[i];
-    for (int j = 0; j < size(); ++j) {
-      const std::string& name = entries_[j].name;
-      if (entry.on != name && !entry.on.starts_with(name + " ")) continue;
-      if (j == i) hinge_of(entry).must_be("on", "another body");
-      if (entries_[j].reading == Entry::Reading::goes_on) {
-        refuse_circle(i, j);
-      }
-      entry.parent = j;
-      read(j);
-      if (entry.on == name) return;
-      const auto& copies = entries_[j].copies;
-      const auto is_it = [&](const Body& body) {
-        return body.rigid.name == entry.on;
-      };
-      const auto found = std::ranges::find_if(copies, is_it);
-      if (found == copies.end()) continue;
-      entry.copy = static_cast<int>(found - copies.begin());
-      return;
-    }
+  [[noreturn]] void refuse_unknown(const Entry& entry) const {
     std::vector<std::string> names = {carrier_.name};
     for (const Entry& other : entries_) {
       if (&other != &entry) names.push_back(other.name);
@@ -145,16 +129,47 @@ class Reader {
                          contact::detail::unknown("body", entry.on, names));
   }
 
-  // `i` hangs on `j`, which hangs on it by way of others.
-  [[noreturn]] void refuse_circle(int i, int j) const {
-    std::string text = entries_[i].name;
-    for (int k = j; k != i; k = entries_[k].parent) {
-      text += " on " + entries_[k].name;
+  // The body of that name, or the one of whose copies it may be the name.
+  int parent_of(const Entry& entry) const {
+    int found = -1;
+    for (int j = 0; j < size(); ++j) {
+      const std::string& name = entries_[j].name;
+      if (entry.on == name) {
+        if (&entries_[j] == &entry)
+          hinge_of(entry).must_be("on", "another body");
+        return j;
+      }
+      if (!entry.on.starts_with(name + " ")) continue;
+      if (found < 0 || name.size() > entries_[found].name.size()) found = j;
     }
-    hinge_of(entries_[i])
-        .must_be("on", fmt::format("a body that does not hang on this one: {} "
-                                   "on {}",
-                                   text, entries_[i].name));
+    if (found < 0) refuse_unknown(entry);
+    return found;
+  }
+
+  // In the body that it hangs on, which is read.
+  void find_copy(Entry& entry) const {
+    const Entry& parent = entries_[entry.parent];
+    if (entry.on == parent.name) return;
+    const auto found = std::ranges::find(
+        parent.copies, entry.on,
+        [](const Body& body) -> const std::string& { return body.rigid.name; });
+    if (found == parent.copies.end()) refuse_unknown(entry);
+    entry.copy = static_cast<int>(found - parent.copies.begin());
+  }
+
+  void refuse_circles() const {
+    std::vector<std::string> names;
+    std::vector<int> parents;
+    for (const Entry& entry : entries_) {
+      names.push_back(entry.name);
+      parents.push_back(entry.parent);
+    }
+    for (int i = size() - 1; i >= 0; --i) {
+      const std::string circle = circle_of(names, parents, i, "on");
+      if (circle.empty()) continue;
+      hinge_of(entries_[i])
+          .must_be("on", "a body that does not hang on this one: " + circle);
+    }
   }
 
   const RigidBody& carrier_;
