@@ -218,6 +218,12 @@ std::optional<StepFunction::Crossed> StepFunction::first_crossing(
     }
   }
   if (is_far(values) && before * values[0] > 0) return {};
+  // A step hardly longer than the rounding of time has ends, and no points.
+  constexpr double rounding = 1e-14;
+  if (end_ - begin_ <= rounding * std::abs(end_)) {
+    if (!is_crossing(before, values[last], way)) return {};
+    return Crossed{end_, before < 0};
+  }
   // Between the ends states are estimates, worst in the middle. What the
   // integrator itself says costs some evaluations.
   double miss = std::abs(at_(point(middle, begin_, end_)) - values[middle]);

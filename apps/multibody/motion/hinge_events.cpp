@@ -119,9 +119,6 @@ std::optional<double> HingeEvents::slip_end(int body) {
       if (values.back() > -least) return {};
       return t0;
     }
-    // Points of a step that is hardly longer than the rounding of time.
-    constexpr double rounding = 1e-14;
-    if (t1 - t0 <= rounding * t1) return {};
     values[0] = just_crossed;
   }
   const auto crossed =
