@@ -94,7 +94,6 @@ void Forest::prepare(const std::vector<ForestState>& state, bool sloped,
                      ForestWork& work) const {
   work.parts.resize(bodies_.size());
   work.roots.resize(bodies_.size());
-  work.is_sloped = sloped;
   std::vector<ForestPart>& parts = work.parts;
   for (const int i : order_) {
     const ForestBody& body = bodies_[i];

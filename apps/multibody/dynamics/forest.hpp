@@ -72,7 +72,6 @@ class ForestWork {
   friend class Forest;
   std::vector<detail::ForestPart> parts;
   std::vector<Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>> roots;
-  bool is_sloped = false;
 };
 
 /// A forest of bodies: each root with what hangs on it is solved by itself.
@@ -84,11 +83,6 @@ class Forest {
   ///   that is not finite, an axis off the length 1 by more than 1e-6, a fixed
   ///   body that is no root.
   explicit Forest(std::vector<ForestBody> bodies);
-
-  int size() const { return static_cast<int>(bodies_.size()); }
-  /// Bodies in an order in which children come after parents.
-  const std::vector<int>& order() const { return order_; }
-  const ForestBody& body(int i) const { return bodies_[i]; }
 
   /// @param parent  the body's own, or -1: a root from now on
   void set_hinge(int body, int parent, bool held) {
@@ -121,7 +115,7 @@ class Forest {
 
  private:
   std::vector<ForestBody> bodies_;
-  std::vector<int> order_;
+  std::vector<int> order_;  // children come after parents
 };
 
 }  // namespace multibody
