@@ -41,7 +41,7 @@ HingeChanges::HingeChanges(Equations& equations, MotionSample& view,
 
 void HingeChanges::change(double time, int body, HingeMode mode) {
   settle_times_[body] = 0;
-  all_.push_back({time, body, coupled_.mode(body), mode, false});
+  all_.push_back({time, body, coupled_.mode(body), mode});
   equations_.set_mode(body, mode);
 }
 
@@ -95,8 +95,11 @@ std::vector<Impulse::Jump> HingeChanges::jump(
     if (rate.isZero(0) || rate == equations_.rate_of(i, before.data())) {
       continue;
     }
-    if (mode == HingeMode::resting) change(time, i, HingeMode::sliding);
-    equations_.set_mode(i, HingeMode::sliding);
+    if (mode == HingeMode::resting) {
+      change(time, i, HingeMode::sliding);
+    } else {
+      equations_.set_mode(i, HingeMode::sliding);
+    }
     equations_.memory.hinges[i].direction = rate.normalized();
   }
   return jumps;
@@ -124,10 +127,7 @@ void HingeChanges::latch(double time, const std::vector<int>& bodies,
   }
   const std::vector<double> before = state;
   note_jumps(time, moving, jump(time, moving, true, state), true, before);
-  for (const int body : bodies) {
-    settle_times_[body] = 0;
-    change(time, body, HingeMode::latched);
-  }
+  for (const int body : bodies) change(time, body, HingeMode::latched);
 }
 
 const HingeStop* HingeChanges::stop_hit(
@@ -144,19 +144,20 @@ const HingeStop* HingeChanges::stop_hit(
 void HingeChanges::hit(double time, const std::vector<int>& bodies,
                        std::vector<double>& state) {
   std::vector<Impulse::Target> targets;
+  std::vector<Bounce> bounces;
   for (const int body : bodies) {
     const HingeStop* stop = stop_hit(body, state);
     if (!stop) continue;  // others have driven it off
     double* s = &state[equations_.offset(body)];
     targets.push_back({body, {0, 0, -stop->restitution * s[1]}});
+    bounces.push_back({stop});
     s[0] = stop->angle;
   }
   const std::vector<double> before = state;
   const auto jumps = jump(time, targets, true, state);
   note_jumps(time, targets, jumps, false, before);
-  std::vector<Bounce> bounces;
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    bounces.push_back({stop_hit(targets[t].body, before), jumps[t].response});
+    bounces[t].response = jumps[t].response;
   }
   settle(time, bounces, state);
 }

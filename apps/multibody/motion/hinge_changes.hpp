@@ -67,9 +67,9 @@ class HingeChanges {
   /// A body that goes off from a stop.
   struct Bounce {
     const HingeStop* stop;
-    double response;     ///< of its rate to a unit impulse
-    double rate = 0;     ///< >= 0, rad/s
-    double pressed = 0;  ///< acceleration that brings it back, rad/s^2
+    double response = 0;  ///< of its rate to a unit impulse
+    double rate = 0;      ///< >= 0, rad/s
+    double pressed = 0;   ///< acceleration that brings it back, rad/s^2
   };
   void settle(double time, std::vector<Bounce>& bounces,
               std::vector<double>& state);
