@@ -1,12 +1,13 @@
 #include "libcontact/seat/side_face_reach.hpp"
 
-#include <Eigen/QR>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/gauss_legendre.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace contact::detail {
 
@@ -71,7 +72,7 @@ SideFaceReach::More SideFaceReach::more(double direction,
   const Eigen::VectorXd root = force.cwiseSqrt();
   const Eigen::MatrixX2d weighted = root.asDiagonal() * place;
   const Eigen::VectorXd goal = root.asDiagonal() * du;
-  const Eigen::Vector2d shift = weighted.colPivHouseholderQr().solve(goal);
+  const Eigen::Vector2d shift = solve_least_squares(weighted, goal);
   const double rest = (goal - weighted * shift).norm() / root.norm();
   return {unit_ / load * shift, unit_ / load * rest};
 }
