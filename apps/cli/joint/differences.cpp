@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "cli/joint/joint_options.hpp"
+#include "cli/picture/axis.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 
@@ -57,9 +58,8 @@ std::string difference_label(const std::vector<Difference>& differences) {
     }
     std::string name = key.substr(0, key.size() - unit.size() - 1);
     std::ranges::replace(name, '_', ' ');
-    std::string symbol(contact::unit_symbol(unit));
-    if (symbol.starts_with("um")) symbol.replace(0, 1, "µ");
-    text += fmt::format("{} {} {}", name, difference.value, symbol);
+    text += fmt::format("{} {} {}", name, difference.value,
+                        with_micro(contact::unit_symbol(unit)));
   }
   return text;
 }

@@ -154,6 +154,11 @@ std::string shown_symbol(std::string_view symbol) {
   return text;
 }
 
+std::string with_micro(std::string unit) {
+  if (unit.starts_with("um")) unit.replace(0, 1, "µ");
+  return unit;
+}
+
 Axis axis_of(std::string_view symbol, std::string_view meaning,
              contact::Dimension dimension) {
   std::string unit =

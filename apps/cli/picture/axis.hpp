@@ -35,6 +35,8 @@ Axis short_axis_of(const contact::Quantity<T>& q) {
 /// A symbol of the tables as it is printed in pictures: "θ₀" of "theta0",
 /// "Mₜ" of "M_t".
 std::string shown_symbol(std::string_view symbol);
+/// A unit's symbol with µ: "µm" of "um".
+std::string with_micro(std::string unit);
 
 /// A unit's prefix, and what numbers are multiplied by for it.
 struct Prefix {

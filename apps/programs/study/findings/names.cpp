@@ -58,8 +58,7 @@ std::string shown_name(std::string_view key) {
 }
 
 std::string shown_label(std::string_view key) {
-  std::string unit = cli::shown_unit(key).symbol;
-  if (unit.starts_with("um")) unit.replace(0, 1, "µ");
+  const std::string unit = cli::with_micro(cli::shown_unit(key).symbol);
   return shown_name(key) + (unit.empty() ? "" : ", " + unit);
 }
 
