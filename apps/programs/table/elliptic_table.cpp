@@ -14,10 +14,25 @@
 
 namespace hinge_table {
 
+namespace {
+
+// What changes nothing in the table.
+void refuse_idle(const Options& options) {
+  const auto refuse = [](const std::string& given, bool is_given) {
+    if (!is_given) return;
+    cli::refuse_beside(given, cli::given("--quantity", elliptic_quantity));
+  };
+  const std::string materials = options.joint.materials();
+  refuse("--alpha", !options.alpha.empty());
+  refuse("--plot", !options.output.plot.empty());
+  refuse("--pressure", !options.joint.pressures.empty());
+  refuse(materials, !materials.empty());
+}
+
+}  // namespace
+
 cli::ExitStatus run_elliptic(const Options& options) {
-  if (!options.alpha.empty()) {
-    cli::refuse_beside("--alpha", cli::given("--quantity", elliptic_quantity));
-  }
+  refuse_idle(options);
   const std::vector<cli::Choice<bool>> methods = {{"exact", false},
                                                   {"chebyshev", true}};
   const bool is_approximate = cli::choice("--method", options.method, methods);
