@@ -138,10 +138,10 @@ constexpr const char* solve_doc =
 --
 
 Friction of the joint while its halves turn, under a known reaction. A ball whose
-joint has a [seat] is in it: libcontact's docs/explanation/seat_joint.md. Its rows at rims
-take some 30 ms, and begin from the row before, which leaves 1e-7. A pin that
-is tilted, relieved or loaded at a place is one by slices, to 1e-8: docs/
-finite_pin.md.
+joint has a [seat] is in it: libcontact/docs/explanation/seat_joint.md. Its rows at
+rims take some 30 ms, and begin from the row before, which leaves 1e-7. A pin
+that is tilted, relieved or loaded at a place is one by slices, to 1e-8:
+libcontact/docs/how-to/finite_pin.md.
 
 reaction: R on the body, N, (..., 3).
 angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.

@@ -42,7 +42,7 @@ class Case(FileText, _core.Case):
     """A separation: bodies on hinges with friction, forces, events.
 
     Made from a file (from_file()) or from its tables as dicts, with keys and
-    units as in case files (libcontact's libcontact/docs/reference/case_file.md). Nothing
+    units as in case files (libcontact/docs/reference/case_file.md). Nothing
     of a case changes: replace() makes another. Cases compare by what they say,
     and may be pickled; one in another process finds its joint files in the
     same folder.
@@ -94,9 +94,9 @@ class Run(_core.Run):
     Where it stops and what is asked of it there changes nothing of what
     follows, to the last bit: its outcome at the end is that of Case.run().
 
-    Values are those of the history by their columns (libcontact's
-    libcontact/docs/reference/separation_output.md), in the units of their names. Of each body NAME:
-    NAME.x_m, NAME.vx_m_per_s and so on, of the centre of mass in inertial axes;
+    Values are those of the history by their columns
+    (libcontact/docs/reference/separation_output.md), in the units of their
+    names. Of each body NAME: NAME.x_m, NAME.vx_m_per_s and so on, of the centre of mass in inertial axes;
     NAME.qw to NAME.qz, the unit quaternion that turns the body's axes into
     inertial ones; NAME.wx_rad_per_s and so on in the body's axes. Of its hinge:
     NAME.mode and what hinge, lock and friction do to the body, in inertial

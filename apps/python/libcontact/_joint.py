@@ -103,9 +103,9 @@ class Joint(FileText, _core.Joint):
             wall={"backing": "rigid", "layer": [{"thickness_mm": 8}]},
             coefficient=0.0587)
 
-    Keywords are the keys of joint files with their units (libcontact's
-    docs/reference/joint_file.md): those of [geometry], [materials] and [friction] without
-    their tables; `half_angle`, `pressure`, `friction` (names of laws),
+    Keywords are the keys of joint files with their units
+    (libcontact/docs/reference/joint_file.md): those of [geometry], [materials]
+    and [friction] without their tables; `half_angle`, `pressure`, `friction` (names of laws),
     `loading`, `wall` and `coating` as in the file. None is left out. Whole
     tables may be given as dicts.
 
