@@ -148,6 +148,34 @@ TEST(Stuck, ThinLayersAreTheSumOfTheirHarmonics) {
   }
 }
 
+// Of narrow contacts one harmonic stands for its neighbours: the numbers are of
+// sums over each, the tolerance is twice the largest difference.
+TEST(Stuck, NarrowContactsAreTheSumOfTheirHarmonics) {
+  struct Row {
+    JointKind kind;
+    double thickness, angle_deg, load, held, spin;
+  };
+  const Row rows[] = {
+      {JointKind::ball, 0.1, 1, 3.601245216e-06, 0.0146690173, 4.315535711e-06},
+      {JointKind::ball, 0.01, 1, 6.586911428e-06, 0.02602462177,
+       5.152108007e-06},
+      {JointKind::ball, 0.001, 1, 4.982555937e-05, 0.1332195079,
+       2.269063029e-05},
+      {JointKind::ball, 0.001, 5, 0.01586225112, 1.942819685, 0.00997744978},
+      {JointKind::pin, 0.001, 1, 0.002209403788, 3.675335186, 0},
+      {JointKind::pin, 0.001, 5, 0.1242089298, 9.997723998, 0}};
+  for (const Row& row : rows) {
+    const LayeredPair pair(1, solid(70, 0.3), lined(row.thickness, 1, 0.4));
+    const StuckStiffness k =
+        stuck_stiffness(row.kind, pair, row.angle_deg * degree);
+    EXPECT_NEAR(k.load() / row.load, 1, 1e-4);
+    EXPECT_NEAR(k.turn / row.held, 1, 1e-4);
+    if (row.spin > 0) {
+      EXPECT_NEAR(k.spin / row.spin, 1, 1e-4);
+    }
+  }
+}
+
 // All round: both bodies twist as wholes.
 TEST(Stuck, AllRoundIsClosed) {
   const LayeredPair pair(1, solid(1, 0.3), solid(1, 0.3));

@@ -38,9 +38,35 @@ Size size_of(const LayeredPair& pair, double half_angle) {
                      std::max((thin < 0.04 ? 600 : 300) / half_angle, 64.0))};
 }
 
-// Compliances of both bodies, harmonics 1 to N in columns: of (U, n V) to
-// (S, n T), and of the toroidal ones. Of the moments with harmonics beyond N
-// the squares have means that fall as 1/n: sums of C_n/n.
+// Harmonics 1 to N, of which one stands for its neighbours on either side where
+// that is enough: moments go round once in pi/theta0 harmonics, compliances
+// change with log n.
+struct Harmonics {
+  ArrayXd n;
+  ArrayXd weight;  // harmonics for which it stands
+  int last;
+
+  Harmonics(int least, double half_angle) {
+    std::vector<double> numbers;
+    std::vector<double> weights;
+    int first = 1;
+    while (first <= least) {
+      const int aside =
+          static_cast<int>(std::min(first / 96.0, 0.2 / half_angle));
+      numbers.push_back(first + aside);
+      weights.push_back(1 + 2 * aside);
+      first += 1 + 2 * aside;
+    }
+    last = first - 1;
+    n = Eigen::Map<ArrayXd>(numbers.data(), std::ssize(numbers));
+    weight = Eigen::Map<ArrayXd>(weights.data(), std::ssize(weights));
+  }
+  Eigen::Index count() const { return n.size(); }
+};
+
+// Compliances of both bodies, times their weight, harmonics in columns: of
+// (U, n V) to (S, n T), and of the toroidal ones. Of the moments with harmonics
+// beyond N the squares have means that fall as 1/n: sums of C_n/n.
 struct Compliances {
   ArrayXd normal;      // C11
   ArrayXd cross;       // C12
@@ -50,8 +76,12 @@ struct Compliances {
     double normal, tangential, toroidal;
   } beyond = {};
 
-  Compliances(JointKind kind, const LayeredPair& pair, int count)
-      : normal(count), cross(count), tangential(count), toroidal(count) {
+  Compliances(JointKind kind, const LayeredPair& pair,
+              const Harmonics& harmonics)
+      : normal(harmonics.count()),
+        cross(harmonics.count()),
+        tangential(harmonics.count()),
+        toroidal(harmonics.count()) {
     const LayerCompliance inner(kind, Side::inner, pair);
     const LayerCompliance outer(kind, Side::outer, pair);
     const auto around = [&](int n) {
@@ -62,18 +92,19 @@ struct Compliances {
       const Matrix2d c = inner.spheroidal(n) + outer.spheroidal(n);
       return {c(0, 0), c(0, 1), c(1, 1), ball ? around(n) : 0};
     };
-    for (int n = 1; n <= count; ++n) {
-      const Array4d c = at(n);
-      normal(n - 1) = c(0);
-      cross(n - 1) = c(1);
-      tangential(n - 1) = c(2);
-      toroidal(n - 1) = c(3);
+    for (Eigen::Index i = 0; i < harmonics.count(); ++i) {
+      const Array4d c =
+          harmonics.weight(i) * at(static_cast<int>(harmonics.n(i)));
+      normal(i) = c(0);
+      cross(i) = c(1);
+      tangential(i) = c(2);
+      toroidal(i) = c(3);
     }
     if (!ball) toroidal(0) = around(0);
     // C_n is smooth, some of each octave do; beyond the layers it is as 1/n.
     const double layers = 24 / pair.relative_thickness();
     Array4d sum = Array4d::Zero();
-    double from = count + 0.5;
+    double from = harmonics.last + 0.5;
     while (from < layers) {
       const double to = std::ceil(from * 17 / 16) + 0.5;
       sum += std::log(to / from) * at(static_cast<int>((from + to) / 2));
@@ -117,20 +148,20 @@ struct Equations {
 struct Pin : Equations {
   Pin(const LayeredPair& pair, double half_angle) {
     const Size size = size_of(pair, half_angle);
-    const int count = size.harmonics;
-    const Compliances c(JointKind::pin, pair, count);
+    const Harmonics harmonics(size.harmonics, half_angle);
+    const Compliances c(JointKind::pin, pair, harmonics);
+    const ArrayXd& n = harmonics.n;
     terms = size.terms;
-    MatrixXd odd(terms, count);
-    MatrixXd even(terms, count);
-    for (int n = 1; n <= count; ++n) {
-      const VectorXd j = bessel(2 * terms - 1, n * half_angle);
+    MatrixXd odd(terms, n.size());
+    MatrixXd even(terms, n.size());
+    for (Eigen::Index i = 0; i < n.size(); ++i) {
+      const VectorXd j = bessel(2 * terms - 1, n(i) * half_angle);
       for (int k = 0; k < terms; ++k) {
         const double sign = k % 2 == 0 ? half_angle : -half_angle;
-        even(k, n - 1) = sign * j(2 * k);
-        odd(k, n - 1) = sign * j(2 * k + 1);
+        even(k, i) = sign * j(2 * k);
+        odd(k, i) = sign * j(2 * k + 1);
       }
     }
-    const ArrayXd n = ArrayXd::LinSpaced(count, 1, count);
     // n V = n C21 S + C22 n T, and n C21 = C12/n.
     const VectorXd normal = pi * c.normal;
     const VectorXd cross = pi * c.cross / n;
@@ -184,39 +215,56 @@ struct CapNodes {
   }
 };
 
+// P_n^1/sin t at the nodes, normalised, upwards from n = 1.
+class Recurrence {
+ public:
+  explicit Recurrence(Eigen::Index points)
+      : value(ArrayXd::Constant(points, std::sqrt(3.0) / 2)),
+        before(ArrayXd::Zero(points)) {}
+
+  double n = 1;
+  ArrayXd value;
+  ArrayXd before;  // of n - 1
+
+  void step(const ArrayXd& cosine) {
+    const double square = n * n;
+    const double next = (n + 1) * (n + 1);
+    const double up = std::sqrt((4 * next - 1) / (next - 1));
+    const double down = n == 1 ? 0
+                               : std::sqrt((2 * n + 3) * (square - 1) /
+                                           ((2 * n - 1) * (next - 1)));
+    before = up * cosine * value - down * before;
+    before.swap(value);
+    ++n;
+  }
+  ArrayXd derivative(const ArrayXd& cosine) const {
+    const double slope = std::sqrt((2 * n + 1) / (2 * n - 1) * (n * n - 1));
+    return n * cosine * value - slope * before;
+  }
+};
+
 // Moments with the normalised P_n^1, blocks of harmonics at a time.
-Moments ball_moments(const CapNodes& nodes, const Size& size) {
-  constexpr int block = 64;
-  const int count = size.harmonics;
+Moments ball_moments(const CapNodes& nodes, int terms,
+                     const Harmonics& harmonics) {
+  constexpr Eigen::Index block = 64;
+  const Eigen::Index count = harmonics.count();
   const Eigen::Index points = nodes.cosine.size();
   MatrixXd value(points, block);
   MatrixXd sum(points, block);  // the derivative and P/sin t
   MatrixXd difference(points, block);
-  Moments m{MatrixXd(size.terms, count), MatrixXd(size.terms, count),
-            MatrixXd(size.terms, count)};
-  ArrayXd before = ArrayXd::Zero(points);  // P_(n-1)/sin t
-  ArrayXd q = ArrayXd::Constant(points, std::sqrt(3.0) / 2);
-  for (int first = 1; first <= count; first += block) {
-    const int width = std::min(block, count + 1 - first);
-    for (int i = 0; i < width; ++i) {
-      const double n = first + i;
-      const double square = n * n;
-      const double slope = std::sqrt((2 * n + 1) / (2 * n - 1) * (square - 1));
-      const ArrayXd derivative = n * nodes.cosine * q - slope * before;
-      value.col(i) = nodes.sine * q;
-      sum.col(i) = derivative + q;
-      difference.col(i) = derivative - q;
-      const double next = (n + 1) * (n + 1);
-      const double up = std::sqrt((4 * next - 1) / (next - 1));
-      const double down = n == 1 ? 0
-                                 : std::sqrt((2 * n + 3) * (square - 1) /
-                                             ((2 * n - 1) * (next - 1)));
-      before = (up * nodes.cosine * q - down * before).eval();
-      before.swap(q);
+  Moments m{MatrixXd(terms, count), MatrixXd(terms, count),
+            MatrixXd(terms, count)};
+  Recurrence p(points);
+  for (Eigen::Index first = 0; first < count; first += block) {
+    const Eigen::Index width = std::min(block, count - first);
+    for (Eigen::Index i = 0; i < width; ++i) {
+      while (p.n < harmonics.n(first + i)) p.step(nodes.cosine);
+      const ArrayXd derivative = p.derivative(nodes.cosine);
+      value.col(i) = nodes.sine * p.value;
+      sum.col(i) = derivative + p.value;
+      difference.col(i) = derivative - p.value;
     }
-    const auto at = [&](MatrixXd& to) {
-      return to.middleCols(first - 1, width);
-    };
+    const auto at = [&](MatrixXd& to) { return to.middleCols(first, width); };
     at(m.normal).noalias() = nodes.normal * value.leftCols(width);
     at(m.tangential).noalias() = nodes.plus * sum.leftCols(width);
     at(m.toroidal).noalias() = nodes.minus * difference.leftCols(width);
@@ -232,14 +280,13 @@ struct Ball : Equations {
 
   Ball(const LayeredPair& pair, double half_angle) {
     const Size size = size_of(pair, half_angle);
-    const int count = size.harmonics;
-    terms = size.terms;
-    const Compliances c(JointKind::ball, pair, count);
+    const Harmonics harmonics(size.harmonics, half_angle);
+    const Compliances c(JointKind::ball, pair, harmonics);
     const CapNodes nodes(half_angle, size);
-    const Moments m = ball_moments(nodes, size);
-    const ArrayXd n = ArrayXd::LinSpaced(count, 1, count);
-    const ArrayXd l = n * (n + 1);
-    MatrixXd t(2 * terms, count);
+    terms = size.terms;
+    const Moments m = ball_moments(nodes, terms, harmonics);
+    const ArrayXd l = harmonics.n * (harmonics.n + 1);
+    MatrixXd t(2 * terms, harmonics.count());
     t << m.tangential / 2, m.toroidal / 2;
     MatrixXd q = t;
     q.bottomRows(terms) *= -1;

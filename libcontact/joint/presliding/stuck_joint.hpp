@@ -44,8 +44,7 @@ struct StuckJoint {
 ///
 /// Accuracy of the stiffnesses (joint/stuck_joint_test.cpp): 5e-4 of a
 /// reference, of joints of data/joints at 300 N to 263 kN.
-/// Cost: 1 to 35 ms from 15 to 85 deg, however thin the layers; at 5 deg 8 to
-/// 90 ms, at 1 deg 0.05 to 0.15 s.
+/// Cost: 1 to 30 ms, however thin the layers.
 /// @param joint         what the contact was made from
 /// @param normal_force  R_n, N, > 0
 /// @param half_angle    theta0, [0.01, 3.1] rad
