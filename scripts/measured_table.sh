@@ -343,6 +343,27 @@ row "$(ref "A pin calculator" efi-tools), max(Hertz, 4 F/(pi D L))" calculator \
   "the calculator is off by $ours %" outside \
   "lowest at 47 deg, where neither form holds"
 
+# E_GPa CLEARANCE_um: largest pressures of a pin of 20 mm under 2 kN in its middle
+# (MPa), and how much larger they are a twelfth and a sixth of its length off it.
+off_middle() {
+  walled_joint bush20.toml pin 10 "$2" "210 0.3" "$1 0.4" rigid 1
+  sed -i 's/length_m = 1/length_mm = 15/' bush20.toml
+  for place in 1e-6 1.25 2.5; do
+    quietly hinge-pressure --joint bush20.toml --load 2kN --load-at ${place}mm \
+      --columns p_peak_Pa | tail -n 1
+  done | paste -sd' ' | awk '{print $1 / 1e6, $2 / $1, $3 / $1}'
+}
+rows=$(for e in 1 3; do for clearance in 10 50; do off_middle $e $clearance
+  done; done)
+near=$(cut -d' ' -f2 <<<"$rows" | interval %.2f)
+row "$(ref "A pin calculator" efi-tools), 1 + 6 e/L of a load off the middle" \
+  calculator "1.5 at e = L/12, 2 at L/6" \
+  "20 mm by 15 mm, 1 mm of 1 to 3 GPa in a rigid shell, clearance of 10 to 50 um, 2 kN" \
+  "$near, $(cut -d' ' -f3 <<<"$rows" | interval %.2f); it is taken of $(
+    awk 'BEGIN {printf "%.1f", 4 * 2000 / (atan2(0, -1) * 20 * 15)}') MPa, ours is $(
+    cut -d' ' -f1 <<<"$rows" | interval %.1f)" "$(verdict 1.5 1.5 "$near")" \
+  "safe, but its base is not"
+
 # E1_GPa E2_GPa NU2 CLEARANCE_um LOAD_N: the calculator's pressure of a ball of 66
 # mm, MPa, as that of a ball and, over 28 mm, as that of a rod end.
 ball_calculator() {
