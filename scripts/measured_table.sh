@@ -309,7 +309,7 @@ pressed_for() {
 row "[Production limits](../reference/references.md#ball-joint-limits), ball joints" catalogue \
   "breakaway torque up to 8 N m, running up to 4 N m" \
   "ball of 25 mm pressed 1 to 5 um into 3 mm of POM (2.8 GPa) in a rigid shell, f0 0.05 to 0.1" \
-  "$ours N m; 4 to 8 N m take $(pressed_for 4 0.1) to $(pressed_for 8 0.05) um" \
+  "$ours N m, and 4 to 8 N m take $(pressed_for 4 0.1) to $(pressed_for 8 0.05) um" \
   "$(verdict 0 8 "$ours")" "micrometres decide, as above"
 
 # Calculators take Hertz' pressure, or the larger one of it and that over a
@@ -359,7 +359,7 @@ near=$(cut -d' ' -f2 <<<"$rows" | interval %.2f)
 row "$(ref "A pin calculator" efi-tools), 1 + 6 e/L of a load off the middle" \
   calculator "1.5 at e = L/12, 2 at L/6" \
   "20 mm by 15 mm, 1 mm of 1 to 3 GPa in a rigid shell, clearance of 10 to 50 um, 2 kN" \
-  "$near, $(cut -d' ' -f3 <<<"$rows" | interval %.2f); it is taken of $(
+  "$near, $(cut -d' ' -f3 <<<"$rows" | interval %.2f), and it is taken of $(
     awk 'BEGIN {printf "%.1f", 4 * 2000 / (atan2(0, -1) * 20 * 15)}') MPa, ours is $(
     cut -d' ' -f1 <<<"$rows" | interval %.1f)" "$(verdict 1.5 1.5 "$near")" \
   "safe, but its base is not"
@@ -402,7 +402,7 @@ read -r steel _ < <(ball_calculator 210 210 0.3 45 1e5)
 row "$(ref "A bearing calculator" efi-tools), max(Hertz, 3 F/(2 pi R^2))" calculator \
   "steel on steel: $steel MPa" \
   "ball of 66 mm, diametral clearance of 90 um, 100 kN, no rims" \
-  "$(endless ball66.toml 1e5) MPa; at half-angles of 10 to 84 deg it is off by $off %" \
+  "$(endless ball66.toml 1e5) MPa, and at half-angles of 10 to 84 deg it is off by $off %" \
   outside "lowest at 50 deg: the contact is wide and no cap of Hertz'"
 printf '[seat]\nring_width_mm = 28\n' >>ball66.toml
 of_steel=$(in_ring ball66.toml)
