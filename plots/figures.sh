@@ -2,13 +2,14 @@
 # Redraws figures 3, 4, 5, 8 and 9 of the paper from the programs' output,
 # the limit half-angles of other materials, pressure profiles, the error of
 # leaving walls out, the torque of a pin with interference, pressures on seats
-# that end, also in side faces, a separation of boosters and a hinge's sketch:
+# that end, also in side faces, what calculators give for pressures, a separation
+# of boosters and a hinge's sketch:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 2 ]; then
-  sed -n '2,7s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 plots=$(cd "$(dirname "$0")" && pwd)
@@ -162,6 +163,33 @@ cup bronze 4258N 0 cup.toml
 cup hip 3162N 65 "$plots/../data/joints/hip_cup.toml"
 rm cup.toml face.csv
 
+# Pressures that calculators give, over the exact one: half-angle in deg, Hertz,
+# over the projected area with the factor for a pin or a ball, and without.
+calculators() { # JOINT RADIUS_mm CLEARANCE_um
+  walled_joint steel.toml "$@" "210 0.3" "210 0.3"
+  local loads
+  loads=$("$programs/hinge-angle" --joint steel.toml --law exact --inverse \
+    --theta0 2:84:1 --columns load_exact_N | tail -n +2 | paste -sd,)
+  "$programs/hinge-pressure" --joint steel.toml --load "$loads" --law exact \
+    --pressure exact --summary --columns load_N,theta0_deg,p_peak_Pa \
+    2>steel.log |
+    awk -F, -v joint="$1" -v r="$2" -v eps="$3" 'NR > 1 {
+      pi = atan2(0, -1); f = $1; r_m = r / 1000; e = 210e9 / (2 * 0.91)
+      curvature = eps / 1000 / (r * (r + eps / 1000)) * 1000
+      if (joint == "pin") {
+        hertz = sqrt(f * e * curvature / pi)
+        area = 2 * r_m; factor = 4 / pi
+      } else {
+        hertz = (6 * f * e ^ 2 * curvature ^ 2 / pi ^ 3) ^ (1 / 3)
+        area = pi * r_m ^ 2; factor = 1.5
+      }
+      print $2, hertz / $3, factor * f / area / $3, f / area / $3
+    }' >"calculators_$1.dat"
+}
+calculators pin 25 50
+calculators ball 33 45
+rm steel.toml
+
 over() { # FILE JOINT COLUMNS OPTIONS: a table of loads or directions
   "$programs/hinge-pressure" --joint "$plots/../data/joints/$2.toml" \
     --columns "$3" --output "seat_loads_$1.csv" "${@:4}" 2>>seat.log
@@ -205,6 +233,7 @@ draw seat_pressure "size 1000,833 font 'sans,16'" \
   "size 1500,1250 font 'sans,21'"
 draw seat_loads "size 1260,460 font 'sans,17'" "size 2100,766 font 'sans,22'"
 draw side_face "size 1260,460 font 'sans,17'" "size 2100,766 font 'sans,22'"
+draw calculators "size 1260,420 font 'sans,17'" "size 2100,700 font 'sans,22'"
 draw limit_angles "size 1080,520 font 'sans,18'" \
   "size 1620,780 font 'sans,21'"
 draw separation "size 900,553 font 'sans,17'" "size 1350,830 font 'sans,20'"

@@ -167,6 +167,30 @@ TEST(HingeTable, EllipticIntegralsAndThePapersApproximations) {
   EXPECT_NEAR(e, 0.269, 5e-4);
 }
 
+// The gains that the paper prints for 4 and 6 bodies, of two digits, two of
+// them a unit of the last one off: balls, then axes, of sections 1.3 and 4.
+TEST(HingeTable, OperationsHaveThePapersGains) {
+  const CsvTable table =
+      ProgramFolder().table("hinge-table --quantity operations --bodies 4,6");
+  ASSERT_EQ(table.size(), 12u);
+  const auto expect_gains = [&](std::size_t row, double four, double six) {
+    EXPECT_NEAR(table.at(row, "gain_paper"), four, 0.08);
+    EXPECT_NEAR(table.at(row + 1, "gain_paper"), six, 0.08);
+  };
+  expect_gains(1, 1.3, 2);
+  expect_gains(3, 2.2, 4);
+  expect_gains(7, 2.1, 3.4);
+  expect_gains(9, 4.9, 9.4);
+  // By hand: 6 balls have 18 unknowns, whose factor takes 2109 operations.
+  EXPECT_EQ(table.at(4, "N_at_once"), 3171);
+  EXPECT_EQ(table.at(6, "N_at_once"), 3171 - 2109);
+  for (std::size_t row = 1; row <= table.size(); ++row) {
+    EXPECT_EQ(table.at(row, "gain_ours"),
+              table.at(row, "N_at_once") / table.at(row, "N_ours"));
+    EXPECT_LT(table.at(row, "N_ours"), table.at(row, "N_paper"));
+  }
+}
+
 TEST(HingeTable, PointsOfTheReferenceTable) {
   // The table's own columns ride along and are compared in place.
   const CsvTable table = ProgramFolder().table(

@@ -14,13 +14,10 @@
 
 namespace hinge_table {
 
-namespace {
-
-// What changes nothing in the table.
-void refuse_idle(const Options& options) {
-  const auto refuse = [](const std::string& given, bool is_given) {
+void refuse_idle(const Options& options, std::string_view quantity) {
+  const auto refuse = [&](const std::string& given, bool is_given) {
     if (!is_given) return;
-    cli::refuse_beside(given, cli::given("--quantity", elliptic_quantity));
+    cli::refuse_beside(given, cli::given("--quantity", quantity));
   };
   const std::string materials = options.joint.materials();
   refuse("--alpha", !options.alpha.empty());
@@ -29,10 +26,8 @@ void refuse_idle(const Options& options) {
   refuse(materials, !materials.empty());
 }
 
-}  // namespace
-
 cli::ExitStatus run_elliptic(const Options& options) {
-  refuse_idle(options);
+  refuse_idle(options, elliptic_quantity);
   const std::vector<cli::Choice<bool>> methods = {{"exact", false},
                                                   {"chebyshev", true}};
   const bool is_approximate = cli::choice("--method", options.method, methods);

@@ -1,9 +1,15 @@
 #pragma once
 
+#include <string_view>
+
 #include "cli/program.hpp"
 #include "programs/table/run.hpp"
 
 namespace hinge_table {
+
+/// Refuses options that change nothing in the table of that --quantity, which
+/// has no friction integrals: slip axes, pictures, a joint and its pressure.
+void refuse_idle(const Options& options, std::string_view quantity);
 
 /// The name in --quantity of the complete elliptic integrals.
 inline constexpr const char* elliptic_quantity = "K,E";

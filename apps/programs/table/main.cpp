@@ -23,7 +23,10 @@ int main(int argc, char** argv) {
         "relative tolerance of --method quadrature; default 1e-10"},
        {"--quantity", &o.quantity, "NAME",
         "quantity of a grid in markdown, latex and pictures; default chi;\n"
-        "K,E: the complete elliptic integrals of sin theta0"}});
+        "K,E: the complete elliptic integrals of sin theta0;\n"
+        "operations: of bodies on hinges"},
+       {"--bodies", &o.bodies, "VALUES",
+        "numbers of bodies, 1 to 1000; default 1:8:1", "--quantity"}});
   add_joint_options(program, o.joint);
   add_law_options(program, o.joint, cli::Laws::one, cli::Laws::one);
   program.add_output(o.output);

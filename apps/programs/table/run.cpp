@@ -20,6 +20,7 @@
 #include "libcontact/quantities/tables.hpp"
 #include "programs/table/elliptic_table.hpp"
 #include "programs/table/method.hpp"
+#include "programs/table/operation_table.hpp"
 #include "programs/table/point_block.hpp"
 
 namespace hinge_table {
@@ -311,7 +312,12 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
 
 cli::ExitStatus run(const Options& options) {
   const double tolerance = tolerance_of(options);
+  if (!options.bodies.empty() && options.quantity != operations_quantity) {
+    cli::refuse_without(given("--bodies", options.bodies),
+                        given("--quantity", operations_quantity));
+  }
   if (options.quantity == elliptic_quantity) return run_elliptic(options);
+  if (options.quantity == operations_quantity) return run_operations(options);
   const cli::Joint ball = make_ball(options.joint);
   return run(options, find_method(options.method, tolerance, ball.pressures[0]),
              ball.spec.name);

@@ -16,6 +16,8 @@ struct Options {
   std::string method = "exact";
   // For markdown, latex and pictures; chi by default.
   std::string quantity;
+  // Numbers of bodies, for the quantity operations; 1 to 8 by default.
+  std::string bodies;
   // For the method quadrature; 1e-10 by default.
   std::string tolerance;
   cli::JointOptions joint = {.use = cli::JointUse::pressure};
