@@ -44,7 +44,7 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
         "--impact"},
        {"--restitution",
         number("--restitution", o.restitution, Dimension::number, {0, 1, ""}),
-        "E", "speed of parting over that of touch", "--impact"},
+        "E", "ratio of separation speed to touch speed", "--impact"},
        {"--reference-speed",
         number("--reference-speed", o.reference_speed, Dimension::velocity,
                {0, infinity, "m/s"}),
