@@ -46,7 +46,7 @@ contact_status contact_play_force_law(const contact_play* play,
 contact_status contact_play_largest_penetration(const contact_play* play,
                                                 double* penetration);
 
-/* One touch by no other force than that of the contact. */
+/* One impact without forces other than the contact's. */
 typedef struct contact_impact {
   double restitution;
   double penetration;      /* the largest, m */

@@ -8,7 +8,7 @@
 
 namespace contact {
 
-/// A pressure law of one's own: derive from it and say what shape it has.
+/// A user-defined pressure law: derive from it and return the shape.
 /// Normalisation, peak and friction follow from shape().
 ///
 /// Accuracy: relative error of normalisation, peak, S and all friction

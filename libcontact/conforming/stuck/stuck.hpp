@@ -25,8 +25,8 @@ struct StuckStiffness {
   double load() const { return turn - coupling * coupling / shift; }
 };
 
-/// The rotation is that of the outer body's far end against the mean over the
-/// volume of a solid inner body.
+/// The rotation is measured between the outer body's far end and the mean over
+/// the volume of a solid inner body.
 ///
 /// Each is a lower bound. Accuracy (conforming/stuck_test.cpp): 5e-4 on 46
 /// contacts of half-angles from 5 to 85 deg; the frictionless() limit to 1e-4
