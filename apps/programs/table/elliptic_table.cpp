@@ -16,7 +16,7 @@ namespace hinge_table {
 
 namespace {
 
-// What changes nothing in the table.
+// Rejects options that change nothing in the table.
 void refuse_idle(const Options& options) {
   const auto refuse = [](const std::string& given, bool is_given) {
     if (!is_given) return;
