@@ -771,7 +771,7 @@ TEST_F(StudyFolder, LoadsOfJointsThatEndAreChecked) {
   EXPECT_EQ(message("hip_cup", "without_seat = true"), "");
   EXPECT_EQ(message(ring, "reaction_xyz_N = [1, 0, 0]"),
             ":4: load.reaction_kN = 1 must be left out beside reaction_xyz, "
-            "which says it");
+            "which determines it");
   EXPECT_EQ(message(hip, "swing_deg = 1"),
             ":4: load.swing_deg = 1 requires a joint in a [seat]");
   EXPECT_EQ(message(ring, "without_seat = true, swing_deg = 1"),

@@ -33,13 +33,13 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
         "penetrations from first touch, m; without it and --load 400 in equal "
         "ratios",
         "--force-law", "--load"},
-       {"--impact", &o.impact, "", "touch of a joint with play, and parting",
+       {"--impact", &o.impact, "", "impact of a joint with play",
         "--mass; --speed; --restitution",
         "--force-law --law --limit-angle --inverse --load --load-parameter --x "
         "--compare --plot --jobs"},
        {"--mass",
         number("--mass", o.mass, Dimension::mass, {0, infinity, "kg"}), "MASS",
-        "mass that hits; of two bodies m1 m2/(m1 + m2)", "--impact"},
+        "impacting mass; of two bodies m1 m2/(m1 + m2)", "--impact"},
        {"--speed", &o.speed, "VALUES", "speed of approach at first touch, m/s",
         "--impact"},
        {"--restitution",
