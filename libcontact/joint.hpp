@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Joints under a reaction: normal force, friction force and moments, and

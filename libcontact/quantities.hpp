@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Quantities of results: keys, symbols, dimensions and meanings.

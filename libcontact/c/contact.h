@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Hinge friction from C: joints under a reaction.
  *
  * SI units and radians. Vectors are in any frame, the same for all of a call;

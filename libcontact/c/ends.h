@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Contacts that end, of balls in a [seat] (docs/explanation/seats.md) and pins
  * of finite length (docs/how-to/finite_pin.md), and any quantity of any joint
  * by its key. */

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Moments for iterative solvers of several bodies: those that a contact holds,
  * and how friction answers to its causes. */
 #ifndef LIBCONTACT_C_MOMENTS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Joints with play: the force law of a clearance, impacts, and the joint as a
  * force without constraint (docs/how-to/play.md). */
 #ifndef LIBCONTACT_C_PLAY_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Quantities of results by name, as in Python and in columns of programs. */
 #ifndef LIBCONTACT_C_QUANTITY_H
 #define LIBCONTACT_C_QUANTITY_H

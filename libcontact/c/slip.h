@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Joints that slide or rest under a known reaction. */
 #ifndef LIBCONTACT_C_SLIP_H
 #define LIBCONTACT_C_SLIP_H

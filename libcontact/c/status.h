@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Status, messages and version, shared by the whole C interface. */
 #ifndef LIBCONTACT_C_STATUS_H
 #define LIBCONTACT_C_STATUS_H

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Steps of a simulator with joints that slide, come to rest, hold and let go.
  */
 #ifndef LIBCONTACT_C_STEP_H
