@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// libcontact in physics order: each stage includes only earlier ones.

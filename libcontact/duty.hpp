@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Wear and heat of a joint: p v, heat flux, duty cycles, wear maps.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Pins that end, and tilt: docs/how-to/finite_pin.md.

@@ -1,7 +1,8 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Joints under a reaction: normal force, friction force and moments, and
-/// what holds at rest.
+/// joints at rest.
 // clang-format off
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/spec.hpp"

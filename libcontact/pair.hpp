@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// The two surfaces of a joint: elastic constants, radius, clearance and fit,

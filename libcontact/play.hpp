@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Joints with play: the force law of a clearance, impacts, and the joint as a

@@ -1,6 +1,7 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
-/// What results are made of: keys, symbols, dimensions and meanings.
+/// Quantities of results: keys, symbols, dimensions and meanings.
 // clang-format off
 #include "libcontact/quantities/quantity.hpp"
 #include "libcontact/quantities/tables.hpp"

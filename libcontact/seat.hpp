@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 /// Seats that end: the contact of a ball in a ring, a cup or a socket.

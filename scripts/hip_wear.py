@@ -4,13 +4,13 @@
 The seat of cycle_hip.toml is a cloud of points, Fibonacci's, about the middle
 of the loads. A pressure at one of them moves all others by a kernel, the sum of
 Legendre's series whose terms are the classical ones of a ball and a cavity.
-Loads and slip are those of cycle_hip_states.csv, 100 instants of a cycle; at
+Loads and slip come from cycle_hip_states.csv, 100 instants of a cycle; at
 each the seat wears by k p |v| dt with the pressure as it is there, explicitly.
 Nothing is shared with the library.
 
     hip_wear.py [SPACING_DEG...] > hip_wear_steps.csv
 
-The last rows are lines through those of all spacings to the power 3/2, at 0:
+The last rows are lines through the rows of all spacings to the power 3/2, at 0:
 so the half-angle goes to the exact one before wear. Contacts are read at the
 instant of the largest load, load_x_N to load_z_N.
 """

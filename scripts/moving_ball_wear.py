@@ -56,7 +56,7 @@ def main():
         shift = np.zeros(3)
         done = 0.0
         for target in (1e-13, 3e-13, 1e-12, 3e-12):
-            # A place wears at once by a small part of what it yields.
+            # A place wears at once by a small part of its displacement.
             rounds = int(np.ceil((target - done) * STIFF * steps / len(path)))
             rounds = max(rounds, 20)
             part = (target - done) / rounds / len(path)

@@ -4,14 +4,14 @@
 Step by step, instant after instant: the load stands at one place of its swing,
 the contact is solved on a circle of points, every point wears by its own
 pressure (explicitly), and the load goes on to the next place, there and back.
-Nothing is shared with the library: compliances are those of a disc and of a
-hole in an infinite body (Muskhelishvili), written down again here, and the
+Nothing is shared with the library: the compliances of a disc and of a
+hole in an infinite body (Muskhelishvili) are written down again here, and the
 contact is a linear system on the points that touch.
 
     moving_wear.py [POINTS [PLACES [SHARE]]] > moving_wear.csv
 
 POINTS of the circle, PLACES of the swing, and the SHARE of the largest stable
-step. The rows are those of 960 61 0.7. Of them 0_off is half-way to the end
+step. The rows are from 960 61 0.7. Among them 0_off is half-way to the end
 of the swing (depth_off at its end).
 """
 import sys
@@ -19,7 +19,7 @@ import sys
 import numpy as np
 
 RHO, EPS, E, NU = 0.02, 4e-5, 1e11, 0.3
-MODULUS = E / (1 - NU**2)  # twice that of the contact: two bodies alike
+MODULUS = E / (1 - NU**2)  # twice the contact's: two bodies alike
 
 
 def compliance(count):

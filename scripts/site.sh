@@ -1,17 +1,21 @@
 #!/usr/bin/env bash
 # The documentation as a site to be read from a disk or a server, without a
 # network: scripts/site.sh BUILD_DIR makes BUILD_DIR/site of all pages, with the
-# C++ and C reference in site/cpp. A warning is an error. Needs a configured
-# build and the packages of scripts/packages-site.txt.
+# C++ and C reference in site/cpp. A warning is an error, and so is a formula
+# that KaTeX cannot parse. Needs a configured build and the packages of
+# scripts/packages-site.txt.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 build=$(cd "$1" && pwd)
 cd "$(dirname "$0")/.."
 [ "${CONTACT_SKIP_SETUP:-}" = 1 ] || scripts/setup.sh scripts/packages-site.txt
+
+node scripts/site/formulas.js README.md CHANGELOG.md CONTRIBUTING.md data \
+  libcontact/docs
 
 # The pages as they lie in the tree, the README first.
 work=$(mktemp -d)

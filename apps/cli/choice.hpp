@@ -9,7 +9,7 @@
 
 namespace cli {
 
-/// One of the words that an option takes, and what it stands for.
+/// One of the words that an option takes, and its value.
 template <class T>
 struct Choice {
   std::string_view name;

@@ -9,7 +9,7 @@
 namespace cli {
 
 /// The column of a number of the tables of quantities: "theta0_deg".
-/// @param of  what of several things has it: "theta0_exact_deg"
+/// @param of  which of several laws or bodies has it: "theta0_exact_deg"
 template <class T>
 std::string column_of(std::span<const contact::Quantity<T>> table,
                       std::string_view key, std::string_view of = "") {

@@ -35,7 +35,7 @@ std::string draw_script(std::string_view script, const std::string& file,
 std::string svg_of(std::string_view script);
 
 /// Text that is shown as it is, quoted for gnuplot: "it\047s". In single quotes
-/// gnuplot 5.4 loses apostrophes, so that these and what counts in double
+/// gnuplot 5.4 loses apostrophes, so these and the special characters of double
 /// quotes are octal numbers; control characters become \xNN.
 std::string gnuplot_text(std::string_view text);
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-/// Options that programs had, and what to write in their place.
+/// Removed options, and their replacements.
 namespace cli {
 
 struct GoneOption {

@@ -21,7 +21,7 @@ class Interrupts {
 
   /// SIGINT or SIGTERM if it has come, else 0.
   int signal() const;
-  /// `status`, but that of the signal if one has come.
+  /// `status`, or the status of a signal if one has come.
   ExitStatus status(ExitStatus status) const;
 
  private:

@@ -29,8 +29,8 @@ struct Option {
   std::variant<std::string*, bool*, Texts*, List, Reader> target;
   const char* kind;  ///< kind of text, for --help: "LENGTH"; "" for none
   const char* meaning;
-  /// Options of which at least one has to be there too, in words: "--shaft",
-  /// "--radius or --diameter"; several such conditions have a ; between them.
+  /// Options, at least one of them required too, in words: "--shaft", "--radius
+  /// or --diameter"; several such conditions have a ; between them.
   std::string_view needs = {};
   /// Options with which it conflicts, in words.
   std::string_view excludes = {};

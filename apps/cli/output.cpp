@@ -165,7 +165,7 @@ Output::~Output() { discard(); }
 
 void Output::check(const std::string& path) {
   std::error_code ignored;
-  // Opened for a moment, a pipe would be at its end for who reads it.
+  // Do not open pipes here: their reader would see the end.
   if (std::filesystem::is_fifo(path, ignored)) return;
   const Output possible(path);
 }

@@ -36,7 +36,7 @@ void OutputNames::keep(std::string_view option, const std::string& name) {
   if (to.empty()) return;
   const auto [place, is_new] = options_.emplace(to, option);
   if (is_new) return;
-  refuse(option, name, "another file than that of " + place->second);
+  refuse(option, name, "another file than " + place->second);
 }
 
 void OutputNames::add(std::string_view option, const std::string& name) {

@@ -29,9 +29,9 @@ struct Stacked {
   bool whole = true;  // its axis ends with ticks
   std::string marks = {};
   std::string curves = {};        // arguments of `plot` for them
-  std::vector<double> ends = {};  // of curves that have a label
+  std::vector<double> ends = {};  // values at the ends of labelled curves
 
-  // Where the ends are, em from the top; none if all are at one height, as of
+  // Heights of the ends, em from the top; none if all are equal, such as of
   // pressures, which end at 0.
   std::vector<double> heights_of_ends(const Box& box,
                                       const Ticks& ticks) const {
@@ -47,10 +47,10 @@ struct Stacked {
 };
 
 // Whether two curves lie on one another wherever they look alike: over more
-// than half of what both have.
+// than half of their common range.
 bool coincide(const Curve& a, const Curve& b, const Extent& y,
               bool logarithmic) {
-  constexpr double near = 0.006;  // of the axis, about a line's width
+  constexpr double near = 0.006;  // share of the axis, about a line's width
   const auto at = [&](double value) {
     return logarithmic ? std::log(value) / std::log(y.high / y.low)
                        : value / (y.high - y.low);
@@ -107,7 +107,7 @@ std::vector<std::string> styles_of(const std::vector<Curve>& curves,
   return styles;
 }
 
-// The data of the curves, added to the script, and what `plot` says of them.
+// The data of the curves, added to the script, and their arguments of `plot`.
 std::string add_curves(std::string& script, const std::string& name,
                        const std::vector<Curve>& curves,
                        const std::vector<std::string>& styles, const Prefix& x,

@@ -27,7 +27,7 @@ struct Curve {
 /// would hide the small ones.
 bool is_wide(const std::vector<Curve>& curves);
 
-/// A second, lower panel over the same x: errors of what is above.
+/// A second, lower panel over the same x: errors of the upper panel.
 struct LowerPanel {
   Axis y;
   double half_range = 1;  ///< y from -half_range to half_range

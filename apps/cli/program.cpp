@@ -73,12 +73,12 @@ std::vector<std::string_view> flags_in(std::string_view words) {
   return flags;
 }
 
-// What others call an option; taken for it where the program has none of the
-// name.
+// Synonyms of options, accepted if the program has no option of the name.
 constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
     {"--load", "--reaction"}, {"--reaction", "--load"}};
 
-// What others call an option, which may be another one here: a question.
+// Names from other programs, which may mean another option here: suggestions
+// only.
 constexpr std::pair<std::string_view, std::string_view> other_names[] = {
     {"--mu", "--friction"},        {"--f0", "--friction"},
     {"--force", "--reaction"},     {"--force", "--load"},
@@ -401,7 +401,7 @@ void Program::add_help(std::string_view help) {
             name, [text] { throw CLI::CallForVersion(text(), 0); }, meaning)
         ->group("Options");
   };
-  flag("--help-columns", "print what the columns mean", [help] {
+  flag("--help-columns", "print the meanings of the columns", [help] {
     std::string text = columns_help(help);
     text.pop_back();
     return text;
@@ -413,8 +413,7 @@ void Program::add_help(std::string_view help) {
         completion(choice("--completion", shell, shells), described(help)), 0);
   };
   app_->add_option_function<std::string>(
-          "--completion", complete,
-          "print what completes options in bash, zsh or fish")
+          "--completion", complete, "print completions for bash, zsh or fish")
       ->option_text("SHELL")
       ->group("Options");
 }

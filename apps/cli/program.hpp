@@ -68,7 +68,7 @@ class Program {
   void add_schema(std::function<std::string()> text);
   /// Gives an option another meaning in --help.
   void describe(const char* flag, const char* meaning);
-  /// Adds a check that comes before those of needs and excludes.
+  /// Adds a check that precedes the checks of needs and excludes.
   void add_check(std::function<void()> check);
 
   /// Whether an option is on the command line.
@@ -91,7 +91,7 @@ class Program {
 
   std::unique_ptr<CLI::App> app_;
   std::vector<Option> rows_;
-  std::vector<std::string> groups_;  ///< of each row
+  std::vector<std::string> groups_;  ///< group of each row
   std::vector<std::function<void()>> checks_;
   OutputOptions* output_ = nullptr;
 };

@@ -33,7 +33,7 @@ std::string spelling(std::string_view unit) {
   return text;
 }
 
-// Null for what is no unit of the dimension.
+// Null if the text is no unit of the dimension.
 const Unit* find_unit(std::string_view text, Dimension dimension) {
   const auto all = contact::units_of(dimension);
   const auto unit = std::ranges::find(

@@ -11,9 +11,9 @@
 #include "libcontact/files/setting.hpp"
 
 /// Numbers of options, with units or without: "2kN", "30 deg", "1.5". Units are
-/// those of the keys of files; "N/m" and "N_per_m" are one, and so are "N_m",
-/// "N*m" and "Nm". A plain number is in degrees if it is an angle, otherwise in
-/// SI units, and so is what the functions return.
+/// spelled as in the keys of files; "N/m" and "N_per_m" are one, and so are
+/// "N_m", "N*m" and "Nm". A plain number is in degrees if it is an angle,
+/// otherwise in SI units. The functions return SI units.
 namespace cli {
 
 /// A number within an interval. Throws contact::Error with the name of its
@@ -29,9 +29,9 @@ std::optional<double> read_quantity(std::string_view option,
                                     std::string_view text,
                                     contact::Dimension dimension);
 
-/// A number as the key of a file that measures this: KEY_UNIT = NUMBER, which
-/// says that it is from OPTION TEXT. Its range is left to who reads the key.
-/// Throws contact::Error for what is no number with such a unit.
+/// A number as a key of a file of this dimension: KEY_UNIT = NUMBER, marked as
+/// coming from OPTION TEXT. The reader of the key checks its range. Throws
+/// contact::Error unless it is a number with such a unit.
 contact::KeySetting quantity_key(std::string_view option, std::string_view text,
                                  std::string_view key,
                                  contact::Dimension dimension);
@@ -53,8 +53,8 @@ std::vector<std::string_view> split(std::string_view text,
 /// thousands, or a decimal one: "2,500", "12,500", "0,5kN".
 bool looks_like_thousands(std::string_view text);
 
-/// Whether a list has a number with a zero in front, as nobody writes one that
-/// stands alone: 100,000 and 0,05.
+/// Whether a list has a number with a leading zero, which suggests a thousands
+/// or decimal comma: 100,000 and 0,05.
 bool has_cut_number(std::string_view text);
 
 /// A number without a unit within an interval. Throws contact::Error for

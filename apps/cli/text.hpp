@@ -13,7 +13,7 @@ namespace cli {
 class Text {
  public:
   /// Room for `count` more characters; returns where they go. Call `end_at`
-  /// with the end of what was written.
+  /// with the end of the written characters.
   char* reserve(std::size_t count) {
     if (buffer_.size() - size_ < count) {
       buffer_.resize(2 * (size_ + count));

@@ -148,7 +148,7 @@ struct Calculator::Prepared {
   JointSpec endless;
   hinge_joint::NamedJoint joint;
   std::vector<AnswerColumn> columns;
-  // The last curves, and what they depend on: first decade, angle, rate.
+  // The last curves, and their parameters: first decade, angle, rate.
   std::array<double, 3> drawn = {};
   std::string curves_text;
 

@@ -15,8 +15,8 @@ std::string choices();
 /// page shows, as JSON. The laws of the last joint are kept, so that another
 /// load costs solutions alone, and another friction or clearance no new law.
 ///
-/// Numbers are those of the columns of hinge-joint and hinge-pressure, in their
-/// units, and words of columns, notes and refusals are the library's.
+/// Numbers equal the columns of hinge-joint and hinge-pressure, in their units;
+/// columns, notes and errors have the library's words.
 class Calculator {
  public:
   /// @param data  the folder with materials/, to which the paths of joint files
@@ -37,9 +37,9 @@ class Calculator {
   /// @param state  TOML too: reaction, rate and, of a ball, beta_deg
   std::string answer(const std::string& joint, const std::string& state);
 
-  /// Columns over four decades of load around that of the state, {"R_N": [..],
-  /// "theta0_deg": [..], ...}, or an error; empty without load. They are kept
-  /// while the decades are the same.
+  /// Columns over four decades of load around the load of the state, {"R_N":
+  /// [..], "theta0_deg": [..], ...}, or an error; empty without load. They are
+  /// kept while the decades are the same.
   std::string curves(const std::string& joint, const std::string& state);
 
  private:

@@ -14,7 +14,7 @@ struct SameNumbers {
   std::string cpp;
 };
 
-/// @param input   with what was given
+/// @param input the given numbers
 /// @param is_pin  a pin has no angle between reaction and rate
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin);
 

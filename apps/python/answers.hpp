@@ -50,7 +50,7 @@ struct Field {
 template <class Row>
 using Table = std::vector<Field<Row>>;
 
-/// Adds quantities of what `part(row)` refers to.
+/// Adds quantities of `*part(row)`.
 template <class Row, class Part, class Get>
 void add(Table<Row>& to, std::span<const Quantity<Part>> quantities,
          const Get& part) {
@@ -93,9 +93,9 @@ std::string documentation(const Quantity& q) {
                         : ".");
 }
 
-/// Rows as they were computed; the array of a quantity is made when it is asked
-/// for, once, and nobody writes into it. Unpickled ones have the arrays in the
-/// place of rows, and with them all that can be asked of the rows.
+/// Rows as they were computed; the array of a quantity is made on first use and
+/// is read-only. After unpickling, `rows` is empty and every array is already
+/// present.
 template <class Row>
 struct Answers {
   Shape shape;
@@ -141,7 +141,7 @@ template <class Row>
   for (const Field<Row>& q : fields) known.emplace_back(q.key);
   refuse_field(name, std::move(known));
 }
-/// Nobody writes into an array any more.
+/// Makes an array read-only.
 void protect(py::array& array);
 /// Some rows of an array.
 py::array rows_of(const py::array& array, const py::array_t<std::size_t>& which,
@@ -191,7 +191,7 @@ py::dict arrays_of(const Answers<Row>& a, const Table<Row>& fields) {
   return arrays;
 }
 
-// A copy of an array of a pickle, as column() makes them. Those of another
+// A copy of an array of a pickle, as column() makes them. Arrays of another
 // shape would be read beyond their ends.
 template <class Row>
 py::array array_in(const py::dict& arrays, const Field<Row>& field,

@@ -1,4 +1,4 @@
-// Functions of a normal force, and those of the laws alone.
+// Functions of a normal force, and of the laws alone.
 #include <pybind11/stl.h>
 
 #include "libcontact/friction/friction_integrals.hpp"

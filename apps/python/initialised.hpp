@@ -4,9 +4,9 @@
 
 namespace contact_python {
 
-/// Objects of the module's classes whose __init__() did not run, as those of
-/// __new__() alone, have a TypeError for who uses them. pybind11 makes memory
-/// of any contents in the place of what they do not have, and reads it.
+/// Uses of objects whose __init__() did not run, such as objects from __new__()
+/// alone, raise a TypeError. pybind11 would read uninitialised memory in place
+/// of the missing C++ object.
 void refuse_uninitialised(const pybind11::module_& m);
 
 /// Objects of the module's classes are pickled by every protocol, those that

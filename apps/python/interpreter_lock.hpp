@@ -24,10 +24,10 @@ auto outlive_python(const Call& call) noexcept {
   }
 }
 
-/// Lets go of Python's lock while in scope, as pybind11::gil_scoped_release.
-/// A constructor has it inside its factory, not as call_guard: pybind11 must
-/// not see the new object before the lock is back, since Python may end then
-/// and would free an object that nobody has registered.
+/// Lets go of Python's lock while in scope, as pybind11::gil_scoped_release. A
+/// constructor has it inside its factory, not as call_guard: pybind11 must not
+/// see the new object before the lock is back, since Python may end then and
+/// would free an unregistered object.
 class Unlocked {
  public:
   Unlocked();
@@ -36,7 +36,7 @@ class Unlocked {
   Unlocked& operator=(const Unlocked&) = delete;
 };
 
-/// Has it while in scope, within that of an Unlocked of the same thread.
+/// Holds it while in scope, within an Unlocked of the same thread.
 class Locked {
  public:
   Locked();

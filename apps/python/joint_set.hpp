@@ -14,8 +14,8 @@
 
 namespace contact_python {
 
-/// The joints that functions of rows are over: an array of any shape; () is
-/// that of a single joint.
+/// The joints that functions of rows are over: an array of any shape; () for a
+/// single joint.
 class JointSet {
  public:
   /// @param refusal  what functions of friction say if the joints have none, or

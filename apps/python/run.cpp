@@ -19,8 +19,7 @@
 namespace contact_python {
 namespace {
 
-/// Questions of a run to Python on its way: whether somebody pressed Ctrl-C,
-/// and who wants to know how far it is.
+/// Calls from a run to Python: check for Ctrl-C, report progress.
 class Listener {
  public:
   Listener(py::object progress, const separation::Run& run)
@@ -139,8 +138,8 @@ class CaseRun {
     if (values_.empty()) values_ = run().values();
     return values_;
   }
-  // To the end, with a last row there; nothing may be asked of it then. With
-  // what is to be said of its contacts.
+  // To the end, with a last row there; no further queries then. With the notes
+  // on its contacts.
   py::tuple whole(py::object progress) && {
     advance_to(run_.of().end_time, std::move(progress));
     const auto notes = separation::contact_notes(run_.of(), run_.memory());

@@ -46,7 +46,7 @@ struct Stepped : contact::JointStep {
   EndsOf rest_ends;  ///< ends of the slip of the rest
 };
 
-/// The quantities of solutions, those of their ends last.
+/// The quantities of solutions, the quantities of their ends last.
 const Table<Solved>& solved_table();
 const Table<Held>& held_table();
 const Table<Stepped>& stepped_table();
@@ -72,8 +72,7 @@ auto part_of(const Answers<Whole>& all, const char* name, const Get& get) {
   return parts;
 }
 
-/// The grid of the last contact that ends, from which that of the next row is
-/// found faster.
+/// The grid of the last bounded contact, which speeds up the next row.
 class NearRim {
  public:
   /// Puts it into the start of a solution of the same joint.

@@ -93,7 +93,7 @@ std::string laws(const char* name, const Entries& entries) {
                            entries, [](const auto&) { return true; }));
 }
 
-// Names of quantities, of which `fields` are some.
+// Names of quantities that `fields` may contain.
 template <class... Table>
 std::string fields(const std::string& name, const Table&... tables) {
   std::vector<std::string> keys;
@@ -173,8 +173,8 @@ const char* type_of_keyword(std::string_view key) {
   return "_Key";
 }
 
-// The keywords of a joint: those of _joint_keys that are keys of no table.
-// @param line  "@JointKeys" and those that are left out
+// The keywords of a joint: the _joint_keys outside tables.
+// @param line  "@JointKeys" and the omitted ones
 std::string joint_keywords(const std::string& line) {
   std::string text;
   const auto add = [&](const contact::KnownKey& key) {

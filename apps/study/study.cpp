@@ -67,7 +67,7 @@ std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
   for (const auto& [name, why] : unreached) {
     std::string whole = name;
     if (name.ends_with('.')) {
-      // BODY.at_release. and what the pattern has behind that.
+      // BODY.at_release. and the rest of the pattern.
       const std::string_view part =
           std::string_view(name).substr(name.rfind('.', name.size() - 2));
       const auto at = pattern.rfind(part);

@@ -31,7 +31,7 @@ class Study {
 
   const Plan& plan() const { return plan_; }
   const Design& design() const { return *design_; }
-  /// Rows are those of 0, the nominal one, to runs().
+  /// Rows 0, the nominal one, to runs().
   std::uint64_t runs() const { return plan_.runs; }
 
   /// Names of a row's numbers: inputs, quantities.

@@ -22,8 +22,8 @@ class ChebyshevTable {
   ChebyshevTable(int count, const Row& row);
 
   Eigen::Index columns() const { return coefficients_.cols(); }
-  /// Whether the last coefficients of the first columns are below this, and
-  /// what was cut off with them.
+  /// Whether the last coefficients of the first columns are below this, and the
+  /// truncated terms with them.
   bool is_resolved(double negligible, Eigen::Index columns,
                    Eigen::Index last = 4) const;
   /// Leaves out terms at the end that are below this in all columns.

@@ -9,7 +9,7 @@
 /// A file's name and line come in front: "j.toml:4: ".
 namespace contact::detail {
 
-/// Message "WHAT must be RULE"; `rule` says what is right: "above 0".
+/// Message "WHAT must be RULE"; `rule` is the condition: "above 0".
 std::string must_be(std::string_view what, std::string_view rule);
 
 /// `unknown KIND "WORD": did you mean "NEAREST"? (KNOWN, ...)`, without the

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cmath>
@@ -57,7 +58,7 @@ struct Unit {
   }
 };
 
-/// The first one is that of a key without an ending.
+/// The first one applies to a key without an ending.
 std::span<const Unit> units_of(Dimension dimension);
 /// The one with this ending.
 const Unit& unit_of(Dimension dimension, std::string_view ending);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <stdexcept>
@@ -5,8 +6,8 @@
 
 namespace contact {
 
-/// Bad input from a person: a file, an option, a parameter out of range.
-/// The message names the place, the value and what is allowed, in one line.
+/// Bad input from a person: a file, an option, a parameter out of range. The
+/// message names the place, the value and the allowed range, in one line.
 /// Constructors and readers throw it; numerical kernels never throw.
 class Error : public std::runtime_error {
  public:

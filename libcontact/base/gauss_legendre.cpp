@@ -33,8 +33,8 @@ GaussLegendre::GaussLegendre(int size) : node(size), weight(size) {
     x(i) = (1 - (size - 1) / n3) *
            std::cos(std::numbers::pi * (i + 0.75) / (size + 0.5));
   }
-  // Newton's steps, of which the last one alone needs more digits: where these
-  // are made by software, they cost fifty times as much.
+  // Newton's steps. Only the last one needs more digits: where software
+  // computes these, they cost fifty times as much.
   for (int step = 0; step < 3; ++step) {
     const auto [value, previous] = last_two(size, x);
     x -= value * (1 - x) * (1 + x) / (size * (previous - x * value));

@@ -12,8 +12,7 @@
 
 /// Numbers side by side in a vector of the compiler's, g++ or clang, on any
 /// machine. In kernels only: each file that is compiled for an instruction set
-/// has types of its own, so that the linker takes no function of one for that
-/// of another.
+/// has types of its own, so that the linker does not mix functions of two sets.
 namespace contact::detail {
 
 enum class LaneSet { baseline, avx2, avx512 };

@@ -15,14 +15,14 @@
 #include "libcontact/files/setting.hpp"
 
 /// Boundary of the C interface: no C++ exception gets out, and
-/// contact_last_message() says what has failed. The floating-point environment
+/// contact_last_message() describes the failure. The floating-point environment
 /// is the host's again.
 namespace contact::c {
 
 /// Keeps the message of the exception that is being handled; the status.
 contact_status report_exception() noexcept;
 
-/// Calls `work`, whose status is that of the function.
+/// Calls `work` and returns its status.
 template <class Work>
 contact_status call(const Work& work) noexcept {
   try {

@@ -1,10 +1,10 @@
+/* SPDX-License-Identifier: MIT */
 /* Hinge friction from C: joints under a reaction.
  *
  * SI units and radians. Vectors are in any frame, the same for all of a call;
- * of a joint with a [seat] in the axes of the body that has it. Names and
- * formulas are those of the C++ library (docs/reference/notation.md,
- * docs/explanation/joint.md); numbers are those of it to the last bit, and so
- * is their accuracy.
+ * of a joint with a [seat] in the axes of the body that has it. Names, formulas
+ * and accuracy follow the C++ library (docs/reference/notation.md,
+ * docs/explanation/joint.md); numbers are bit-identical.
  *
  * A function returns a contact_status. Where it is not CONTACT_OK
  * contact_last_message() says why in one line; results are NaN, or for

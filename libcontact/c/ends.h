@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Contacts that end, of balls in a [seat] (docs/explanation/seats.md) and pins
  * of finite length (docs/how-to/finite_pin.md), and any quantity of any joint
  * by its key. */
@@ -18,8 +19,8 @@ extern "C" {
 /* How the halves lie to each other. Set all that is not used to 0. */
 typedef struct contact_placement {
   size_t size; /* sizeof(contact_placement) */
-  /* Rotation from the axes of the body that has the seat to those of the
-   * vectors, row by row; all 0: they are the same. */
+  /* Rotation from the axes of the body with the seat to the axes of the
+   * vectors, row by row; all 0: the same axes. */
   double from_seat[9];
   double tilt[3]; /* known slope of a pin's axis in its hole */
   int is_placed;  /* the reaction acts at `place`, and the tilt is found */
@@ -36,8 +37,8 @@ void contact_memory_free(contact_memory* memory);
 /* `count` quantities of a slip by their keys, one behind the other, a vector as
  * three numbers. NaN where there is none, as of an angle about the contact's
  * axis at a rim.
- * placement: NULL: the axes of the seat are those of the vectors, and a pin is
- *     level and without end. Its vectors are those of the call; a pin that has
+ * placement: NULL: the vectors are in the axes of the seat, and a pin is level
+ *     and infinite. Its vectors are in the frame of the call; a pin that has
  *     one ends, level or tilted, and requires slip.axis or a turn, dry
  *     friction, clearance and a wall with an end.
  * memory: NULL, or the last solution, to begin from, which this one replaces: a
@@ -51,8 +52,8 @@ contact_status contact_joint_get(const contact_joint* joint,
                                  contact_memory* memory,
                                  const char* const* keys, size_t count,
                                  double* values);
-/* Quantity i of a slip: those of solutions (contact_solution_quantity()), then
- * of the rims of a seat, then of pins that end; NULL behind the last one. */
+/* Quantity i of a slip: first of solutions (contact_solution_quantity()), then
+ * of the rims of a seat, then of finite-length pins; NULL after the last. */
 const contact_quantity* contact_joint_quantity(size_t i);
 
 /* Pressures of a solution, Pa, at `count` places: unit vectors from the joint's

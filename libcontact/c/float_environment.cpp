@@ -7,9 +7,9 @@
 namespace contact::c {
 namespace {
 
-// x86 has two environments. That of vectors, which nearly all arithmetic is
-// made of, is read and written in 5 ns, the other, of long doubles, in 100: it
-// is left alone where it is as programs start, but for flags.
+// x86 has two environments. The one of vectors, for nearly all arithmetic, is
+// read and written in 5 ns, the other, of long doubles, in 100: it is left
+// alone if it is in its initial state, except for flags.
 #if defined(__x86_64__)
 constexpr unsigned vectors_as_started = 0x1f80;
 constexpr unsigned short control_as_started = 0x037f;

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Joints and their contacts: half-angle, pressure, friction coefficients. */
 #ifndef LIBCONTACT_C_JOINT_H
 #define LIBCONTACT_C_JOINT_H

@@ -24,7 +24,7 @@ void tell(double (&to)[9], const Matrix3d& from) {
   Eigen::Map<Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>{to} = from;
 }
 
-// Calls use(set) with that of a ball's solution.
+// Calls use(set) with the moment set of a ball's solution.
 template <class Use>
 contact_status with_set(const contact_joint* joint,
                         const contact_solution* solution,

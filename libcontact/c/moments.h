@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Moments for iterative solvers of several bodies: those that a contact holds,
  * and how friction answers to its causes. */
 #ifndef LIBCONTACT_C_MOMENTS_H
@@ -60,8 +61,8 @@ typedef struct contact_derivatives {
   double over_reaction[9]; /* dM_t/dR, m */
   double at_contact[9];    /* dM_t/dDw at fixed n, R_n and theta0, N m s */
 } contact_derivatives;
-/* solution: that of the slip. CONTACT_OUT_OF_RANGE at rest, and for a solution
- * that is not CONTACT_OK. */
+/* solution: the solution of the slip. CONTACT_OUT_OF_RANGE at rest, and for a
+ * solution that is not CONTACT_OK. */
 contact_status contact_joint_derivatives(const contact_joint* joint,
                                          const contact_slip* slip,
                                          const contact_solution* solution,

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Joints with play: the force law of a clearance, impacts, and the joint as a
  * force without constraint (docs/how-to/play.md). */
 #ifndef LIBCONTACT_C_PLAY_H
@@ -46,7 +47,7 @@ contact_status contact_play_force_law(const contact_play* play,
 contact_status contact_play_largest_penetration(const contact_play* play,
                                                 double* penetration);
 
-/* One touch by no other force than that of the contact. */
+/* One impact without forces other than the contact's. */
 typedef struct contact_impact {
   double restitution;
   double penetration;      /* the largest, m */

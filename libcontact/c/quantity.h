@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Quantities of results by name, as in Python and in columns of programs. */
 #ifndef LIBCONTACT_C_QUANTITY_H
 #define LIBCONTACT_C_QUANTITY_H
@@ -66,7 +67,7 @@ contact_status contact_joint_stuck(const contact_joint* joint,
 const contact_quantity* contact_stuck_quantity(size_t i);
 contact_status contact_stuck_get(const contact_stuck* stuck, const char* key,
                                  double* value);
-/* What the stiffness under R_n leaves out or stands on, one sentence per line,
+/* Notes on limits of the stiffness under R_n, one sentence per line,
  * cut to `size` with its final 0. */
 contact_status contact_joint_stuck_notes(const contact_joint* joint,
                                          double normal_force, char* text,

@@ -54,7 +54,7 @@ contact_status get(const Quantity<T>& q, const T& of, double* value) {
 
 /// The function `function` of C: puts the quantity `key` of `result`, an
 /// argument called `name`, into `value`.
-/// @param to_cpp  converts the result to that of `table`
+/// @param to_cpp  converts the result to the type of `table`
 template <auto table, class Result, class ToCpp>
 contact_status get_of(const std::string& function, const char* name,
                       const Result* result, const ToCpp& to_cpp,

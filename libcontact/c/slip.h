@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Joints that slide or rest under a known reaction. */
 #ifndef LIBCONTACT_C_SLIP_H
 #define LIBCONTACT_C_SLIP_H
@@ -51,14 +52,14 @@ typedef struct contact_solution {
   double memory[20]; /* for the next solution, which starts from this one */
 } contact_solution;
 
-/* sizeof(contact_solution) of the library: that of a program whose headers are
- * of another version is another one. */
+/* sizeof(contact_solution) of the library, which differs from a program's if
+ * its headers are of another version. */
 size_t contact_solution_size(void);
 
 typedef struct contact_slip {
   double reaction[3];         /* R on the body, N */
   double angular_velocity[3]; /* Dw of the body against the carrier, rad/s */
-  double axis[3];             /* unit axis of a pin; 0: that of Dw */
+  double axis[3];             /* unit axis of a pin; 0: the axis of Dw */
 } contact_slip;
 
 /* Friction under a reaction while the halves turn.
@@ -82,7 +83,7 @@ contact_status contact_joint_solution_notes(const contact_joint* joint,
                                             char* text, size_t size);
 
 /* Many slips. A stride is the number of bytes from one row to the next; with 0
- * the first one is that of all rows. */
+ * all rows use the first one. */
 typedef struct contact_slips {
   size_t count;
   const double* reaction;
@@ -94,9 +95,9 @@ typedef struct contact_slips {
   int warm;         /* each row starts from the one before */
   double tolerance; /* stop at this residual; 0: 1e-13 */
 } contact_slips;
-/* All rows are solved whatever comes of some of them; the status is that of the
- * first one that is not CONTACT_OK, and the message names it. A refused call
- * says so in the first solution.
+/* All rows are solved whatever comes of some of them; returns the first status
+ * that is not CONTACT_OK, and the message names it. A refused call says so in
+ * the first solution.
  * stride: bytes from one solution to the next. */
 contact_status contact_joint_solve_rows(const contact_joint* joint,
                                         const contact_slips* slips,
@@ -106,7 +107,7 @@ contact_status contact_joint_solve_rows(const contact_joint* joint,
 typedef struct contact_hold {
   double reaction[3]; /* R on the body, N */
   double moment[3];   /* M on the body that friction has to supply, N m */
-  double axis[3];     /* unit axis of a pin; 0: that of M */
+  double axis[3];     /* unit axis of a pin; 0: the axis of M */
 } contact_hold;
 typedef struct contact_rest {
   contact_status status;

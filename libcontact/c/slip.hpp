@@ -17,7 +17,7 @@ struct Refused<contact_rest> {
   static void write(contact_rest* rest, contact_status status) noexcept;
 };
 
-/// C++ results from those of C, to the last bit.
+/// Converts C results to C++, bit-identically.
 JointSolution solution_of(const contact_solution& solution);
 Joint::Slip slip_of(const contact_slip& slip);
 /// A solution with its contact: C does not keep one at a rim of the seat, which
@@ -27,7 +27,7 @@ RestSolution rest_of(const contact_rest& rest);
 contact_status status_of(Status status);
 Status cpp_status(contact_status status);
 
-/// C results from those of C++.
+/// Converts C++ results to C.
 void put(contact_solution& to, const JointSolution& solution);
 void put(contact_rest& to, const RestSolution& rest);
 

@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Status, messages and version, shared by the whole C interface. */
 #ifndef LIBCONTACT_C_STATUS_H
 #define LIBCONTACT_C_STATUS_H
@@ -7,8 +8,8 @@
 extern "C" {
 #endif
 
-/* Version of these headers, and that of the library. Until 1.0 they have to be
- * the same up to the last number. */
+/* Versions of these headers and of the library. Until 1.0 they must be the same
+ * up to the last number. */
 #define CONTACT_VERSION "0.3.0"
 const char* contact_version(void);
 
@@ -26,8 +27,8 @@ typedef enum contact_status {
  * before there was one. Valid until the thread's next call. */
 const char* contact_last_message(void);
 
-/* Makes a message that of the calling thread's last call, cut to 2047 bytes,
- * and returns the status: for libraries that stand on this one, as runs do. */
+/* Stores a message for the calling thread's last call, truncated to 2047 bytes,
+ * and returns the status: for libraries built on this one, such as runs. */
 contact_status contact_report(contact_status status, const char* message);
 
 /* A key of a file that is given another value, as "geometry.radius_mm" = "25";

@@ -24,7 +24,7 @@ StepStart start_of(const contact_step_start& s) {
 
 bool rests(const StepStart& start) { return start.angular_velocity.isZero(0); }
 
-// Step to begin from, with what is told of rest or without.
+// Step to begin from, with or without the report on rest.
 JointStep last_of(const contact_step* last, bool with_rest) {
   JointStep step;
   if (!last) return step;

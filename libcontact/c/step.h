@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Steps of a simulator with joints that slide, come to rest, hold and let go.
  */
 #ifndef LIBCONTACT_C_STEP_H
@@ -19,7 +20,7 @@ typedef struct contact_step_start {
   double reaction[3];         /* R on the body, N, of the step before */
   double angular_velocity[3]; /* Dw, rad/s; exactly 0: it rests */
   double free[3]; /* Dw at the end of the step if it had no friction, rad/s */
-  double axis[3]; /* unit axis of a pin; 0: that of Dw or `free` */
+  double axis[3]; /* unit axis of a pin; 0: the axis of Dw or `free` */
 } contact_step_start;
 
 /* The same joint at its end. */
@@ -56,9 +57,9 @@ typedef struct contact_sweeps {
  * inertia: W, mass matrix over the time step in the joints' angular velocities,
  *     three rows for a ball and one, about its axis, for a pin. Whether it is
  *     symmetric and the joints' blocks positive definite is looked at.
- * steps: in: of the step before, or all 0; a better guess of Dw than that of
- *     `starts` may stand in its place, for speed; out: the result.
- * sweeps: NULL, or what is told of them. */
+ * steps: in: of the step before, or all 0; a better guess of Dw than `starts`
+ *     has may replace it, for speed; out: the result.
+ * sweeps: NULL, or the report on them. */
 contact_status contact_joints_step(const contact_joint* const* joints,
                                    size_t count,
                                    const contact_step_start* starts,

@@ -49,11 +49,10 @@ double cosine_difference(double f) {
   return -2 * std::sin(f) * std::sin(f / 2);
 }
 
-// h'(v)/v from the series of h and the term that it converges slowly for.
-// Near the edge h = s (1 - v) + (A theta0/(2 pi)) s (1 - v)^2 ln(1 - v) + ...:
-// the logarithm is what the kernel -A ln|x| makes of the linear term. The
-// term is taken out of the series as chi(v) = ((1 - v^2)^2/4) ln(1 - v^2) and
-// put back whole.
+// h'(v)/v from the series of h and the term that it converges slowly for. Near
+// the edge h = s (1 - v) + (A theta0/(2 pi)) s (1 - v)^2 ln(1 - v) + ...: the
+// kernel -A ln|x| turns the linear term into the logarithm. The term is taken
+// out of the series as chi(v) = ((1 - v^2)^2/4) ln(1 - v^2) and put back whole.
 class EdgeCorrectedSlope {
  public:
   // log_coefficient: A theta0.
@@ -65,7 +64,7 @@ class EdgeCorrectedSlope {
     smooth_.noalias() = galerkin.slope * (h - edge_ * galerkin.edge_term);
   }
 
-  // s: that of the series without its part of chi, whose slope is 0.
+  // s: slope of the series without its part of chi, whose slope is 0.
   double at_edge() const { return at_edge_; }
 
   // By v^2, 1 - v^2 and its logarithm; Clenshaw's recurrence.
@@ -173,7 +172,7 @@ struct BallContact::Tables {
 };
 
 // The equation at one half-angle in v = f/theta0, ready for any number of
-// unknowns up to that of the tables.
+// unknowns that the tables cover.
 struct BallContact::Galerkin {
   Galerkin(const Tables& tables, double theta0);
   Solution solve(int unknowns) const;
@@ -296,7 +295,7 @@ BallContact::BallContact(const LayeredPair& pair, InnerLoading loading,
 void BallContact::set_largest(InnerLoading loading) {
   largest_ = largest_half_angle;
   if (loading.is_back()) {
-    // The edge of the contact must not touch that of the loaded patch.
+    // The edges of the contact and of the loaded patch must not touch.
     largest_ = std::min(largest_, pi - loading.patch_half_angle() - 1e-3);
   }
 }

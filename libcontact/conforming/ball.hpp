@@ -47,7 +47,7 @@ class BallContact {
                        InnerLoading loading = InnerLoading::centre(),
                        int unknowns = default_unknowns);
 
-  /// A ball or seat with layers. E in mu is that of the two surfaces.
+  /// A ball or seat with layers. E in mu belongs to the two surfaces.
   /// @param unknowns  truncation, [8, max_walled_unknowns]; 0 for as many as
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated ball that is

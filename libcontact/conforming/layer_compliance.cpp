@@ -12,7 +12,8 @@
 namespace contact::detail {
 namespace {
 
-// Balanced for large n: (U, n V, rS/(n G0), rT/G0), G0 that of the surface.
+// Balanced for large n: (U, n V, rS/(n G0), rT/G0), G0 the shear modulus of the
+// surface.
 using System = Eigen::Matrix4d;
 using States = Eigen::Matrix<double, 4, 2>;
 enum { u, v, s, t, square_row, mean_row };
@@ -134,8 +135,8 @@ struct LayerCompliance::Harmonic {
     return n * shell.width >= 4 && (ball || n > 1);
   }
 
-  // The wall's states at a layer's near side by those at its far side:
-  // regular modes, and what of the others the far end adds to them.
+  // The wall's states at a layer's near side by those at its far side: regular
+  // modes, and the share of the others that the far end adds to them.
   struct Crossing {
     States regular;
     States added;
@@ -207,8 +208,8 @@ LayerCompliance::LayerCompliance(JointKind kind, Side side,
 
 int LayerCompliance::corrected() const {
   if (shells_.empty()) return 0;
-  // Dc_n/c_n is 4 x^2 exp(-2 x) or so, x = n width. By measurement: with 13
-  // the loads of pins are good to 1e-10, but those of balls on a nearly
+  // Dc_n/c_n is 4 x^2 exp(-2 x) or so, x = n width. By measurement: with 13 the
+  // loads of pins are good to 1e-10, but loads of balls on a nearly
   // incompressible thin liner to 1e-5 only.
   const double last = kind_ == JointKind::ball ? 18 : 13;
   return std::max(3, static_cast<int>(last / shells_.front().width) + 1);

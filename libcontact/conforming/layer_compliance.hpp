@@ -17,8 +17,8 @@ struct HarmonicCompliance {
   /// body force (solid inner body) or infinity (outer one) balances. NaN for
   /// a pin in an infinite body and n = 1, which has no value.
   double total;
-  /// Dc_n = c_n less that of a homogeneous body of the surface's material;
-  /// relative accuracy of its own, also where it is tiny. 0 for n = 1.
+  /// Dc_n = c_n less the c_n of a homogeneous body of the surface's material;
+  /// keeps its relative accuracy even where it is tiny. 0 for n = 1.
   double correction;
 };
 
@@ -51,7 +51,7 @@ class LayerCompliance {
   Eigen::Matrix2d spheroidal(int n) const;
 
   /// The displacement along the circles to a toroidal traction; of balls n = 1,
-  /// 2, ..., of pins n = 0. The turn of a solid inner body is that of a uniform
+  /// 2, ..., of pins n = 0. The turn of a solid inner body is due to a uniform
   /// angular acceleration, against its mean.
   double toroidal(int n) const;
 
@@ -64,7 +64,7 @@ class LayerCompliance {
   ///
   /// @param layers  e* of each: the strain around the axis or centre with which
   ///                it would grow by itself
-  /// @param behind  that of what lies behind them; of a rigid body, how far its
+  /// @param behind e* of the body behind them; of a rigid body, how far its
   ///                surface grows, over its radius
   ///
   /// Accuracy (joint/thermal_growth_test.cpp): relative error below 1e-13

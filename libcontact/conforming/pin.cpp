@@ -113,8 +113,8 @@ struct PinContact::Wall {
 
   int end() const { return static_cast<int>(correction.size()); }
   // Calls add(n, weight, g, second) block by block: a sum over Dc_n (n^2 - 1)
-  // times the product of two harmonics is that of `weight` times theirs, both
-  // of the second kind where `second` says so.
+  // times the product of two harmonics equals the sum over `weight` times
+  // theirs, both of the second kind if `second`.
   void visit(double half_angle, const detail::PinWallModes& modes,
              const auto& add) const {
     const detail::GradedSamples samples(half_angle, end(), modes.smooth_from());
@@ -162,8 +162,8 @@ struct PinContact::Solution {
   double reciprocal;  // 1/lambda
 };
 
-// The equation at one half-angle, ready for any number of unknowns up to that
-// of the contact.
+// The equation at one half-angle, ready for any number of unknowns up to the
+// contact's.
 struct PinContact::System {
   System(const PinContact& pin, double half_angle);
   Solution solve(int unknowns) const;
@@ -224,7 +224,7 @@ PinContact::PinContact(PinConstants constants, InnerLoading loading,
   largest_ =
       4 * std::atan(std::pow(10, -2.0 / std::min(unknowns, max_unknowns)));
   if (loading.is_back()) {
-    // The edge of the contact must not touch that of the loaded patch.
+    // The edges of the contact and of the loaded patch must not touch.
     largest_ = std::min(largest_, pi - loading.patch_half_angle() - 1e-3);
   }
 }
@@ -259,8 +259,8 @@ PinContact::System::System(const PinContact& pin, double half_angle)
 PinContact::Solution PinContact::System::solve(int n) const {
   Eigen::Matrix<double, Eigen::Dynamic, 2, 0, most_unknowns, 2> right(n, 2);
   right << given.constant.head(n), given.load.head(n);
-  // LU: the matrix is not definite for beta < 0 and wide contacts.
-  // In its place: a copy and what goes with it take 70 kB of the stack.
+  // LU: the matrix is not definite for beta < 0 and wide contacts. In place: a
+  // copy and its work space take 70 kB of the stack.
   Matrix leading = matrix.topLeftCorner(n, n);
   detail::solve_in_place(leading, right);
   const auto& solved = right;

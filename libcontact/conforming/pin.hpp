@@ -54,7 +54,7 @@ class PinContact {
                       InnerLoading loading = InnerLoading::centre(),
                       int unknowns = default_unknowns);
 
-  /// A pin or hole with layers. E in lambda is that of the two surfaces.
+  /// A pin or hole with layers. E in lambda belongs to the two surfaces.
   /// @param unknowns  truncation, [8, max_walled_unknowns]; 0 for as many as
   ///                  the thickness asks for
   /// @throws Error if unknowns is out of range, or for a coated pin that is

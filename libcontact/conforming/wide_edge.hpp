@@ -4,8 +4,8 @@
 
 namespace contact::detail {
 
-/// The edge variable in which exact pressures have short series, also those
-/// of wide contacts:
+/// The edge variable in which exact pressures have short series, also for wide
+/// contacts:
 ///
 ///     x^2 = (cos theta - cos theta0)/((1 - c)(1 + 2 c + cos theta)),
 ///     c = cos(theta0/2),

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +10,7 @@
 namespace contact {
 
 /// p v along a pin on its duty cycle: places z are m from its middle. Nothing
-/// wears here: p v is that of the unworn pin.
+/// wears here: p v belongs to the unworn pin.
 class AlongPin {
  public:
   /// @param pin  the spec of the cycle's joint

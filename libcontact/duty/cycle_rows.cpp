@@ -64,7 +64,7 @@ bool DutyCycle::Rows::is_steady() const {
 DutyCycle::Rows DutyCycle::Rows::filled() const {
   if (times.size() > 2 || !is_steady() ||
       !(period.value_or(0) > times.back() - times.front())) {
-    return *this;  // the spline says what is wrong
+    return *this;  // the spline reports the error
   }
   constexpr double turn = 2 * std::numbers::pi;
   const double wanted = 8 * std::ceil(motion[0].norm() * *period / turn);

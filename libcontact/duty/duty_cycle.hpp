@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -30,7 +31,7 @@ class DutyCycle {
     /// and longer. Otherwise even steps go on by one. The period is set if it
     /// can be told: not for uneven steps without a last row that repeats the
     /// first.
-    /// @return a note on what was left out, or ""
+    /// @return a note on the omitted rows, or ""
     std::string make_one_period();
     /// Whether all rows have the same force and motion.
     bool is_steady() const;

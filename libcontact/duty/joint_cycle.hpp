@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -20,16 +21,16 @@ namespace contact {
 ///
 /// A cycle whose contact reaches a rim of its seat, is_at_rims(), is not smooth
 /// in time: its integrals are sums over the rows by the trapezoidal rule, and
-/// its largest values are those of the rows.
+/// its largest values are taken over the rows.
 ///
 /// A pin with a relief, or that Lies tilt or load at a place, ends: it is by
 /// slices (Joint::lie()), and all is as smooth as without end. What needs an
 /// axis of symmetry is NaN; the part of the reaction along the pin is left out.
 ///
-/// Instants are large: those of short cycles are kept, those of long ones are
-/// solved again, to the same bits, whenever they are asked for. Rows of cycles
-/// at rims are kept, the first most_grids with the grids of their contacts, of
-/// 20 to 100 kB each; Joint::with_grid() finds those of the others.
+/// Instants are large: short cycles keep them, long ones solve them again,
+/// bit-identically, on request. Rows of cycles at rims are kept, the first
+/// most_grids with the grids of their contacts, of 20 to 100 kB each;
+/// Joint::with_grid() solves the grids of the others again.
 class JointCycle {
   struct Series;
 
@@ -104,7 +105,7 @@ class JointCycle {
   /// Whether an instant reaches a rim of its seat, or leaves the seat.
   bool is_at_rims() const { return at_rims_; }
   /// Instants at the times of the cycle; their weight is 0, in cycles at rims
-  /// that of the trapezoidal rule.
+  /// the weight of the trapezoidal rule.
   Instants rows() const& { return {this, &rows_}; }
   /// Instants of the integrals; the rows of a cycle at rims.
   Instants gauss_points() const& {
@@ -172,7 +173,7 @@ class JointCycle {
   std::vector<std::string> notes() const;
   /// The sentences on rows at rims alone.
   const std::vector<std::string>& rim_notes() const { return rim_notes_; }
-  /// Turn from carrier axes to those of the body that has the seat or hole.
+  /// Rotation from carrier axes to the axes of the body with the seat or hole.
   Eigen::Quaterniond to_seat(const Instant& instant) const;
   /// How far the contact wanders over the seat or hole in a cycle: root mean
   /// square of the angle between its centre and the middle of its places, in

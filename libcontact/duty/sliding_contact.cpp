@@ -24,7 +24,7 @@ double about(const FrictionTriple& triple, SlipAxis axis) {
 
 // The root of a function that falls from `at_zero` at 0 to less than 0 at
 // `end`, and bends more the nearer it is to `edge`: by secants from 0 and a
-// guess, of which four or five leave 1e-13, where TOMS 748 takes ten.
+// guess. Four or five secants leave 1e-13, where TOMS 748 takes ten.
 template <class Function>
 double falling_root(const Function& function, double at_zero, double guess,
                     double end, double edge) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -18,10 +19,10 @@ struct WearCoefficients {
 
 /// Wear of a seat or hole, as it is passed on from run to run.
 struct WornSeat {
-  /// Depths of wear, m; empty if nothing has worn. Those of a hole stand at
-  /// even points of the circle from X towards Y, in the axes of the body that
-  /// has it; those of a seat at the cells of a grid about a pole in these axes,
-  /// latitude after latitude of one longitude after the other.
+  /// Depths of wear, m; empty if nothing has worn. For a hole at even points of
+  /// the circle from X towards Y, in the axes of its body; for a seat at the
+  /// cells of a grid about a pole in these axes, latitude after latitude of one
+  /// longitude after the other.
   std::vector<double> depths = {};
   Eigen::Vector3d pole = {0, 0, 1};
   double reach = 0;   ///< reach of the grid from its pole, rad
@@ -48,7 +49,7 @@ struct WearIn {
     /// s of RunningInPressure at the mean g of the cycle: 0 the joint's own
     /// pressure, 1 the worn one.
     double worn_share = 0;
-    // Values of one cycle in this state; the largest are those of its rows.
+    // Values of one cycle in this state; the largest are taken over its rows.
     double energy = 0;         ///< J
     double mean_moment = 0;    ///< N m
     double half_angle = 0;     ///< largest, rad
@@ -80,9 +81,10 @@ struct WearIn {
 /// **Where it moves** the depth of the wear is one more gap at each point, and
 /// the contact is solved there by elasticity alone, at places of the cycle,
 /// block after block (docs/explanation/wear.md). Accuracy:
-/// duty/moving_wear_test.cpp. penetration is the deepest wear, v that of the
-/// volume, largest values are of 36 instants (balls: 24), R_n and its direction
-/// those before wear. The wear of the pin changes nothing.
+/// duty/moving_wear_test.cpp. penetration is the deepest wear, v follows from
+/// the volume, largest values are taken over 36 instants (balls: 24), R_n and
+/// its direction are the values before wear. The wear of the pin changes
+/// nothing.
 ///
 /// A pin without clearance or with interference is stepped too, from closed to
 /// lifted to clearance: its hole by its own pressure, the pin, which turns, by

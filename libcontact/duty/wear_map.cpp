@@ -52,7 +52,7 @@ struct WearMap::Instant {
 struct WearMap::AtRim {
   JointSolution solution;
   Eigen::Quaterniond from_body;  // to the axes of the solution
-  Vector3d slip;                 // in those of the body
+  Vector3d slip;                 // in axes of the body
 };
 
 void detail::check_wear(const JointCycle& cycle) {

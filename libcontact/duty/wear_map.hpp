@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -55,11 +56,11 @@ class WearMap {
   };
   /// The largest of a grid, improved between its neighbours; to 1e-5
   /// (duty/joint_cycle_test.cpp). With more rows at rims than
-  /// JointCycle::most_grids it is that of the grid.
+  /// JointCycle::most_grids it is the largest of the grid.
   Deepest deepest(const std::vector<Eigen::Vector3d>& points,
                   const std::vector<Wear>& wear) const;
 
-  /// Note on wear that is hardly that of a bearing.
+  /// Note on wear that is implausible for a bearing.
   /// @param coefficient  k, m^2/N
   /// @return a sentence if k is not 0 and outside 1e-10 to 1e-3 mm^3/(N m); ""
   ///         otherwise. Of dry liners 7e-8 to 5.5e-6 are published

@@ -18,7 +18,7 @@
 namespace contact {
 namespace {
 
-// The name of what a file does not name: that of the file, without its ending.
+// Default for a missing name: the file's name without its ending.
 std::string stem_of(const TomlTable& table) {
   return std::filesystem::path(table.source()).stem().string();
 }
@@ -89,7 +89,7 @@ Material read_material(const std::filesystem::path& path) {
 
 namespace {
 
-// Joint with these materials, or with those of the table.
+// Joint with these materials, or with the materials of the table.
 // @param name  if the table has none; "": it needs one
 JointSpec joint_of(const TomlTable& table, const MaterialPair* known,
                    std::string name) {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <filesystem>
@@ -13,8 +14,8 @@
 /// Material pairs and joints from TOML files (keys:
 /// docs/reference/joint_file.md).
 ///
-/// Every reader throws contact::Error with one line that names file, line,
-/// key, value and what they must be; unknown keys are refused.
+/// Every reader throws contact::Error with one line that names file, line, key,
+/// value and the allowed values; rejects unknown keys.
 namespace contact {
 
 /// A material pair file.

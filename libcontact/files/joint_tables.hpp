@@ -11,7 +11,7 @@ namespace contact {
 /// Paths are relative to the folder of the table's file.
 JointSpec joint_from_table(const TomlTable& table);
 /// A joint that is all of a file with joint_keys().
-/// @param materials  those of a file that has no [materials]
+/// @param materials for a file without [materials]
 JointSpec joint_of_file(const TomlTable& file,
                         const MaterialPair* materials = nullptr);
 /// All keys that a joint may have.

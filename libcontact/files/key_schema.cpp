@@ -79,7 +79,7 @@ std::string not_of_kind(const KnownKeys& keys, std::string_view kind) {
       kind, joined(none));
 }
 
-// What the keys of a table ask of each other.
+// Conditions between the keys of a table.
 void add_rules(const KnownKeys& keys, Texts& to) {
   std::set<std::string> kinds;
   for (const KnownKey& key : keys) {

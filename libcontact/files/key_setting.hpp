@@ -35,8 +35,8 @@ struct NumberNode {
   double* number;
   double was;
 };
-/// All numbers of a key that has been set, which stay where they are until
-/// another key is; of what is no number, none.
+/// All numbers of the last key that was set, valid until another key is set;
+/// none for other types.
 std::vector<NumberNode> numbers_at(const KeyPlace& place);
 
 }  // namespace contact::detail

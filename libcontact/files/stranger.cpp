@@ -11,11 +11,11 @@
 namespace contact::detail {
 namespace {
 
-// A key that is its own former name: what reads it says what to write instead,
-// and nobody is pointed to it.
+// A key that is its own former name: its reader reports the replacement, and no
+// message suggests it.
 bool is_gone(const KnownKey& key) { return key.key == key.former; }
 
-// What people write for a key: symbols of the trade.
+// Symbols of the trade that people write for a key.
 constexpr std::pair<std::string_view, std::string_view> symbols[] = {
     {"E", "youngs_modulus"}, {"nu", "poissons_ratio"}, {"mu", "coefficient"},
     {"f", "coefficient"},    {"f0", "coefficient"},    {"D", "diameter"},

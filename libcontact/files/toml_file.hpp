@@ -47,8 +47,8 @@ struct TomlTable::File {
     const auto& from = node.source().path;
     return from && origins.contains(*from) ? from.get() : nullptr;
   }
-  // "FILE:LINE: ", or "FILE with KEY: " of what a setting has put there. Nodes
-  // that are copies of others know no line.
+  // "FILE:LINE: ", or "FILE with KEY: " for a node that a setting has made.
+  // Nodes that are copies of others have no line.
   std::string at(const toml::node& node) const {
     if (const auto* from = origin(node)) return *from + ": ";
     if (source.empty()) return "";

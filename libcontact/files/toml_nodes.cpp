@@ -61,8 +61,7 @@ std::string named(const std::string& key, const toml::node& value) {
   return value.is_table() ? key : key + " = " + value_text(value);
 }
 
-// Texts have their length, so that nothing in them is taken for what is around
-// them.
+// Texts carry their length, so that their content is not taken for structure.
 std::string canonical(const toml::node& node) {
   std::string text;
   if (const auto table = node.as_table()) {

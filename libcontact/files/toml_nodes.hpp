@@ -3,12 +3,11 @@
 #include <string>
 
 // toml++ 3.3 takes it for impossible that an accented, Greek or Cyrillic letter
-// is asked whether it is a blank (is_non_ascii_horizontal_whitespace), which
-// is undefined behaviour for a file that has one outside quotes. The answer
-// is no. And that a table's header begins with what is no key, as in `[# a`:
-// its own message comes right behind.
-// Arrays and inline tables are nested up to 32 deep, so that with keys of
-// key_depth.hpp no text needs much of the stack.
+// is asked whether it is a blank (is_non_ascii_horizontal_whitespace), which is
+// undefined behaviour for a file that has one outside quotes. The answer is no.
+// The same holds for a table's header that does not begin with a key, as in `[#
+// a`: toml++ reports it right after. Arrays and inline tables are nested up to
+// 32 deep, so that with keys of key_depth.hpp no text needs much of the stack.
 // clang-format off
 #define TOML_MAX_NESTED_VALUES 32
 #include <toml++/impl/preprocessor.h>

@@ -34,7 +34,7 @@ struct KnownKey {
   Dimension dimension = Dimension::number;
   /// Keys of the table or tables that it stands for.
   std::vector<KnownKey> inside = {};
-  /// Words, of which the table's `kind` is one; "": any.
+  /// Words that the table's `kind` may be; "": any.
   std::string_view kinds = {};
   /// Name in old files, for the message about them.
   std::string_view former = {};
@@ -128,8 +128,8 @@ class TomlTable {
   /// are there.
   void refuse_both(std::string_view key, std::string_view other) const;
 
-  /// Throws Error for the first key of the whole file that nothing has asked
-  /// for, because of what else is there. Call it when everything is read.
+  /// Throws Error for the first key of the whole file that was not read, given
+  /// its other keys. Call it when everything is read.
   void refuse_idle() const;
 
   /// Content of the table in one form: the same for files that differ only in

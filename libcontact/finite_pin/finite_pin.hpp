@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +15,10 @@
 
 namespace contact {
 
-/// How a pin of finite length lies in its hole, and what that takes.
+/// Position of a finite-length pin in its hole, and the forces it needs.
 ///
 /// Frame: z along the hole's axis from the middle of the contact; x and y
-/// across. Forces are those of the pressures on the hole's surface, as the
+/// across. Forces are exerted by the pressures on the hole's surface, as the
 /// shift points.
 struct FinitePinState {
   Status status = Status::ok;

@@ -149,8 +149,8 @@ FinitePin::Slip FinitePin::slip(const Motion& motion) const noexcept {
 
 // Slip is along cos t + sin Z everywhere, with cos and sin by the motion:
 //   R = (s - cos f0 J) F - cos A T_A,  J the turn by 90 deg,
-// and the same of the z-moments, but for what friction along the axis adds,
-// sin rho (f0 F - A J T_A). Without adhesion F and G are known at once.
+// and the same for the z-moments, plus the part of friction along the axis, sin
+// rho (f0 F - A J T_A). Without adhesion F and G are known at once.
 FinitePinSolution FinitePin::sliding(const Vector4d& load, bool tilts,
                                      const Vector2d& tilt,
                                      const Motion& motion) const noexcept {

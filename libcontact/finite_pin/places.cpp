@@ -1,4 +1,4 @@
-// The contact at places along a pin, and what moves there.
+// The contact at places along a pin, and the motion there.
 #include <algorithm>
 #include <cmath>
 #include <numbers>

@@ -22,9 +22,9 @@ struct SlicesFound final : ContactWork {
   double axial_velocity = 0;
 };
 
-/// The model of a Joint whose pin ends: docs/how-to/finite_pin.md. Its numbers
-/// are those of a FinitePin with axes of its own, which the first question
-/// makes in 20 to 500 ms.
+/// The model of a Joint with a finite-length pin: docs/how-to/finite_pin.md.
+/// Takes its numbers from a FinitePin with axes of its own, which the first
+/// call makes in 20 to 500 ms.
 class SlicesModel final : public ContactModel {
  public:
   /// @param contact  of the level pin without end

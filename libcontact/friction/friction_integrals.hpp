@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -20,16 +21,17 @@ class PressureLaw;
 /// For the others the same great circles, with a sum over points of each in
 /// place of the closed forms: the pressure comes as PressureExpansion, whose
 /// square-root edge a change of variable along the circle takes away. No
-/// integrand is singular at a pole. For laws without an expansion, those of
-/// one's own (ShapedPressure), by parts over the area integrals.
+/// integrand is singular at a pole. Laws without an expansion, such as
+/// user-defined ones (ShapedPressure), are integrated by parts over the area
+/// integrals.
 ///
 /// @param law         of a ball
 /// @param half_angle  theta0, rad, [0, law.largest_half_angle()]; the limits at
 ///                    theta0 = 0
 /// @param axis        slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return As FrictionIntegrals says, with two differences for laws other than
-///         the cosine pressure: the weight of `pressure` is p/p(0), that of the
-///         contact's centre, so that R_n = rho^2 p(0) normal. Force and
+///         the cosine pressure: the weight of `pressure` is p/p(0), relative to
+///         the contact's centre, so that R_n = rho^2 p(0) normal. Force and
 ///         sliding even, spinning odd in a.
 ///         Relative error of each coefficient, given the law's own pressure,
 ///         at most 1e-10 for theta0 <= 120 deg (friction/any_pressure_test.cpp,
@@ -68,11 +70,11 @@ struct FrictionBatchOutput {
 /// arguments give NaN in their own places. Works in blocks with its scratch
 /// memory on the stack; allocates nothing.
 ///
-/// The same numbers as those of one point to 4e-11
-/// (friction/any_pressure_test.cpp): the pressure is interpolated between
-/// half-angles of the batch, and a point shares the nodes of a neighbour that
-/// needs more. With the cosine pressure to rounding, largest relative error
-/// 1.7e-15 on data/reference (friction/batch_test.cpp).
+/// Equal to single points to 4e-11 (friction/any_pressure_test.cpp): the
+/// pressure is interpolated between half-angles of the batch, and a point
+/// shares the nodes of a neighbour that needs more. With the cosine pressure to
+/// rounding, largest relative error 1.7e-15 on data/reference
+/// (friction/batch_test.cpp).
 ///
 /// @param out  results; must not overlap the arguments
 /// @throws Error if lengths differ.

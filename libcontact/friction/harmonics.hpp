@@ -7,9 +7,9 @@
 namespace contact::detail {
 
 /// Friction coefficients of a ball by the harmonics of its pressure, for
-/// contacts of any size, closed all round included: sums of p_n against those
-/// of |r x w|, by the addition theorem (docs/how-to/interference.md). What is
-/// cut off falls like n^-4.
+/// contacts of any size, closed all round included: sums of p_n times the
+/// harmonics of |r x w|, by the addition theorem (docs/how-to/interference.md).
+/// The truncation error falls like n^-4.
 /// @param harmonics  p_n/p_1, n = 0, 1, ...; at least two, at most
 ///                   max_pressure_harmonics
 FrictionTriple coefficients_by_harmonics(std::span<const double> harmonics,

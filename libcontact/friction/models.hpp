@@ -11,7 +11,8 @@ class PressureLaw;
 
 /// Sliding-spinning model (section 3.1 of the paper, the dashed lines of its
 /// figures 8 and 9): the points of the sphere keep their places, but their
-/// velocity is that of the contact's centre plus a spin about the normal,
+/// velocity is the velocity of the contact's centre plus a spin about the
+/// normal,
 ///
 ///     Dv = (cos a - sin a sin t sin f, sin a sin t cos f, 0).
 ///

@@ -40,7 +40,7 @@ double integrate(Function f, double middle) {
 double spin_moment(double d) {
   const double s = std::sin(d);
   if (d > 1) {
-    // Two terms of which a third is left at d = 1.
+    // Two terms that cancel to a third at d = 1.
     return d * d * d * detail::sin_minus_x_cos_over_cube(d) - s * s * s / 3;
   }
   // = (3/4) sin d - d cos d + (1/12) sin 3d, whose series from k = 2 on is

@@ -46,7 +46,7 @@ FrictionIntegrals spinning_friction_integrals(double half_angle);
 ///     J[1] = (pi^2/2) cos a       J[p] = (4/3) cos a (B + E)
 ///     K[1] = (pi^2/2) sin a       K[p] = (4/3) sin a E
 ///
-/// so that the area moments are those of a viscous film.
+/// so that the area moments equal the moments of a viscous film.
 ///
 /// @param axis  slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return relative error at most 3e-15 (friction/special_test.cpp).

@@ -48,8 +48,8 @@ struct Place {
   double rate;
 };
 
-// From 0 to 1, s in [0, 1], slowly at the end: powers of the distance to the
-// edge, of which friction stresses may have any, become higher ones.
+// From 0 to 1, s in [0, 1], slowly at the end: raises the powers of the
+// distance to the edge, which are arbitrary for friction stresses.
 Place to_end(double s) { return {s * (2 - s), 2 - 2 * s}; }
 // The same from -1 to 1, t in [-1, 1], and odd.
 Place to_both_ends(double t) {

@@ -11,7 +11,7 @@ struct StressedContact {
   double half_angle;     ///< theta0, rad
   double pressure_unit;  ///< JointGeometry::pressure_unit(), Pa
   double rim_speed;      ///< rho |Dw|, m/s
-  /// Pressure of a contact closed all round beyond that of the law, Pa:
+  /// Pressure of a contact closed all round in addition to the law's, Pa:
   /// JointContact::uniform_pressure().
   double uniform_pressure = 0;
 };

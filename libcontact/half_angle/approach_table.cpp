@@ -40,9 +40,8 @@ ChebyshevTable ApproachTable::tabulated(int count, const Solver& solver) const {
             const auto [half_angle, rest] =
                 variable_.half_angle(cosine * cosine, sine * sine);
             const ForcePoint solved = solver(half_angle);
-            // The approach is made that of the other table's load: near the
-            // limit both loads are small differences, whose roundings are not
-            // each other's.
+            // Converts the approach to the other table's load: near the limit
+            // both loads are small differences with different roundings.
             const double same_load =
                 solved.reciprocal_load *
                 load_.load_parameter(half_angle).load_parameter;

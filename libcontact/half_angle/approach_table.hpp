@@ -15,10 +15,10 @@ namespace contact::detail {
 ///
 /// s = 2 sin(theta0/2). Both are of order s^2 at any thickness, but for free
 /// rings; the stiffness, which follows from the second one, is not. l = 0 for a
-/// ball; for a pin, whose displacement has the logarithm of a line load,
-/// l = ln(1 + t/(8 s))/2, t the thickness over the radius or 1 if that is less.
-/// What is left of the logarithm, theta0 ln(theta0), and that of the ball the
-/// variable sqrt(theta0) hides from the series.
+/// ball; for a pin, whose displacement has the logarithm of a line load, l =
+/// ln(1 + t/(8 s))/2, t the thickness over the radius or 1 if that is less. The
+/// variable sqrt(theta0) hides the rest of the logarithm, theta0 ln(theta0),
+/// and the ball's logarithm from the series.
 class ApproachTable {
  public:
   using Solver = std::function<ForcePoint(double)>;

@@ -38,8 +38,8 @@ SignedContact ClosingTable::at(double opening) const {
 }
 
 ClosingTable::Root ClosingTable::opening(double inverse) const {
-  // Newton's steps in ln psi, of which ln(x + c_0) is nearly twice; a step that
-  // leaves the bracket is replaced by halving it.
+  // Newton's steps in ln psi, because ln(x + c_0) is nearly 2 ln psi; a step
+  // that leaves the bracket is replaced by halving it.
   const double target = std::log(inverse + mean_);
   double low = 0;
   double high = largest_;

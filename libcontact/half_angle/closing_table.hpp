@@ -42,7 +42,7 @@ class ClosingTable {
     double opening;  ///< psi
     double slope;    ///< dpsi/dln(x + c_0)
   };
-  /// psi at x above -c_0; largest() where that of x is larger.
+  /// psi at x above -c_0, at most largest().
   Root opening(double inverse) const;
 
  private:

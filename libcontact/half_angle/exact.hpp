@@ -54,9 +54,9 @@ class ExactLaw final : public HalfAngleLaw {
   ///                 unless told otherwise
   ExactLaw(JointKind kind, const ElasticPair& pair,
            InnerLoading loading = InnerLoading::centre());
-  /// A joint with walls: its load parameter is that of the two surfaces.
-  /// theta0 to 1e-8 of itself against the solver; the constructor solves the
-  /// contact at 64 half-angles, for thin free rings at 128 more.
+  /// A joint with walls: its load parameter refers to the two surfaces. theta0
+  /// to 1e-8 of itself against the solver; the constructor solves the contact
+  /// at 64 half-angles, for thin free rings at 128 more.
   /// @throws Error for a coated inner body that is loaded through the back.
   ExactLaw(JointKind kind, const LayeredPair& pair,
            InnerLoading loading = InnerLoading::centre());

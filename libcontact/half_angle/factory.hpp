@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -33,8 +34,8 @@ inline constexpr std::string_view default_half_angle_law = "fitted";
 /// hertz, arctan, tanh, blend, paper, fitted, exact.
 const std::vector<std::string>& half_angle_law_names();
 
-/// Whether the law of this name heeds HalfAngleOptions: those of the paper
-/// but hertz.
+/// Whether the law of this name uses HalfAngleOptions: the laws of the paper
+/// except hertz.
 bool takes_half_angle_options(std::string_view name);
 
 /// Whether the law of this name holds under these conditions: loaded through
@@ -50,8 +51,7 @@ bool half_angle_law_allows(std::string_view name,
 ///              the paper recommends: blend:0.5 for a pin, tanh for a ball),
 ///              "fitted" (FittedLaw), "exact" (ExactLaw); these two take none
 ///              of the options
-/// @param pair  the materials at the surfaces; with walls those of the walls
-///              count
+/// @param pair  the materials at the surfaces; ignored with walls
 /// @throws Error if the name is not known, an option is out of range or the
 ///         law is not for these conditions.
 std::unique_ptr<HalfAngleLaw> make_half_angle_law(

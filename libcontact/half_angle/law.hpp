@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -45,7 +46,7 @@ class HalfAngleLaw {
 
   /// theta0 at a load.
   /// @param load_parameter  mu or lambda, [0, infinity]: infinite without
-  ///         clearance. Below 0, -0.0 included, it is that of an interference,
+  ///         clearance. Below 0, -0.0 included, it belongs to an interference,
   ///         whose contact grows to 180 deg as the load falls: there only laws
   ///         with a closing_load() have values.
   /// @return theta0, rad; 0 at 0, limit_half_angle() at infinity. NaN with
@@ -59,9 +60,9 @@ class HalfAngleLaw {
   virtual LoadParameterResult load_parameter(
       double half_angle) const noexcept = 0;
 
-  /// Factor of a joint's load parameter where this law takes it, for
-  /// ebar = eps/rho: 1, and 1 + ebar of Hertz', whose relative curvature is
-  /// that of both radii, eps/(rho^2 (1 + ebar)).
+  /// Factor of a joint's load parameter where this law takes it, for ebar =
+  /// eps/rho: 1, and 1 + ebar of Hertz', whose relative curvature takes both
+  /// radii, eps/(rho^2 (1 + ebar)).
   virtual double load_factor(double /*relative_clearance*/) const noexcept {
     return 1;
   }

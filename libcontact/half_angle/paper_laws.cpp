@@ -83,7 +83,7 @@ std::vector<std::string> LimitHalfAngle::validity_notes(
       detail::poisson_notes("the limit half-angle is a formula", pair);
   if (kind == JointKind::ball) {
     notes.emplace_back(
-        "the limit half-angle is that of a pin; a ball's is up to 5 % larger");
+        "the limit half-angle is for pins; a ball's is up to 5 % larger");
   }
   return notes;
 }

@@ -54,10 +54,9 @@ class LimitHalfAngle {
 
 /// Hertz: theta0 = arcsin x (2.1), for x <= 1; beyond it NaN, out_of_range.
 ///
-/// Exact as the load tends to 0, at any clearance where x is that of both radii
-/// (load_factor()), which the paper leaves out; already 5 % too large at
-/// lambda = 0.03.
-/// Accuracy: relative error at most 1e-15 both ways, x -> 1 included
+/// Exact as the load tends to 0, at any clearance if x takes both radii
+/// (load_factor()), which the paper leaves out; already 5 % too large at lambda
+/// = 0.03. Accuracy: relative error at most 1e-15 both ways, x -> 1 included
 /// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class HertzLaw : public HalfAngleLaw {
  public:
@@ -153,7 +152,7 @@ class TanhLaw final : public SaturatingLaw {
 /// theta0 = k arctan law + (1 - k) tanh law. The paper recommends k = 1/2 for
 /// pins with 0.5 < Ebar < 2 (within 3 %) and k = 0 for balls.
 ///
-/// The inverse is a bracketed root between those of the two laws.
+/// The inverse is a bracketed root between the inverses of the two laws.
 /// Accuracy: relative error at most 1e-15 forward, 3e-15 inverse
 /// (half_angle/paper_laws_test.cpp, against 50-digit arithmetic).
 class BlendLaw final : public SaturatingLaw {

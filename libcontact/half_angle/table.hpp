@@ -23,8 +23,8 @@ namespace contact::detail {
 /// to full relative precision. Const functions without allocation or
 /// exceptions.
 ///
-/// A wall changes the relation by orders of magnitude: the series is then that
-/// of ln G. Its variable: half_angle_variable.hpp.
+/// A wall changes the relation by orders of magnitude: the series then stores
+/// ln G. Its variable: half_angle_variable.hpp.
 class HalfAngleTable {
  public:
   /// @param kind         of the joint

@@ -14,9 +14,9 @@ namespace contact {
 ///     g(theta0) = g(theta0 of the law) + v,
 ///     g = (1 - cos)^2/cos (ball), tan theta - theta (pin).
 ///
-/// g is the volume by which the two undeformed shapes overlap, over
-/// pi rho^2 eps or 2 rho eps l; v, the wear number, is that of the wear. What
-/// is elastic of it hardly changes: against joints that wear step by step,
+/// g is the volume by which the two undeformed shapes overlap, over pi rho^2
+/// eps or 2 rho eps l; v, the wear number, is the wear volume in the same unit.
+/// The elastic part hardly changes: against joints that wear step by step,
 /// half-angles 20 to 70 deg, theta0 is within 1.1 deg, on thin layers 0.4 deg
 /// (duty/wear_in_test.cpp). Below 90 deg.
 class WornHalfAngle final : public HalfAngleLaw {

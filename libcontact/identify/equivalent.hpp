@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -47,7 +48,7 @@ EquivalentFriction equivalent_friction(const Joint& joint,
 /// asks for; over rho the angle z_ss of LuGre, Dahl and MuJoCo's dcmotor. A
 /// stiffness follows from it with the load, sigma0 = M_s(R)/z_ss.
 /// @return the error over the states to 1e-13 (identify/equivalent_test.cpp);
-///         that of the formula comes on top. NaN where a state has none.
+///         the error of the formula comes on top. NaN where a state has none.
 /// @throws Error for no states
 LeastWrong equivalent_stiction(const Joint& joint,
                                std::span<const Joint::Slip> states);

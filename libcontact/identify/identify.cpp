@@ -187,7 +187,7 @@ class Identification {
   }
 
  private:
-  // A least loss with what its intervals need.
+  // A least loss with the data for its intervals.
   struct Fitted : Minimum {
     VectorXd weight;
     VectorXd residuals;
@@ -237,7 +237,8 @@ class Identification {
     return all;
   }
 
-  // A number of a point in SI units, and its change with that of the point.
+  // A parameter of a point in SI units, and its derivative with respect to the
+  // point.
   double value(const Point& p, int number) const {
     return number == 2 ? model_.clearance(p) : p[number] * unit(p, number);
   }

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -141,12 +142,12 @@ struct FrictionFit {
 /// Finds friction parameters with which a joint has measured moments. Those
 /// that are not looked for are the joint's.
 ///
-/// Estimates are those of an independent program to 1e-7, profiles to 1e-5;
-/// exact data give their parameters back to 1e-11 (identify/identify_test.cpp),
-/// with interference to 1e-9 (identify/interference_test.cpp).
+/// Estimates agree with an independent program to 1e-7, profiles to 1e-5; exact
+/// data give their parameters back to 1e-11 (identify/identify_test.cpp), with
+/// interference to 1e-9 (identify/interference_test.cpp).
 /// @throws Error for a viscous joint, a parameter that is named twice, data
 ///         that are too few or out of range or for which the joint's laws have
-///         no value, moments that are beyond those of any f0 or all negative
+///         no value, moments that no f0 can give or that are all negative
 ///         while neither drag nor offset is fitted, and an offset of states
 ///         that turn one way.
 FrictionFit identify_friction(const JointContact& joint,

@@ -7,7 +7,7 @@
 
 namespace contact::detail {
 
-/// Measured moments and what is known of their errors.
+/// Measured moments and their standard errors.
 struct Measurements {
   Eigen::VectorXd moment;  ///< as MomentModel::moments()
   Eigen::VectorXd sigma;
@@ -35,7 +35,7 @@ Minimum least_squares(const MomentModel& model, const Measurements& measured,
                       const Eigen::VectorXd& weight, const Point& start,
                       const std::vector<int>& free, double tolerance = 1e-10);
 
-/// Median of |residual| over that of normal errors of 1.
+/// Median of |residual| over the median for normal errors of 1.
 double robust_scale(const Eigen::VectorXd& residuals);
 
 /// The least Huber loss at the scale robust_scale() of the same residuals, by

@@ -80,7 +80,7 @@ constexpr double least_relative_clearance = 1e-9;
 constexpr double largest_relative_clearance = 0.9;
 constexpr double largest_friction = 1e6;
 
-// Points with f0 or A below 0, and what stands for them.
+// Points with f0 or A below 0, and their replacements.
 bool is_inside(const Point& p) { return p[0] >= 0 && p[1] >= 0; }
 Point inside(Point p) {
   p.head<2>() = p.head<2>().cwiseMax(0);
@@ -267,7 +267,7 @@ MatrixXd MomentModel::solved_slopes(const Point& point,
   MatrixXd all(size_, numbers.size());
   for (std::size_t k = 0; k < numbers.size(); ++k) {
     const int number = numbers[k];
-    // Friction is linear in f0 and A: that of 1 is the slope.
+    // Friction is linear in f0 and A: the friction of 1 is the slope.
     std::vector<JointContact> moved;
     if (number < 2) {
       moved.push_back(contact.with_friction(

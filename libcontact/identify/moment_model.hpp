@@ -9,7 +9,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/joint/solution.hpp"
 
-/// The moments of a joint as functions of what is unknown of it.
+/// The moments of a joint as functions of its unknown parameters.
 namespace contact::detail {
 
 /// f0, A over a unit(), and the logarithm of the clearance, or, of joints

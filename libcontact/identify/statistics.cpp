@@ -42,8 +42,8 @@ Minimum least_at_ends(const MomentModel& model, const Measurements& measured,
   return least;
 }
 
-// How far a number goes on one side, and what its interval ends with that
-// reaches as far.
+// Largest distance of a number on one side, and the end of an interval that
+// reaches it.
 struct Side {
   double last;
   double bound;
@@ -62,8 +62,8 @@ double zero_between(const Excess& excess, double low, double high,
 }
 
 // One end of the interval: where `excess`, which is -quantile at `best`, is 0,
-// or else the bound on that side. Where refits fail, those of shorter steps may
-// not; NaN if the last one that did not was still inside.
+// or else the bound on that side. Where refits fail, shorter steps may succeed;
+// NaN if the last success was still inside.
 template <class Excess>
 double profile_end(const Excess& excess, double best, double step,
                    double quantile, Side side) {
@@ -147,7 +147,7 @@ Estimate trend(const VectorXd& residuals, const VectorXd& over,
   }
   const auto n = static_cast<int>(residuals.size());
   const int degrees = n - static_cast<int>(slopes.cols()) - 1;
-  // A spread of 1e-6 is that of rounded numbers, not of a plan of tests.
+  // A spread of 1e-6 comes from rounded numbers, not from a plan of tests.
   const double spread = 1e-6 * over.norm();
   if (!(left.norm() > spread) || degrees < 1) return slope;
   slope.value = left.dot(residuals) / left.squaredNorm();
@@ -188,7 +188,7 @@ Estimate::Interval profile(const MomentModel& model,
       found = refitted(start);
     }
     // Moments hardly depend on a clearance at an end of its range: f0 has an
-    // end there as well. A has none, of which they know the product alone.
+    // end there as well. A has none, because they depend on the product alone.
     if (!is_good(found)) {
       if (number != 0 || std::ranges::count(others, 2) == 0) return nan;
       found = least_at_ends(model, measured, trial, best.point, others);

@@ -300,7 +300,7 @@ FrictionIntegrals JointContact::stress_integrals(
   return i;
 }
 
-// Sliding and spinning are those of the mean pressure alone: cos(theta) of the
+// Sliding and spinning depend on the mean pressure alone: cos(theta) of the
 // load is odd where the slip is even.
 FrictionTriple JointContact::closed_friction(SlipAxis axis,
                                              const Load& load) const noexcept {
@@ -315,7 +315,7 @@ FrictionTriple JointContact::closed_friction(SlipAxis axis,
   // |r x w| over the sphere on average: pi/4, its square 2/3.
   const double share = is_viscous() ? 2.0 / 3 : pi / 4;
   const double moment = share * (pressure_part * sum + area_part * 4 * pi);
-  // Forces of opposite sides balance but for those of the load.
+  // Forces of opposite sides balance except for the load's.
   const double chi = is_viscous() ? 1 : 3 * pi / 8;
   return {pressure_part * chi * axis.cos * load.normal_force, moment * axis.cos,
           moment * axis.sin};

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -36,9 +37,9 @@ enum class ContactState {
 ///     pressure_part R_n c + area_part a                         (3.7), (3.8)
 ///
 /// (moments: times rho) with the coefficients c and the area integrals a of
-/// integrals() and the strength() of the friction: (f0, A rho^2) if dry,
-/// (k1 rho |Dw|, k0 rho^3 |Dw|) if viscous. So one solver serves both, and
-/// pins as well as balls: a pin's friction is that of integrals
+/// integrals() and the strength() of the friction: (f0, A rho^2) if dry, (k1
+/// rho |Dw|, k0 rho^3 |Dw|) if viscous. So one solver serves both, and pins as
+/// well as balls: a pin's friction has the integrals
 ///
 ///     c = {1, S, 0},  a = (l/rho) {2 sin theta0, 2 theta0, 0}
 ///
@@ -91,8 +92,8 @@ class JointContact {
 
   /// Notes of geometry and half-angle law on use outside their range, one if
   /// the pressure law ends before the half-angle law, one if interference alone
-  /// presses harder than the softer body is stiff, and what costs a friction
-  /// stress accuracy.
+  /// exceeds the stiffness of the softer body, and notes on a less accurate
+  /// friction stress.
   std::vector<std::string> validity_notes() const;
   /// A further one, on where its numbers are from.
   void add_validity_note(std::string note) {
@@ -111,8 +112,8 @@ class JointContact {
   /// p_0, Pa: the pressure of interference alone, the same all round. 0
   /// without interference.
   double interference_pressure() const noexcept;
-  /// Excess of the pressure of a contact closed all round over that of one
-  /// about to lift off under the same load, Pa: p_0 - p_1. 0 of others.
+  /// Excess pressure of a contact closed all round over one about to lift off
+  /// under the same load, Pa: p_0 - p_1. 0 for others.
   double uniform_pressure(double normal_force,
                           double half_angle) const noexcept {
     return is_closed(half_angle)
@@ -132,7 +133,7 @@ class JointContact {
   /// Contact state under a load.
   ContactState state(double normal_force) const noexcept;
   /// The sum of the pressures without regard to their direction, N: S R_n, and
-  /// of a closed contact that of its interference, at any load.
+  /// for a closed contact the sum from its interference, at any load.
   double sum_of_pressures(double normal_force,
                           double half_angle) const noexcept;
   /// D, m: the shift of the centres from where they coincide; eps + approach
@@ -202,9 +203,8 @@ class JointContact {
            pressure_unit(normal_force);
   }
   /// How far the halves are pressed into each other, m from first touch, and
-  /// dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with what is
-  /// NaN there. Without clearance and with interference there is no first
-  /// touch: NaN.
+  /// dR_n/d(approach), N/m: HalfAngleLaw::approach() in SI units, with the same
+  /// NaN. Without clearance and with interference there is no first touch: NaN.
   /// @param half_angle  theta0, rad
   ContactApproach approach(double half_angle) const noexcept {
     return approach(*half_angle_law_, geometry_, pair_, half_angle);

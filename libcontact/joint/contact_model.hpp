@@ -21,7 +21,7 @@ struct ContactWork {
   double moment_coefficient = 0;  ///< |M_t|/(rho R)
 };
 
-/// Work of a solution whose Placement asks for what its joint cannot model.
+/// Work of a solution whose Placement its joint cannot model.
 struct PlacementRefused final : ContactWork {
   std::shared_ptr<const ContactWork> without_grid() const override {
     return std::make_shared<PlacementRefused>();
@@ -37,7 +37,7 @@ class ContactMoments {
       const Eigen::Vector3d& angular_velocity) const = 0;
 };
 
-/// Answers of a Joint whose contact ends. Functions are those of Joint.
+/// Answers of a Joint with a bounded contact. Same functions as Joint.
 class ContactModel {
  public:
   virtual ~ContactModel() = default;
@@ -52,8 +52,8 @@ class ContactModel {
                                const SolveOptions& /*options*/) const {
     return {};
   }
-  /// Null of a contact that is round about n, that of the joint without end,
-  /// and of a pin.
+  /// Null for a contact that is symmetric about n, for an unbounded joint, and
+  /// for a pin.
   virtual std::shared_ptr<const ContactMoments> moments(
       const JointSolution& /*solution*/) const {
     return nullptr;

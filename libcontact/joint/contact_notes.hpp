@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <set>
@@ -12,7 +13,7 @@ namespace contact {
 /// The direction of a load that was given to a joint without its seat.
 enum class LoadDirection {
   vector,  ///< in the axes of the body with the seat
-  angle,   ///< from z: that of seats about z alone
+  angle,   ///< from z: for seats about z only
   none,    ///< not known
 };
 
@@ -30,9 +31,8 @@ double load_direction(const SeatZone& zone, const Eigen::Vector3d& load);
 
 }  // namespace detail
 
-/// Sentences to be said of many solutions of a joint, each once: limits
-/// that the largest contact has passed, and what the model of a seat that ends
-/// leaves out.
+/// Notes on many solutions of a joint, each once: limits that the largest
+/// contact has passed, and the neglected effects at the rims of a seat.
 class ContactNotes {
  public:
   /// Solutions without a number count for nothing but their Joint::notes() in a

@@ -71,8 +71,7 @@ struct ContactSlopes {
   }
 };
 
-// R = N + R_t and M_t as functions of N = R_n n and Dw, and what they change
-// by.
+// R = N + R_t and M_t as functions of N = R_n n and Dw, and their changes.
 struct Jacobians {
   Matrix3d reaction_over_normal, reaction_over_rate;
   Matrix3d moment_over_normal, moment_over_rate;

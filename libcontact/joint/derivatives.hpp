@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 namespace contact {
 
-/// How the friction moment of a sliding joint answers to what causes it: for
+/// Derivatives of the friction moment of a sliding joint by its causes, for
 /// implicit integrators and Newton's method. Rows are parts of M_t.
 struct SlipDerivatives {
   /// out_of_range, and all NaN, where there are none: at rest, at a rim of a

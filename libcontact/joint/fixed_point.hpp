@@ -15,7 +15,7 @@ struct FixedPointStep {
   double adhesion_number;       ///< Abar
   double load_parameter;        ///< mu
   double half_angle;            ///< theta0, rad
-  double friction_coefficient;  ///< f, of which the next g is the arctangent
+  double friction_coefficient;  ///< f; the next g is its arctangent
 };
 
 /// When the inner loop starts and stops.

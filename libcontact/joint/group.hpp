@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +13,8 @@ namespace contact {
 /// Several joints on one axis.
 ///
 /// Section 1.2 of the paper. The group passes a force R and a moment M normal
-/// to its axis on to the body; the pole of M is position 0. Each joint takes
-/// a force and no moment but that of friction:
+/// to its axis on to the body; the pole of M is position 0. Each joint takes a
+/// force and no moment except friction:
 ///
 ///     R = sum R_j,  M = sum (z_j u x R_j + M_jt normal to u)
 ///
@@ -34,8 +35,8 @@ class JointGroup {
   /// How the joints of a statically indeterminate group share its force: as a
   /// rigid axis on springs would make them.
   struct Sharing {
-    /// For each joint, any unit, > 0: radial forces are those of springs of
-    /// this stiffness under a rigid axis.
+    /// For each joint, any unit, > 0: radial forces follow springs of this
+    /// stiffness under a rigid axis.
     std::vector<double> radial_stiffness;
     /// For each joint, >= 0, 0 for a pin, of sum 1: share of the force along
     /// the axis; all 0 beside a thrust face.

@@ -330,7 +330,7 @@ JointSolution Joint::solve_contact(const KnownContact& known) const noexcept {
   set_contact(s, contact_, force.length, half_angle.half_angle, strength);
   set_vectors(s, contact_, {w, t.cross(w), t}, spin.length, f * force.length);
   s.reaction = normal_force + s.friction_force;
-  // cos b = sin a cos g; sin b is the length of what R has normal to w.
+  // cos b = sin a cos g; sin b is the length of the part of R normal to w.
   s.reaction_direction = {s.friction_direction.cos * std::hypot(cos_a, f),
                           s.friction_direction.cos * s.slip_axis.sin};
   finish(s, contact_);

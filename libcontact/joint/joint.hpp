@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -46,11 +47,10 @@ struct RestSolution {
 
 /// Friction of a ball in a seat or a pin in a hole under a known reaction.
 ///
-/// The reaction R is the sum of the normal force R_n n and the friction
-/// force R_t normal to it; n, R_n, the half-angle theta0 and the friction
-/// coefficient depend on each other. docs/explanation/joint.md has the
-/// equations. That of a pin is the ball's with R normal to Dw: b = 90 deg, a =
-/// 0.
+/// The reaction R is the sum of the normal force R_n n and the friction force
+/// R_t normal to it; n, R_n, the half-angle theta0 and the friction coefficient
+/// depend on each other. docs/explanation/joint.md has the equations. A pin has
+/// the ball's equation with R normal to Dw: b = 90 deg, a = 0.
 ///
 /// A joint that is made from a spec with a seat that ends
 /// (JointGeometry::seat()) is in it: docs/explanation/seat_joint.md. Where the
@@ -66,16 +66,16 @@ struct RestSolution {
 /// answer.
 ///
 /// Frame: any, the same for all vectors; of a joint in a seat that ends the
-/// axes of the body with the seat, or those of a Placement. R, R_t, M_t act on
-/// the body; Dw is the angular velocity of the body relative to the carrier. If
-/// the carrier has the ball or pin, n points from the joint's centre to the
+/// axes of the body with the seat, or the axes of a Placement. R, R_t, M_t act
+/// on the body; Dw is the angular velocity of the body relative to the carrier.
+/// If the carrier has the ball or pin, n points from the joint's centre to the
 /// contact's; if the body has it, away from it. Either way R_n n is the push on
 /// the body.
 ///
 /// A pin takes force normal to its axis only: the part of R along it is left
-/// out, and JointSolution::reaction is what is left. Its axis is the unit
-/// vector `axis`, with Dw along it, or, where that is 0, the direction of Dw
-/// or M; if these are 0 too nothing is left out. A ball has no axis.
+/// out, and JointSolution::reaction is the rest. Its axis is the unit vector
+/// `axis`, with Dw along it, or, where that is 0, the direction of Dw or M; if
+/// these are 0 too nothing is left out. A ball has no axis.
 ///
 /// Solving does not throw, and does not allocate but where a contact ends. NaN
 /// or infinity in R or Dw: NaN with out_of_range.
@@ -103,8 +103,8 @@ class Joint {
     /// whether a joint rests, see at_rest().
     Eigen::Vector3d angular_velocity;
     Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-    /// How the halves lie; null: the axes of a seat that ends are those of the
-    /// vectors, and a pin is level.
+    /// Placement of the halves; null: the vectors are in the axes of the seat,
+    /// and a pin is level.
     const Placement* placement = nullptr;
   };
   /// Friction under a reaction while the halves turn.
@@ -188,7 +188,7 @@ class Joint {
   /// At a rim of its seat, which the contact reaches.
   enum class RimPressure {
     infinite,  ///< as the model has it
-    reported   ///< nearer than SeatEdge::report_distance that of this distance
+    reported   ///< nearer than SeatEdge::report_distance the one at it
   };
   /// p at places, Pa: unit vectors from the joint's centre, of a pin normal to
   /// its axis, or of one that ends those to places of its surface, in the frame
@@ -210,7 +210,7 @@ class Joint {
   /// read in some 20 us: SeatTable. Takes 7 to 20 s.
   /// @throws Error without a seat that ends, and as SeatTable
   Joint tabulated(const RimTableOptions& options) const;
-  /// The same from what table() gave of the same joint.
+  /// As above, from a table() of the same joint.
   Joint tabulated(std::string_view table) const;
   /// The table in bytes, for a file; "" without.
   std::string table() const;

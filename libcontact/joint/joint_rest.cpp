@@ -127,9 +127,9 @@ class SlipSearch {
 //     tan(angle) = |(sigma_Y, sigma_Z sin g)|/(sigma_Z cos g),  R_n = R cos g
 //
 // is one equation in cot a, nearly a proportion. Secants in logarithms, R_n one
-// step behind: 7 to 11 evaluations for f up to 0.5, to what two or three
-// solutions polish with the fewest in all. A start, no more, where f is
-// above 1.
+// step behind: 7 to 11 evaluations for f up to 0.5, until two or three
+// solutions can polish with the fewest evaluations in all. A start, no more,
+// where f is above 1.
 double angle_of_slip(const JointContact& contact, double force, double angle) {
   if (angle == 0 || angle == pi / 2) return angle;  // spins, slides
   constexpr int step_limit = 16;

@@ -120,7 +120,7 @@ SlipAxis MomentSet::axis_of_moment(double sliding,
 }
 
 // The edge's normal where it opposes M, of a set that is not round: the unit
-// vector u for which Phi(u)/(M.u) is least, a convex function of what u has
+// vector u for which Phi(u)/(M.u) is least, a convex function of the part of u
 // across M.
 Vector3d MomentSet::normal_at(const Vector3d& held) const noexcept {
   const Vector3d along = held.normalized();

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -14,10 +15,9 @@ class ContactMoments;
 
 /// The friction moments of one contact whose n, R_n and theta0 are FIXED: a
 /// convex set C, even in M and round about n, which a contact at a rim of its
-/// seat is not. Dry friction only; a viscous
-/// joint holds no moment and its set is {0}. That of a friction stress is of
-/// tau(p, 0); if tau falls with the speed the power is not convex, and
-/// everything is NaN.
+/// seat is not. Dry friction only; a viscous joint holds no moment and its set
+/// is {0}. The set of a friction stress uses tau(p, 0); if tau falls with the
+/// speed the power is not convex, and everything is NaN.
 ///
 /// Its support function is the friction power
 ///
@@ -27,8 +27,8 @@ class ContactMoments;
 ///
 /// (sigma, J, K: docs/explanation/friction.md). This potential exists at fixed
 /// n, R_n and theta0 only: under a fixed reaction R all three move with Dw, M_t
-/// has no potential, and what a resting joint holds is Joint::at_rest(), not
-/// this set with n = R/|R|.
+/// has no potential, and Joint::at_rest() gives the moments that a resting
+/// joint holds, not this set with n = R/|R|.
 ///
 /// A set refers to the joint that made it and must not outlive it. Const
 /// functions do not throw, and do not allocate but at a rim; NaN gives NaN.

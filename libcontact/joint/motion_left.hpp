@@ -57,8 +57,8 @@ MomentSet::Prox motion_left(const Moment& moment, const Curvature& curvature,
     if (result.residual <= tolerance || result.iterations == step_limit) break;
     const Matrix3d slope = curvature(u, edge);
     // Rounding of u moves the moment by its curvature, which small contacts
-    // have to 1e6 of W free near the pole; that of the gain moves r; and
-    // W free - W r u has the rounding of its terms.
+    // have to 1e6 of W free near the pole; rounding of the gain moves r; and W
+    // free - W r u has the rounding of its terms.
     reachable = (epsilon * (2 * slope.norm() + inertia.norm() * free.norm()) +
                  rounding * inert.norm() / u.dot(inert)) /
                 size;

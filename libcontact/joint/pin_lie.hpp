@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 namespace contact {
 
-/// How a pin of finite length lies in its hole, and what that takes:
+/// Position of a finite-length pin in its hole, and the forces it needs:
 /// docs/how-to/finite_pin.md. Vectors are in the frame of the solution, places
 /// along the pin's axis from the middle of the contact, in the direction of the
 /// axis that the call gave, or of Dw or M where it gave none.
@@ -28,8 +29,8 @@ struct PinLie {
   /// known shift in the plane of the reaction, N m.
   Eigen::Vector3d tilting_moment = Eigen::Vector3d::Zero();
   double tilting_stiffness = std::numeric_limits<double>::quiet_NaN();
-  /// On the body about the middle, N m: across the axis that of all that acts,
-  /// along it that of friction.
+  /// Moment on the body about the middle, N m: across the axis the sum of all,
+  /// along it friction.
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   double axial_friction_force = 0;  ///< on the body along the axis, N
 };

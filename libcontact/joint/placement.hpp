@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -9,8 +10,8 @@ namespace contact {
 /// seat is, or how its pin is tilted in the hole. Vectors are in the frame of
 /// the call. A pin that is given one ends, level too; without one it goes on.
 struct Placement {
-  /// Rotation from the axes of the body that has the seat, in which
-  /// JointGeometry::seat() gives its axis, to those of the vectors.
+  /// Rotation from the axes of the body with the seat, in which
+  /// JointGeometry::seat() gives its axis, to the axes of the vectors.
   Eigen::Matrix3d from_seat = Eigen::Matrix3d::Identity();
   /// Known slope of a pin's axis in its hole, along the direction of the axis
   /// that the call gives (else of Dw or M); what is along the axis is left out.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -22,8 +23,8 @@ struct SeatRim {
   /// K = lim p sqrt(2 pi s), s the distance from the rim, at the longitude
   /// where it is largest, Pa m^(1/2); 0 if the contact does not reach it. The
   /// pressure at the rim itself is infinite in the model. NaN at a rim where
-  /// the seat's body ends too (SideFace::free): the pressure there is that of
-  /// the corner, not of a punch.
+  /// the seat's body ends too (SideFace::free): the pressure there follows the
+  /// corner, not a punch.
   double intensity = std::numeric_limits<double>::quiet_NaN();
   double longitude = std::numeric_limits<double>::quiet_NaN();  ///< 0 or pi
   /// How far the contact follows the rim to each side, rad; pi: all round.

@@ -49,7 +49,7 @@ bool has_walls(const JointSpec& joint) {
          joint.outer.backing.kind() == Backing::Kind::held;
 }
 
-// Whether a law that was made for one joint is that of another.
+// True if two joints can share a law.
 template <class Law>
 bool serves(const Law& law, const JointSpec& joint,
             const ContactConditions& conditions, bool is_allowed) {

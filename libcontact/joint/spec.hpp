@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <cstddef>
@@ -33,7 +34,7 @@ struct ThermalGrowth {
   Temperatures temperatures;
   double reference_clearance;  ///< at temperatures.reference, m
   double inner;  ///< how far the surface of the ball or pin has grown, m
-  double outer;  ///< how far that of the seat or hole has, m
+  double outer;  ///< the same for the seat or hole, m
   /// Largest strain alpha dT of all materials, in size.
   double largest_strain;
 
@@ -79,8 +80,8 @@ struct JointSpec {
   std::string pressure_law = {};
 
   /// The joint at these temperatures: the clearance of the geometry, or the one
-  /// from which it had grown, with what both surfaces grow when nothing touches
-  /// them. Linear in the differences of temperature; moduli stay what they are.
+  /// from which it had grown, plus the free growth of both surfaces. Linear in
+  /// the differences of temperature; moduli do not change.
   /// @throws Error if a material that grows has no thermal_expansion.
   JointSpec at(Temperatures temperatures) const;
 
@@ -116,7 +117,7 @@ struct JointSpec {
   /// Notes of the description alone: of its growth, and of a relief, which a
   /// contact without end leaves out.
   std::vector<std::string> own_notes() const;
-  /// Notes of the geometry, own_notes(), and those of the half-angle law.
+  /// Notes of the geometry, own_notes(), and notes of the half-angle law.
   std::vector<std::string> validity_notes() const;
 
   /// The joint as the text of a joint file (docs/reference/joint_file.md) that

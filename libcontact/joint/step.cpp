@@ -119,7 +119,7 @@ class Sliding {
     return across * Matrix3d::Identity() +
            (size(n) - across) * n * n.transpose();
   }
-  // A friction stress makes the set that of rest, its size that of the speed.
+  // With a friction stress the set belongs to rest, and its size to the speed.
   double scale_of(const MomentSet& set) const {
     return joint_.contact().stress()
                ? solution_.friction_moment.norm() / set.moment(rate_).norm()
@@ -314,8 +314,8 @@ void check(std::span<const Joint* const> joints,
 //
 // Those that move make the smallest of a convex function, whose solution is the
 // only one. In a sweep each takes its step with the moments of the others,
-// which hardly change; B = W^-1, of those that move, says how they answer to a
-// moment. A change of who holds needs another W.
+// which hardly change; B = W^-1 of the moving joints gives their response to a
+// moment. If other joints hold, W must be made again.
 class Mechanism {
  public:
   Mechanism(std::span<const Joint* const> joints,
@@ -586,7 +586,7 @@ class Mechanism {
   std::vector<Eigen::Index> at_;  // first rows
   std::vector<char> holds_;
   std::vector<Eigen::Index> moving_;  // rows
-  bool is_other_ = true;              // others hold than those of W
+  bool is_other_ = true;              // W belongs to other held joints
   bool fits_ = false;                 // the moving ones fit each other
   bool has_guessed_ = false;
   bool has_answer_ = false;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -18,7 +19,7 @@ struct StepStart {
   Eigen::Vector3d free;
   /// Axis of a pin, unit vector; 0: the direction of Dw or of `free`.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  /// The place of a seat that ends; null: its axes are those of the vectors.
+  /// The placement of a seat; null: the vectors are in its axes.
   const Placement* placement = nullptr;
 };
 
@@ -93,8 +94,8 @@ struct StepSweeps {
 ///                 angular velocities, three rows for a ball and one, about its
 ///                 axis, for a pin; symmetric, positive definite. Joints'
 ///                 frames may differ.
-/// @param steps    in: those of the step before, or empty ones; a better guess
-///                 of Dw than that of `starts` may stand in its place, for
+/// @param steps    in: the last step's, or empty ones; a better guess
+///                 of Dw than the one of `starts` may replace it, for
 ///                 speed; out: the result
 /// @param tolerance  of StepSweeps::residual
 /// @throws Error if sizes differ, a pin has no axis, or W is not symmetric or a

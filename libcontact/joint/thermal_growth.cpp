@@ -34,7 +34,7 @@ std::string place_of(Side side, const LayeredBody& body, std::size_t layer) {
   return inner ? "inner material" : "wall backing";
 }
 
-// alpha dT of each layer, and of what lies behind them if there is something.
+// alpha dT of each layer, and of the body behind them, if any.
 std::vector<double> strains(Side side, const LayeredBody& body,
                             double warming) {
   std::vector<double> result;

@@ -20,7 +20,7 @@ bool is_round(const JointSolution& s) { return !std::isnan(s.half_angle); }
 
 using Model = std::shared_ptr<const detail::ContactModel>;
 
-// The model that found a solution, that of a tilt or that of the joint.
+// The model that found a solution: the one for tilts or the joint's.
 const detail::ContactModel* finder(const JointSolution& s, const Model& model,
                                    const Model& tilted) {
   const bool is_tilted =

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -22,8 +23,8 @@ Clearance clearance_of(double radial_clearance);
 /// bodies homogeneous, the outer one infinite, and a clearance.
 struct ContactConditions {
   InnerLoading loading = InnerLoading::centre();
-  /// Walls and coatings. The materials at the surfaces are then those of
-  /// walls->surfaces().
+  /// Walls and coatings. walls->surfaces() then gives the materials at the
+  /// surfaces.
   std::optional<LayeredPair> walls = {};
   Clearance clearance = Clearance::positive;
 
@@ -34,7 +35,7 @@ struct ContactConditions {
 /// Joints for which a law was made whose constants depend on them.
 class MadeFor {
  public:
-  /// The materials, and what else counts.
+  /// The materials and all other conditions.
   explicit MadeFor(const ElasticPair& pair, ContactConditions conditions = {});
   /// Any materials of this ratio of the moduli, the usual conditions.
   explicit MadeFor(double modulus_ratio) : modulus_ratio_(modulus_ratio) {}

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -42,8 +43,8 @@ std::string to_string(const InnerLoading& loading);
 /// How far the inner body has gone into the outer one.
 struct ContactApproach {
   /// delta/eps, counted from first touch of the unloaded bodies: the centres
-  /// are eps + delta apart. Of the inner body's mean over its volume, or of
-  /// its rigid core; relative to what holds the outer body.
+  /// are eps + delta apart. Of the inner body's mean over its volume, or of its
+  /// rigid core; relative to the support of the outer body.
   double approach;
   /// Tangent stiffness at this load: dR_n/d delta in units of rho E (ball),
   /// dP/d delta in units of E (pin).

@@ -13,9 +13,9 @@ namespace contact {
 namespace {
 
 // The theory is of first order in ebar = eps/rho. By Hertz' theory, which knows
-// both radii, peaks of small contacts are (1 + ebar)^(1/2) (pin) or
-// (1 + ebar)^(2/3) (ball) too high, 1 % here; by finite elements with true
-// radii those of wide contacts by 0.6 to 1.2 ebar (docs/explanation/limits.md).
+// both radii, peaks of small contacts are (1 + ebar)^(1/2) (pin) or (1 +
+// ebar)^(2/3) (ball) too high, 1 % here; by finite elements with true radii,
+// peaks of wide contacts are by 0.6 to 1.2 ebar (docs/explanation/limits.md).
 constexpr double largest_relative_clearance = 0.015;
 // Limit of press fits: strains of a percent, beyond which metals yield.
 constexpr double largest_relative_interference = 0.01;

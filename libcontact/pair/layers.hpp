@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -11,7 +12,7 @@
 /// a ball or pin. docs/explanation/walls.md.
 namespace contact {
 
-/// A layer, bonded to what lies before and behind it.
+/// A layer, bonded to its neighbours on both sides.
 struct Layer {
   double thickness;   ///< m, > 0
   Material material;  ///< elastic
@@ -33,7 +34,7 @@ class Backing {
     return Backing(Kind::rigid, {std::numeric_limits<double>::infinity(), 0});
   }
   static Backing held() { return Backing(Kind::held, {}); }
-  /// @param material  if it is rigid, the kind is that of rigid()
+  /// @param material  if it is rigid, the kind is rigid()
   static Backing medium(Material material);
 
   Kind kind() const { return kind_; }
@@ -51,7 +52,7 @@ class Backing {
 };
 
 /// An inner or outer body, seen from the contact: its layers, the one at the
-/// contact first, and what lies behind them. Without layers it is the backing
+/// contact first, and the body behind them. Without layers it is the backing
 /// alone.
 struct LayeredBody {
   /// A body of one material.
@@ -95,7 +96,7 @@ class LayeredPair {
   const LayeredBody& inner() const { return inner_; }
   const LayeredBody& outer() const { return outer_; }
   /// The materials at the two surfaces: E, Ebar, the compliance shares and
-  /// beta, and with them the load parameters, are those of this pair.
+  /// beta, and with them the load parameters, refer to this pair.
   const ElasticPair& surfaces() const { return surfaces_; }
   /// Thickness of the thinner one of the two layers at the contact over the
   /// radius; infinite if no body has layers.

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <limits>
@@ -19,9 +20,9 @@ struct Material {
   /// Largest contact pressure that it bears, Pa, (0, infinity]: where it
   /// yields or creeps, or what a catalogue allows. For warnings only.
   double limit_pressure = std::numeric_limits<double>::infinity();
-  /// Coefficient of linear thermal expansion, 1/K, -1e-3 to 1e-3: for joints
-  /// at other temperatures than that of their clearance (pair/temperatures.hpp)
-  /// only, which require it.
+  /// Coefficient of linear thermal expansion, 1/K, -1e-3 to 1e-3: required only
+  /// by joints at another temperature than their clearance
+  /// (pair/temperatures.hpp).
   std::optional<double> thermal_expansion = {};
   /// Whether it comes as a layer of some thickness, as liners and cups do: a
   /// body of it without end is noted (infinite_liner_notes()).
@@ -49,7 +50,7 @@ void check_material(const Material& material, std::string place);
 /// | Dundurs' alpha | w_2 - w_1 |
 /// | Dundurs' beta | w_2 b(nu_2) - w_1 b(nu_1), b(v) = (1-2v)/(2(1-v)) |
 ///
-/// Dundurs' parameters are those of plane strain.
+/// Dundurs' parameters hold for plane strain.
 ///
 /// Accuracy: relative error at most 5e-16 for all but alpha and beta, whose
 /// absolute error is at most 4e-16 (pair/pair_test.cpp, against 50-digit

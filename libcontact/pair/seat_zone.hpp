@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -5,7 +6,7 @@
 
 namespace contact {
 
-/// What the seat's body does beyond a rim.
+/// Shape of the seat's body beyond a rim.
 enum class SideFace {
   goes_on,  ///< as the laws without rims have it: only the contact ends
   free,     ///< it ends too, at a side face of SeatZone::side_angle()
@@ -16,8 +17,8 @@ struct SeatEdge {
   /// Radius of the rounding along the meridian, or of a chamfer's blend, m; 0
   /// if sharp.
   double radius = 0;
-  /// Angle between the surface and the side face, in the seat's body, rad,
-  /// (0, pi); that of SeatZone::side_angle() if left out.
+  /// Angle between the surface and the side face, in the seat's body, rad, (0,
+  /// pi); SeatZone::side_angle() if left out.
   std::optional<double> angle = {};
   /// Distance of peak pressures and p v from rims, over the radius, (0, 1).
   double report_distance = 0.02;
@@ -56,9 +57,9 @@ class SeatZone {
   ///              seat; from the pole that polar angles are counted from
   SeatZone about(const std::array<double, 3>& axis) const;
 
-  /// The zone with its rims moved in, by which contacts ask what a side face
-  /// that yields does (docs/explanation/seats.md). Only angles of side faces
-  /// and areas of catalogues remain those of drawn().
+  /// The zone with its rims moved in, which bounds the effect of a compliant
+  /// side face (docs/explanation/seats.md). Only angles of side faces and areas
+  /// of catalogues still refer to drawn().
   /// @param setback  rad, at least 0
   /// @throws Error if less than smallest_width is left.
   SeatZone moved_in(double setback) const;

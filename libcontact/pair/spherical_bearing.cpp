@@ -11,7 +11,7 @@
 namespace contact {
 namespace {
 
-// A ball and its ring are those of one bore in series E and of a smaller one in
+// A ball and its ring belong to one bore in series E and to a smaller one in
 // series G, whose inner ring is wider.
 struct Size {
   double ball_mm;
@@ -111,7 +111,7 @@ int row_of(const Name& name) {
   return row_of(name.bore, g ? &Size::bore_g : &Size::bore_e);
 }
 
-// The row of a lined bearing, whose ball and ring are those of series E or G.
+// The row of a lined bearing with the ball and ring of series E or G.
 int row_of_lined(const Name& name) {
   constexpr std::array<std::string_view, 9> of_e = {
       "C", "CJ", "TE", "TXE", "TXA", "TGR", "TXGR", "ET", "UK"};

@@ -1,10 +1,11 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 namespace contact {
 
 /// How a pin and the body around it grow along their axis.
 enum class AxialGrowth {
-  free,  ///< as what lies behind the layers does, or the outermost one
+  free,  ///< as the body behind the layers, or the outermost one
   held,  ///< not at all: plane strain
 };
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -20,7 +21,7 @@ struct ForceState {
 /// The force law of a joint with clearance, exact for any elastic pair and any
 /// walls: what presses the ball or pin back as it has gone the penetration
 /// delta = |e| - eps into its seat or hole, e the vector from the centre of the
-/// seat to that of the ball or pin. Theory: docs/how-to/play.md.
+/// seat to the centre of the ball or pin. Theory: docs/how-to/play.md.
 ///
 /// The constructor solves the contact at 64 to 256 half-angles, which takes 10
 /// ms (ball) to 0.1 s (pin), with thin layers 0.5 s: make one law per joint. It

@@ -16,8 +16,8 @@ constexpr double largest_half_angle = 80 * degree;
 // some hundred clearances.
 constexpr double largest_share_of_limit = 0.999;
 
-// Last coefficients of a series that has all of its function; those of thin
-// layers end in the roundings of the solver.
+// Last coefficients of a fully resolved series; series of thin layers end in
+// the roundings of the solver.
 constexpr double negligible = 2e-13;
 
 }  // namespace

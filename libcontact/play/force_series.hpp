@@ -10,7 +10,7 @@ namespace contact::detail {
 
 /// Force law by the half-angle: Chebyshev series of four quantities that hardly
 /// change with it, in u = ln(theta0). Lengths are in units of the clearance,
-/// forces in those of ForceUnit.
+/// forces in units of ForceUnit.
 class ForceSeries {
  public:
   using Solver = std::function<ForcePoint(double)>;

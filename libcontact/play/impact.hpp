@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -8,8 +9,8 @@
 
 namespace contact {
 
-/// One touch of a joint with play, from first touch to parting, by no other
-/// force than that of the contact.
+/// One touch of a joint with play, from first touch to separation, without
+/// forces other than the contact's.
 struct Impact {
   double restitution;       ///< e
   double penetration;       ///< the largest, m
@@ -35,8 +36,8 @@ class JointImpact {
 
   const ForceLaw& force_law() const { return law_; }
 
-  /// NaN where the energy is above that of the force law's end, which notes()
-  /// say.
+  /// NaN where the energy exceeds the range of the force law, which notes()
+  /// reports.
   /// @param mass   kg, > 0: of the two bodies m1 m2/(m1 + m2)
   /// @param speed  of approach at touch, m/s, > 0
   /// @throws Error if a number is out of range.
@@ -45,7 +46,7 @@ class JointImpact {
 
   /// Notes where an impact leaves the model, one sentence each: a peak pressure
   /// above the limit of the materials, a penetration beyond the force law, a
-  /// duration below 10 times that of waves through the joint.
+  /// duration below 10 times the travel of waves through the joint.
   /// @param density  of the bodies, kg/m^3; 0 if it is not known, which leaves
   ///                 out the waves
   std::vector<std::string> notes(const Impact& impact, double density) const;

@@ -143,7 +143,7 @@ PlayJoint::Wrench<Real> PlayJoint::wrench(const PlayMotion& motion) const {
   const Real rate = touch.n.dot(touch.velocity);
   touch.normal = chained(touch.delta, touch.at.force, touch.at.slope) *
                  (1 + options_.damping.damping() * rate);
-  // Such speeds outwards are not those of an impact.
+  // Such outward speeds do not come from an impact.
   if (value_of(touch.normal) < 0) touch.normal = Real(0) * touch.normal;
   result.force = -touch.normal * touch.n;
   for (int i = 0; i < 3; ++i) result.normal(i) = value_of(touch.n(i));
@@ -207,8 +207,8 @@ void PlayJoint::add_ball_friction(const Touch<Real>& touch,
   to.moment = -rho * ((u - along) * strength(1) + along * strength(2));
 }
 
-// Two parts: the force that goes with the slip at the contact's centre, and
-// what the curved surface adds to its moment.
+// Two parts: the force from the slip at the contact's centre, and the addition
+// of the curved surface to its moment.
 template <class Real>
 void PlayJoint::add_pin_friction(const Touch<Real>& touch,
                                  Wrench<Real>& to) const {

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -56,12 +57,12 @@ struct FrictionBounds {
 /// whose zero is touching and parting. For simulators, which integrate the
 /// motion of the two bodies: docs/how-to/play.md.
 ///
-/// Dry friction is that of the contact's sliding at each of its points. The
-/// translation's part of it is that at the contact's centre: right where the
-/// joint turns much faster than its centre moves round, or touches with a
-/// half-angle below some 10 deg. A regularised friction, v/sqrt(v^2 + vs^2)
-/// instead of the direction of v, lets a joint at rest creep by vs T/(f0 N);
-/// friction_bounds() and moment_set() are what holds it for good.
+/// Dry friction follows the sliding at each point of the contact. The
+/// translation's part is taken at the contact's centre: right where the joint
+/// turns much faster than its centre moves round, or touches with a half-angle
+/// below some 10 deg. A regularised friction, v/sqrt(v^2 + vs^2) instead of the
+/// direction of v, lets a joint at rest creep by vs T/(f0 N); friction_bounds()
+/// and moment_set() hold it exactly.
 ///
 /// Copies share their tables; const functions do not throw or allocate.
 ///
@@ -82,8 +83,8 @@ class PlayJoint {
   /// @param law  of the same joint
   PlayJoint(const JointSpec& joint, const Options& options, ForceLaw law);
 
-  /// The same joint with another damping: that of the impact's own speed, for
-  /// a restitution that is the same at every one.
+  /// The same joint with the damping of one impact's speed, for a restitution
+  /// that is the same at every speed.
   PlayJoint with_damping(const HuntCrossley& damping) const {
     PlayJoint other = *this;
     other.options_.damping = damping;

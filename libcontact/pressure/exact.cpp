@@ -176,7 +176,7 @@ ExactPressure::ExactPressure(JointKind kind, const ElasticPair& pair,
     : PressureLaw(kind, MadeFor(pair, {.loading = loading})) {
   set_interference(detail::without_layers(pair), loading);
   if (kind == JointKind::ball) {
-    // More unknowns for the pressure; the limit is that of the half-angles.
+    // More unknowns for the pressure; the half-angles set the limit.
     const BallContact contact(pair, loading, 24);
     tabulate(
         contact,

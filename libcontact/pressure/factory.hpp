@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <memory>
@@ -28,8 +29,8 @@ bool pressure_law_allows(std::string_view name,
                          const ContactConditions& conditions);
 
 /// A law by its name.
-/// @param pair  elastic constants, which mixture and exact depend on; with
-///              walls those of the walls count
+/// @param pair  elastic constants, which mixture and exact depend on; ignored
+/// with walls
 /// @param conditions  on which exact depends
 /// @throws Error if the name is not known or the law is not for these
 ///         conditions.

@@ -11,9 +11,9 @@ namespace contact {
 ///     pin:   2 P/(pi a),        a = rho sin(theta0)
 ///
 /// with the theta0 of HertzLaw at the joint's load parameter times its
-/// load_factor(). Hertz takes the contact for flat: the load that the pressure
-/// carries is that of its projection. 7 % below the exact peak at 19 deg (steel
-/// on bronze).
+/// load_factor(). Hertz takes the contact for flat: the pressure carries the
+/// load of its projection. 7 % below the exact peak at 19 deg (steel on
+/// bronze).
 ///
 /// Accuracy: relative error at most 1e-15 (pressure/family_test.cpp, against
 /// Hertz' formulas in the two radii).

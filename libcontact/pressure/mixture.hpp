@@ -8,9 +8,9 @@
 namespace contact {
 
 /// Contrast D of an elastic pair, which decides how its exact pressure differs
-/// from that of equal materials at the same half-angle; in [-1/2, 1/2], 0 for
-/// equal materials. With k_i = (1 - 2 nu_i)/(2 (1 - nu_i)) and w_i the share
-/// of (1 - nu_i^2)/E_i in their sum:
+/// from equal materials at the same half-angle; in [-1/2, 1/2], 0 for equal
+/// materials. With k_i = (1 - 2 nu_i)/(2 (1 - nu_i)) and w_i the share of (1 -
+/// nu_i^2)/E_i in their sum:
 ///
 ///     pin:  D = w_2 k_2 - w_1 k_1, Dundurs' beta
 ///     ball: D = w_2 k_2 (1 - 2 nu_2) - w_1 k_1 (1 - 2 nu_1)

@@ -14,10 +14,9 @@ class WornPressure;
 namespace contact::detail {
 
 /// A pressure law at one half-angle. The series of an exact pressure, also of a
-/// joint that wears, are made once. That of a wide contact (beyond
-/// PressureLaw::largest_half_angle()) is a Chebyshev series in
-/// sqrt(1 - theta/theta0), within 1e-6 of the peak
-/// (pressure/interference_test.cpp).
+/// joint that wears, are made once. For a wide contact (beyond
+/// PressureLaw::largest_half_angle()) it is a Chebyshev series in sqrt(1 -
+/// theta/theta0), within 1e-6 of the peak (pressure/interference_test.cpp).
 class PressureProfile {
  public:
   PressureProfile(const PressureLaw& law, double half_angle) noexcept;

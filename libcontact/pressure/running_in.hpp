@@ -15,14 +15,14 @@ namespace contact {
 ///     p = (1 - s) p[law] + s p[worn],  s = x^1.8/(2.8 + x^1.8),
 ///     x = v/(g(theta0) - v),
 ///
-/// with the law of the joint before wear and WornPressure. x compares what is
-/// worn off with what the load presses in, so that the pressure runs from that
-/// of the law at v = 0 to the worn one. Both carry the load, and so does p;
-/// friction integrals mix likewise.
+/// with the law of the joint before wear and WornPressure. x compares the worn
+/// depth with the elastic one, so that the pressure changes from the law at v =
+/// 0 to the worn one. Both carry the load, and so does p; friction integrals
+/// mix likewise.
 ///
 /// Accuracy: s is a fit to pins and balls that wear step by step, unworn
 /// half-angles 10 to 40 deg, and within 0.02 of them. docs/how-to/duty.md has
-/// the error of the peak that is left. Within 1e-14 of what the two laws say
+/// the error of the peak that is left. Within 1e-14 of the two laws
 /// (pressure/running_in_test.cpp).
 class RunningInPressure final : public PressureLaw {
  public:

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -8,7 +9,7 @@
 
 namespace contact {
 
-/// A pressure law of one's own: derive from it and say what shape it has.
+/// A user-defined pressure law: derive from it and return the shape.
 /// Normalisation, peak and friction follow from shape().
 ///
 /// Accuracy: relative error of normalisation, peak, S and all friction

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -35,15 +36,16 @@ struct LargestContact {
 /// what its materials bear:
 /// - a peak of 5 % of the smaller Young's modulus,
 /// - a peak of the limit_pressure of a material,
-/// - both of the layers under the surface, and of what is behind them, once the
+/// - both of the layers under the surface, and of the body behind them, once
+/// the
 ///   contact is as wide on each side as they are deep: the pressure that comes
 ///   down to them is less than the peak, and not computed,
 /// - any contact on a liner that is taken without end (infinite_liner_notes()),
 /// - the half-angle that the joint has at infinite load. Laws of the paper may
-///   give more. The laws `exact` and `worn` know that of their own walls and
+///   give more. The laws `exact` and `worn` have the limit of their walls and
 ///   loading; all others are for infinite bodies under a force at the centre,
-///   whose limit is FittedLaw's. Passed by more than what that law may be wrong
-///   by, 0.1 %, it is noted,
+///   whose limit is FittedLaw's. A note is made beyond the error of that law,
+///   0.1 %,
 /// - the half-angle at which a contact in the middle of a seat that ends
 ///   reaches a rim, and any contact that goes beyond a rim where its load
 ///   points,

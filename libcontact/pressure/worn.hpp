@@ -16,10 +16,9 @@ namespace contact {
 /// | p(0) | 3/(2 pi (1 - c^3)) | 1/(theta0 + s c) |
 /// | S | 3 s^2/(2 (1 - c^3)) | 2 s/(theta0 + s c) |
 ///
-/// That of a pin is exact, that of a ball where all points slide alike.
-/// Friction integrals are those of the cosine pressure and of the area, I[p] +
-/// c I[1]. 0 to 90 deg; relative error of peak and S at most 2e-15
-/// (pressure/family_test.cpp).
+/// Exact for a pin, and for a ball if all points slide alike. Friction
+/// integrals combine the cosine pressure and the area, I[p] + c I[1]. 0 to 90
+/// deg; relative error of peak and S at most 2e-15 (pressure/family_test.cpp).
 class WornPressure final : public PressureLaw {
  public:
   explicit WornPressure(JointKind kind) : PressureLaw(kind) {}

@@ -38,7 +38,7 @@ constexpr Quantity<Patch> of_patch[] = {
     {"contact_area", "", Dimension::area, "area of the contact",
      [](const Patch& p) { return p.contact.area(p.half_angle); }, "",
      has_half_angle},
-    // These two are those of presliding_quantities().
+    // The rows of presliding_quantities().
     {"presliding_angle", "", Dimension::angle,
      "turn before sliding, f0 D/rho; lined seats 1.2 to 4 times",
      [](const Patch& p) { return stiction(p) / p.contact.geometry().radius(); },
@@ -46,7 +46,7 @@ constexpr Quantity<Patch> of_patch[] = {
     {"stiction_deformation", "", Dimension::length,
      "slip before sliding, f0 D; lined seats 1.2 to 4 times",
      [](const Patch& p) { return stiction(p); }, "", has_stiction},
-    // From here on those of preload_quantities().
+    // From here on the rows of preload_quantities().
     {"interference_pressure", "p_0", Dimension::stress,
      "pressure of interference alone, the same all round",
      [](const Patch& p) { return p.contact.interference_pressure(); }, "",

@@ -104,7 +104,7 @@ def run(joint, half_angle, n, load, shift, folder):
     body, and the shift of the centres. The deck stays in the folder."""
     contact = Contact(joint, half_angle, n, joint.clearance)
     load = load if joint.round else load / 2 / joint.length
-    # Overlaps stay at 1e-5 to 1e-3 of what the bodies yield.
+    # Overlaps stay at 1e-5 to 1e-3 of the displacements.
     softest = min([joint.inner[0]] + [e for _, e, _ in joint.layers])
     penalty = 1e4 * softest / joint.radius
     path = os.path.join(folder, "deck")

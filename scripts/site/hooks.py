@@ -39,7 +39,7 @@ def on_config(config):
 
 
 def on_page_markdown(markdown, page, config, files):
-    """Links to the README lead home; those to what is no page become text."""
+    """Links to the README lead home; links to files outside the site become text."""
     known = {file.src_path for file in files}
 
     def on_site(link):

@@ -219,7 +219,7 @@ void simbody(benchmark::State& state, Mix mix) {
 #endif
 
 // A core with four boosters that turn about ball joints at their upper ends:
-// masses and sizes like those of a large launcher just before separation.
+// masses and sizes as in a large launcher just before separation.
 Instant launcher() {
   using Eigen::Matrix3d;
   using Eigen::Vector3d;

@@ -11,7 +11,7 @@
 /// Timing for all benchmarks.
 namespace contact::bench {
 
-/// Inputs of which there are so many fit the cache.
+/// So many inputs fit the cache.
 inline constexpr std::size_t count = 256;
 
 /// (i mod count)/count.
@@ -49,7 +49,7 @@ void time_each(benchmark::State& state, const Call& call,
   }
 }
 
-/// The same of what counts its evaluations, which are shown on the mean.
+/// As above, for functions that count their evaluations; shows their mean.
 template <class Call>
 void time_solver(benchmark::State& state, const Call& call) {
   double evaluations = 0;

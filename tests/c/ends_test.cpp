@@ -1,4 +1,4 @@
-// Joints whose contact ends, from C, are those of C++ to the last bit.
+// Joints with a bounded contact, from C, are bit-identical to C++.
 #include "libcontact/c/ends.h"
 
 #include <gtest/gtest.h>
@@ -208,7 +208,7 @@ TEST(CEnds, PlacementTurnsTheSeat) {
             "sizeof(contact_placement)");
 }
 
-// Numbers are those of FinitePin, whose z is the hole's axis.
+// Numbers equal FinitePin's, whose z is the hole's axis.
 TEST(CEnds, PinsTiltAndSlide) {
   const CJoint c = c_joint(bush);
   const contact::FinitePin pin(contact::read_joint(bush));
@@ -305,7 +305,7 @@ TEST(CEnds, SolutionsAreFoundAnew) {
   ASSERT_EQ(contact_rating_get(c.get(), &level, &found, "heat", &heat),
             CONTACT_OK);
   EXPECT_EQ(heat, -s.power);
-  // A pin with a relief, whose axis is that of its moment.
+  // A pin with a relief, with the axis of its moment.
   const contact_slip turning = {{1e4, 200, 0}, {0, 0, 1}, {0, 0, 1}};
   const Joint pin(contact::read_joint(bush));
   const CJoint c_pin = c_joint(bush);

@@ -1,4 +1,4 @@
-// Joints from C are those of C++ to the last bit.
+// Joints from C are bit-identical to C++.
 #include "libcontact/joint/joint.hpp"
 
 #include <gtest/gtest.h>
@@ -77,7 +77,7 @@ contact_slip c_slip(const Joint::Slip& slip) {
   return c;
 }
 
-// A joint of both languages, and slips of which each is near the one before.
+// A joint of both languages, and slips, each near the last one.
 struct Both {
   explicit Both(const std::string& name)
       : cpp(read_joint(joints + name + ".toml").contact()),
@@ -404,7 +404,7 @@ TEST(JointFromC, SaysWhereItLeavesTheTheory) {
   contact_joint_free(joint);
 }
 
-// All that interference has without load, and what cannot have it.
+// All quantities of interference without load, and joints without them.
 TEST(JointFromC, InterferenceIsThatOfCpp) {
   const std::string file = joints + "lined_bush_pressed.toml";
   const CJoint pin = c_joint(file);
@@ -539,7 +539,7 @@ TEST(CJoint, StepsAreThoseOfCpp) {
                  "step: inertia of joint 1 must be positive definite");
 }
 
-// The notes of contacts are those of C++, by every number.
+// The notes of contacts equal the notes of C++, by every number.
 TEST(CJoint, HasNotesOnContacts) {
   const std::string file = CONTACT_DATA_DIR "/joints/hip_cocr_uhmwpe.toml";
   const CJoint joint = c_joint(file);

@@ -1,4 +1,4 @@
-// Moment sets and derivatives from C are those of C++ to the last bit.
+// Moment sets and derivatives from C are bit-identical to C++.
 #include "libcontact/c/moments.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Joints with play from C are those of C++ to the last bit.
+// Joints with play from C are bit-identical to C++.
 #include <gtest/gtest.h>
 
 #include <string>

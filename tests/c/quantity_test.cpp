@@ -127,7 +127,7 @@ TEST(CQuantities, OfStuckJointsHaveTheirLimits) {
   EXPECT_TRUE(std::isnan(stuck.load_stiffness));
   EXPECT_EQ(contact_joint_stuck(nullptr, 2000, &stuck), CONTACT_BAD_INPUT);
   EXPECT_TRUE(std::isnan(stuck.shape));
-  // Above 43 deg it is that of the attachment of homogeneous bodies too.
+  // Above 43 deg it includes the attachment of homogeneous bodies.
   const CJoint steel = c_joint(CONTACT_DATA_DIR "/joints/paper_example_1.toml");
   char text[400];
   ASSERT_EQ(contact_joint_stuck_notes(steel.get(), 2.63e5, text, sizeof text),
@@ -191,7 +191,7 @@ TEST(Quantities, OfRimsAreTheirMembers) {
 }
 
 // Joints whose laws end where loads do not, each pair of laws that a ball and a
-// pin may have, and those of the files.
+// pin may have, and the joints of files.
 std::vector<JointSpec> joints_that_end() {
   const contact::Material rigid{infinity, 0};
   const contact::Material rubber{5e8, 0.5};

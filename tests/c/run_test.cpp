@@ -1,4 +1,4 @@
-// Runs from C are those of C++ to the last bit.
+// Runs from C are bit-identical to C++.
 #include "separation/results/run.hpp"
 
 #include <gtest/gtest.h>

@@ -75,7 +75,7 @@ struct Pin : PinContact {
   static double hertz_pressure_error(double theta0) { return theta0; }
 };
 
-// 10^(k/10) for a k, of which the argument is a rounded print.
+// 10^(k/10) for the k whose rounded print is the argument.
 double decade_tenth(double printed) {
   return std::pow(10, std::round(10 * std::log10(printed)) / 10);
 }

@@ -104,8 +104,8 @@ TEST(LayerCompliance, ARigidBodyDoesNotGiveWay) {
 }
 
 TEST(LayerCompliance, TailIsThatOfAFlatLayer) {
-  // n c_n -> F(x), x = n ln(1 + t/rho), over that of a half-space, for n large
-  // and t/rho small: the difference from the sphere falls like 1/n.
+  // n c_n -> F(x), x = n ln(1 + t/rho), over the value of a half-space, for n
+  // large and t/rho small: the difference from the sphere falls like 1/n.
   const double thickness = 1e-4;
   for (const JointKind kind : kinds) {
     for (const Side side : sides) {

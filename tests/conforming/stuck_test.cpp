@@ -189,7 +189,7 @@ TEST(Stuck, AllRoundIsClosed) {
   EXPECT_NEAR(unit * pin / (2 * pi / (1.0 / 6 + 0.5)), 1, 2e-3);
 }
 
-// Without shear the shift is that of the exact contact, R/D: another solver.
+// Without shear the shift equals the exact contact's, R/D: another solver.
 TEST(Stuck, FrictionlessShiftIsTheExactContact) {
   AccuracyReport report("R/D", 1e-4);
   for (const std::string name :

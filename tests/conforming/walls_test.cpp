@@ -104,7 +104,7 @@ LayeredPair single(double thickness, double nu, const Backing& backing,
   return {1, {{}, std::move(inner)}, {{{thickness, {1, nu}}}, backing}};
 }
 
-// 1/load parameter of a contact with walls over that of another one, less 1.
+// Ratio of 1/load parameter of two contacts with walls, less 1.
 template <class A, class B>
 double change(const A& a, const B& b, double theta0) {
   return b.reciprocal_load(theta0) / a.reciprocal_load(theta0) - 1;
@@ -168,8 +168,8 @@ TYPED_TEST(Walled, SmallContactsAreHertzian) {
 }
 
 TYPED_TEST(Walled, ThinCompressibleLinersAreWinkler) {
-  // R over that of independent columns, less 1, at 60 deg: known
-  // values for nu = 0.3, of first order in t.
+  // R over the load of independent columns, less 1, at 60 deg: known values for
+  // nu = 0.3, of first order in t.
   const bool ball = std::is_same_v<TypeParam, BallContact>;
   const double nu = 0.3;
   const double theta0 = 60 * degree;
@@ -329,7 +329,7 @@ TYPED_TEST(Walled, TheThinnestIncompressibleLinersAreRight) {
 }
 
 TYPED_TEST(Walled, LimitHalfAngles) {
-  // Rigid inner body; the third decimal is that of the independent solution.
+  // Rigid inner body; the third decimal comes from the independent solution.
   struct Case {
     double thickness;
     double nu;
@@ -510,8 +510,8 @@ TYPED_TEST(Walled, StiffWallsOnASoftMediumHaveTheirPeakOffTheCentre) {
 }
 
 TYPED_TEST(Walled, ThereAndBackAgain) {
-  // Liners stiff against their surface, rings soft against it; loads from
-  // those of 0.01 deg to those near the limit.
+  // Liners stiff against their surface, rings soft against it; loads from 0.01
+  // deg to near the limit.
   for (const double thickness : {0.01, 0.03, 1.0}) {
     for (const double nu : {0.3, 0.5}) {
       for (const bool held : {false, true}) {

@@ -127,7 +127,7 @@ TEST(CycleRows, WithoutSenseStayAsTheyAre) {
 }
 
 // Angles beyond a turn, or far from row to row, may be degrees taken for
-// radians; those of rates are whatever they are.
+// radians; rates may have any size.
 TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
   const auto notes = [](double size, int count) {
     DutyCycle::Rows rows = swing(count);

@@ -280,7 +280,8 @@ TEST(DutyCycle, OfRates) {
   const DutyCycle duty(hip.rows(vectors(hip.in, force_columns),
                                 vectors(hip.states, rate_columns)),
                        {});
-  // A spline of rates is not the derivative of that of angles: 1e-6 was seen.
+  // A spline of rates is not the derivative of a spline of angles: 1e-6 was
+  // seen.
   EXPECT_LT(duty.closure(), 1e-5);
   EXPECT_NEAR(hip.run(duty).integral([](const JointCycle::Instant& i) {
     return -i.solution.power;
@@ -378,8 +379,8 @@ TEST(DutyCycle, OfTwiceThePeriod) {
 }
 
 // A ball of 20 mm that swings about X under a constant force along Z: M_t is
-// constant, and the energy is |M_t| times the integral of |Dw|. Of that of a
-// spline through few rows a sum of many thousand steps knows 1e-9.
+// constant, and the energy is |M_t| times the integral of |Dw|. For a spline
+// through few rows a sum of many thousand steps is accurate to 1e-9.
 double swing_error(int rows, double across) {
   const ElasticPair pair({207e9, 0.3}, {111e9, 0.3});
   const Joint joint(

@@ -1,5 +1,5 @@
 // Wear under loads that move in the hole: against wear step by step
-// (scripts/moving_wear.py), and what is exact of it.
+// (scripts/moving_wear.py), and exact results.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -141,7 +141,7 @@ TEST(MovingWear, AtRestItIsTheRigidLimit) {
 }
 
 // The hole turns round under the load and wears alike everywhere: it stays
-// round, and its clearance grows as exactly as that of a pin that wears alone.
+// round, and its clearance grows as exactly as for a pin that wears alone.
 TEST(MovingWear, OfAHoleThatTurnsRoundIsExact) {
   const double radius = 0.02;
   const double force = 4e4;

@@ -1,5 +1,5 @@
-// Pins that end on a cycle: a level one is the endless pin's, sums are those of
-// their parts, and what stands still is what one state says.
+// Finite-length pins on a cycle: a level one equals the infinite pin, sums
+// equal their parts, and a stationary state equals a single solution.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -168,7 +168,7 @@ TEST(CycleOfPin, SumsOverThePinAreThoseOfItsPlaces) {
   // The table of quantities has the same.
   EXPECT_EQ(number_of(*find_quantity(worst_quantities(), "largest_pv"), pin),
             most);
-  // Dry friction: the work is f0 times that of p v.
+  // Dry friction: the work is f0 times the integral of p v.
   EXPECT_NEAR(pin.sums().energy / pin.sums().pv, 0.1, 1e-12);
 }
 

@@ -1,4 +1,4 @@
-// Wear of pins with interference: against a table, and what is exact of it.
+// Wear of pins with interference: against a table, and exact results.
 #include "libcontact/duty/steps/pin_wear.hpp"
 
 #include <gtest/gtest.h>
@@ -135,8 +135,8 @@ TEST(PinWear, IsExactWhileClosed) {
               left + 0.3 * i, 1e-9 * i);
 }
 
-// Wherever it begins, the worn pressure is that of a hole which the pin has
-// ground out: a cosine over the half circle, S = 4/pi.
+// Wherever it begins, the worn pressure tends to the pressure of a hole ground
+// out by the pin: a cosine over the half circle, S = 4/pi.
 TEST(PinWear, RunsToTheWornPressure) {
   const ReferenceTable table("preload/wear.csv");
   const LayeredPair pair = pair_of(table[0]);

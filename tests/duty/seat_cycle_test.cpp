@@ -124,7 +124,7 @@ std::vector<Vector3d> arc() {
   return all;
 }
 
-// The seat wears by what Joint::pressures() says at each time.
+// The seat wears by Joint::pressures() at each time.
 TEST(CycleInSeat, WearMapIsTheSumOverTheRows) {
   const JointSpec spec = bearing(JointBody::body);
   const Joint joint(spec);
@@ -200,7 +200,7 @@ TEST(CycleInSeat, HasNoPeakThatMayBeExceeded) {
   }
 }
 
-// A cycle whose contacts reach no rim is that of the seat without end under the
+// A cycle whose contacts reach no rim equals the unbounded seat's under the
 // laws exact, Gauss points and maxima between the rows too.
 TEST(CycleInSeat, FreeContactsAreThoseWithoutRims) {
   for (const JointBody inner : {JointBody::carrier, JointBody::body}) {

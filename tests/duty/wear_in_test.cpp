@@ -51,9 +51,9 @@ JointContact pin(double modulus, double friction, double limit = 1) {
           make_pressure_law("cosine", JointKind::pin, pair)};
 }
 
-// A pin that wears alone has an exact solution,
-// k P s/(rho eps) = theta0/cos theta0 - sin theta0. Within a block S is that of
-// its beginning: it grows by 27 % at all, in a block by 1 % at most.
+// A pin that wears alone has an exact solution, k P s/(rho eps) = theta0/cos
+// theta0 - sin theta0. Within a block S keeps its initial value: it grows by 27
+// % at all, in a block by 1 % at most.
 TEST(WearIn, PinWithoutElasticity) {
   const double k = 1e-14;  // m^2/N
   const double cycle = radius * speed * 4;
@@ -219,7 +219,7 @@ TEST(WearIn, AgainstStepByStep) {
     peak.add(worn.peak_pressure, peak_MPa * 1e6, label);
     EXPECT_TRUE(wear.notes.empty()) << wear.notes[0];
   }
-  // WornPressure is not that of a ball, cos theta/w: step by step 31.0 MPa.
+  // WornPressure is not a ball's, cos theta/w: step by step 31.0 MPa.
   const WearIn::State ball =
       wear_in(swing(3e4, JointBody::body), lined(JointKind::ball), {k}, 3e6)
           .states.back();

@@ -17,8 +17,8 @@ struct LoadedPath {
 
 /// The clearance after cycles in which all places of one surface wear alike, m:
 /// it stays round, d eps/d path = S P/(2 pi rho) at every clearance, by the
-/// joint's own laws. The growth is that of wear.csv to 1e-6, whose loads are
-/// rounded as much.
+/// joint's own laws. The growth agrees with wear.csv to 1e-6, the rounding of
+/// its loads.
 inline double clearance_of_worn_pin(const JointContact& contact,
                                     std::span<const LoadedPath> cycle,
                                     double cycles) {

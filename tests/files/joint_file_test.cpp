@@ -193,7 +193,7 @@ JointSpec walled(const std::string& walls) {
   return parsed(ball_file().edit("16...", walls));
 }
 
-// A pin in a plate, by Hertz' compliance of plane stress, 1/E, which is that of
+// A pin in a plate, by Hertz' compliance of plane stress, 1/E, which equals
 // plane strain of the materials taken, (1 - nu'^2)/E'; the shear modulus stays.
 TEST(JointFile, PlaneStressOfPins) {
   const auto read = [](const std::string& key, const std::string& wall = "") {
@@ -266,7 +266,7 @@ TEST(JointFile, SeatsThatEnd) {
                               "report_distance_rad = 0.03\n"
                               "axis = [1, 2, -3]"));
   EXPECT_EQ(parse_joint(turned.canonical_text(), "text"), turned);
-  // The law that none names is that of the joint as it is.
+  // The default law is the joint's.
   JointSpec unnamed = turned;
   unnamed.half_angle_law = "";
   unnamed.half_angle_options = {};
@@ -318,7 +318,7 @@ TEST(JointFile, Walls) {
   ASSERT_EQ(walls.inner().layers.size(), 1u);
   EXPECT_EQ(walls.inner().layers[0].material.youngs_modulus, 3e11);
   EXPECT_EQ(walls.inner().backing.material().name, "steel");
-  // The pair is that of the surfaces, and the laws are those that know walls.
+  // The pair belongs to the surfaces, and the laws support walls.
   EXPECT_EQ(joint.pair().inner().youngs_modulus, 3e11);
   EXPECT_EQ(joint.pair().outer().youngs_modulus, 1.1e11);
   EXPECT_EQ(joint.half_angle_law, "exact");
@@ -468,7 +468,7 @@ TEST(DataFiles, MaterialsAndJoints) {
     ASSERT_TRUE(joint.friction.has_value()) << entry.path();
     const auto result = joint.make_half_angle_law()->half_angle(0.1);
     EXPECT_EQ(result.status, Status::ok) << entry.path();
-    // Interference always says what it leaves out.
+    // Interference always has a note on its neglected effects.
     EXPECT_EQ(joint.geometry.validity_notes().empty(),
               joint.geometry.radial_clearance() > 0)
         << entry.path();
@@ -514,7 +514,7 @@ TEST(DataFiles, PaperExamples) {
 }
 
 // How much the wall matters in a hip at 2 kN: half-angle and peak pressure of
-// an independent solution to four digits, beside those of the infinite seat.
+// an independent solution to four digits, and of the infinite seat.
 TEST(DataFiles, TheWalledHip) {
   const auto contact_of = [&](const char* name, const std::string& law) {
     JointSpec joint = sample_joint(name);

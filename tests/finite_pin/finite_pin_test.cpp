@@ -49,7 +49,7 @@ JointSpec bush(Relief relief = Relief::none()) {
           .relief = relief};
 }
 
-// Required accuracy: that of the row, or 1e-7.
+// Required accuracy: the row's, or 1e-7.
 double budget(const ReferenceTable::Row& row) {
   return std::max(row.value("acc"), 1e-7);
 }
@@ -112,8 +112,8 @@ TEST(FinitePinAccuracy, UnderTheLoadsOfTheReference) {
                                   : pin.under_moment(force, vector(row, "G"));
     EXPECT_EQ(at.status, Status::ok) << row.label();
     EXPECT_EQ(at.pieces, row.value("intervals")) << row.label();
-    // The maximum is flat: the root of what pressures are good for. Without
-    // tilt it is everywhere, and one place is as good as another.
+    // The maximum is flat: the root of the accuracy of pressures. Without tilt
+    // it is everywhere, and one place is as good as another.
     if (vector(row, "psi").norm() > 0) {
       EXPECT_NEAR(at.peak_place, row.value("z_p_max"), 1e-4 * length)
           << row.label();
@@ -251,7 +251,7 @@ TEST(FinitePin, TurnsWithItsLoad) {
 }
 
 // Sums over the surface of the hole, by midpoints in the sines of angle and
-// place, of what has square roots at the edges.
+// place, for integrands with square roots at the edges.
 struct Surface {
   Vector2d force = Vector2d::Zero(), force_moment = Vector2d::Zero();
   double pressure = 0;  ///< sum of all pressures, N
@@ -324,7 +324,7 @@ TEST(FinitePin, PressuresAddUpToTheLoad) {
   EXPECT_EQ(placed.contact.status, Status::ok);
   EXPECT_NEAR(placed.moment.y(), 1e-3 * 8e4, 1e-8 * 8e4 * 0.025);
   EXPECT_NEAR(placed.moment.x(), 0, 1e-8 * 8e4 * 0.025);
-  // Both parts of friction are that of one slip: rho rate against velocity.
+  // Both parts of friction follow one slip: rho rate against velocity.
   EXPECT_NEAR(placed.moment.z() / placed.axial_friction_force / 0.02,
               -0.02 * 0.5 / 0.01, 1e-12);
 }

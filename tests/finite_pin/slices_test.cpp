@@ -63,7 +63,7 @@ const Lying lyings[] = {
     {Relief::barrel(1e-5), JointBody::carrier, {5e-4, 0}, nan, 0, 0},
 };
 
-// All numbers of a joint are those of FinitePin, turned.
+// All numbers of a joint equal FinitePin's, turned.
 TEST(Slices, AreThoseOfTheFinitePin) {
   constexpr double size = 4e4;
   int number = 0;
@@ -155,7 +155,7 @@ TEST(Slices, LevelAreTheEndlessJoint) {
     const JointSolution slices = joint.solve({r, w, Vector3d::Zero(), &level});
     EXPECT_FALSE(std::isnan(endless.half_angle));
     EXPECT_TRUE(std::isnan(slices.half_angle));
-    // Tolerances are those of finite_pin_test.
+    // Tolerances as in finite_pin_test.
     expect_near(slices.friction_moment, endless.friction_moment,
                 1e-8 * endless.friction_moment.norm(), "M_t");
     expect_near(slices.normal, endless.normal, 1e-8, "n");
@@ -495,8 +495,8 @@ TEST(Slices, AreLeftOutWhereTheyCannotBe) {
       "relief: length = 0.03 must be at most half of the joint's length");
 }
 
-// The relief is none of the notes of a joint that has it; the largest contact
-// of its slices is what limits are said of.
+// The relief is none of the notes of a joint that has it; limits refer to the
+// largest contact of its slices.
 TEST(Slices, NotesAreOfTheSlices) {
   const JointSpec spec = bush(Relief::ends(1.5e-5, 0.008));
   const Joint joint(spec);

@@ -1,4 +1,4 @@
-// Pressures of which nothing but the shape is known.
+// Pressures known by their shape only.
 #include <gtest/gtest.h>
 
 #include <array>

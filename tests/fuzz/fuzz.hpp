@@ -28,7 +28,7 @@ void read_or_one_line(const Read& read, const std::string& start) {
   }
 }
 
-/// A file for what reads files alone: written anew with every input.
+/// A file for readers of files, rewritten with every input.
 inline std::string written(std::string_view text, const std::string& ending) {
   static const std::filesystem::path folder = [] {
     std::string name =

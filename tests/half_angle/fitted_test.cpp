@@ -147,8 +147,8 @@ TEST(HalfAngleFit, ReproducesTheCommittedCoefficients) {
   for (std::size_t i = 0; i < found.size(); ++i) {
     // The optimum is flat: another order of rounding moves the last printed
     // digits, seen 3e-5. The committed ones are of a kernel of balls that was
-    // exact to 7e-13, that of today to 6e-15: 1.04e-3, and the errors in the
-    // comments are the same.
+    // exact to 7e-13, today's to 6e-15: 1.04e-3, and the errors in the comments
+    // are the same.
     EXPECT_NEAR(found[i], expected[i], 2e-3);
   }
   if (found == expected) {

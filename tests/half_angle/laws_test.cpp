@@ -19,7 +19,7 @@
 namespace contact::test {
 namespace {
 
-// A law, and what its own rounding leaves.
+// A law, and its rounding error.
 struct Tested {
   std::string label;
   std::shared_ptr<const HalfAngleLaw> law;
@@ -218,7 +218,7 @@ TEST(ValidityNotes, SayWhatIsOutsideTheRange) {
   const JointKind pin = JointKind::pin;
   const JointKind ball = JointKind::ball;
   const std::string of_a_pin =
-      "the limit half-angle is that of a pin; a ball's is up to 5 % larger";
+      "the limit half-angle is for pins; a ball's is up to 5 % larger";
 
   EXPECT_EQ(notes("paper", pin, 1, 0.3, 0.29), Notes{});
   EXPECT_EQ(notes("tanh", pin, 1, 0.33, 0.45),

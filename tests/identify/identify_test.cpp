@@ -1,5 +1,6 @@
 // Friction parameters from measured moments: against the estimates of an
-// independent program, exact data, and what the data cannot tell.
+// independent program, exact data, and parameters that the data cannot
+// determine.
 #include "libcontact/identify/identify.hpp"
 
 #include <gtest/gtest.h>
@@ -307,7 +308,7 @@ TEST(Identify, ProfilesOfPinsWithAClearance) {
 }
 
 // Slopes of the moments by the implicit equation against differences of fourth
-// order: 1e-3^4, and what 1e-13 of the solver is over the step.
+// order: 1e-3^4, and 1e-13 of the solver over the step.
 TEST(Identify, Slopes) {
   const Vector3d force(3e3, 1e3, -2e3);
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
@@ -347,8 +348,8 @@ TEST(Identify, Slopes) {
 }
 
 // Loads that hardly differ tell nothing: the correlation and the standard
-// errors of the table in docs/how-to/identify.md, which are those of many data
-// of relative error delta, over delta/sqrt(N).
+// errors of the table in docs/how-to/identify.md, for many data of relative
+// error delta, over delta/sqrt(N).
 TEST(Identify, LoadRatioDecides) {
   const JointContact truth =
       steel_in_bronze(JointKind::ball, FrictionLaw(0.12, 1e6));
@@ -532,7 +533,7 @@ TEST(Identify, ErrorsOfPredictionsHaveNoOffset) {
               1e-12 * most.peak_pressure);
 }
 
-// Errors that are not those of sigma are said, with what else may be fitted.
+// Errors that differ from sigma give a note, with further parameters to fit.
 TEST(Identify, NotesOfErrorsThatSigmaDoesNotTell) {
   const JointContact truth =
       steel_in_bronze(JointKind::pin, FrictionLaw(0.12, 1e6));
@@ -552,8 +553,8 @@ TEST(Identify, NotesOfErrorsThatSigmaDoesNotTell) {
   EXPECT_EQ(notes(1, 10).size(), 1U);
   ASSERT_EQ(notes(10, 0).size(), 1U);
   EXPECT_TRUE(notes(10, 0)[0].ends_with("sigma is too large"));
-  // At 1.65 chi2 is 49 of 18 degrees of freedom, which chance has once in
-  // 9000, and 14 of 5, once in 55; at 1.45 nobody asks.
+  // At 1.65 chi2 is 49 of 18 degrees of freedom, which chance has once in 9000,
+  // and 14 of 5, once in 55; at 1.45 there is no note.
   const double scale = identify_friction(truth, data).scale;
   EXPECT_EQ(notes(scale / 1.65, 0).size(), 1U);
   EXPECT_TRUE(notes(scale / 1.45, 0).empty());

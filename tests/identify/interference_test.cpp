@@ -97,8 +97,7 @@ TEST(IdentifyInterference, FindsTheClearanceBeyondZero) {
   EXPECT_NEAR(fit.estimates[1].value / 20e-6, 1, 1e-7);
 }
 
-// Slopes are those of differences, with and without a load, below and above
-// lift-off.
+// Slopes equal differences, with and without a load, below and above lift-off.
 TEST(IdentifyInterference, SlopesAreThoseOfDifferences) {
   for (const JointKind kind : kinds) {
     const JointContact joint =

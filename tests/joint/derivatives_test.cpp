@@ -80,8 +80,8 @@ void compare(const char* name, const Joint& joint, double budget,
 }
 
 TEST(SlipDerivatives, OfABallAreThoseOfSolve) {
-  // Slip axes at the contact's edge, of which one in 2000 comes within 1e-6 of
-  // it: there the integrals are less smooth, 5e-7 were seen.
+  // Slip axes at the contact's edge; one in 2000 comes within 1e-6 of it: there
+  // the integrals are less smooth, 5e-7 were seen.
   constexpr double at_the_edge = 6e-7;
   compare("dry", steel_ball(FrictionLaw(0.2, 1e4)), at_the_edge);
   compare("dry, ball on the body",

@@ -124,7 +124,7 @@ stribeck_velocity_mm_per_s = 10
 }
 
 // The usual number of points against four times as many: the worst of these
-// contacts, of which some have the slip axis inside, some near the edge.
+// contacts, some with the slip axis inside, some near the edge.
 TEST(FrictionStress, UsualPoints) {
   const auto power = [](double m) { return FrictionStress::power(.1, 1e7, m); };
   const FrictionStress hersey(
@@ -135,7 +135,7 @@ TEST(FrictionStress, UsualPoints) {
     FrictionStress stress;
     double budget;
   };
-  // Tolerances are those of stress_integrals(), or a few times the errors seen.
+  // Tolerances of stress_integrals(), or a few times the errors seen.
   const Case cases[] = {{"dry with adhesion", coulomb(0.06, 2e5), 2e-11},
                         {"stribeck", law_of("stribeck"), 3e-11},
                         {"v/p", hersey, 1e-9},
@@ -356,7 +356,7 @@ TEST(FrictionStress, IsDryFriction) {
   }
 }
 
-// Rest is that of tau(p, 0), or not at all.
+// Rest follows tau(p, 0), or is undefined.
 TEST(FrictionStress, Rest) {
   const Joint::Hold hold{{0, 300, 900}, {2, 3, 1}};
   const Joint falls(contact_with(FrictionStress::stribeck(0.15, 0.05, 0.01)));

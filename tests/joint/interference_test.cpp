@@ -164,8 +164,8 @@ TEST(InterferenceJoint, TorqueHasAPlateau) {
   }
 }
 
-// The sign of a load of 0 says nothing: that of the load parameter is the
-// clearance's.
+// The sign of a load of 0 has no meaning: the load parameter has the sign of
+// the clearance.
 TEST(InterferenceJoint, NoLoadHasNoSign) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     for (const double clearance : {20e-6, -20e-6}) {
@@ -252,7 +252,7 @@ TEST(InterferenceJoint, FrictionStressesAreDryFriction) {
 }
 
 // Without load, closed and lifted: p v over the contact is the heat over f0,
-// the peak is that of p_0 + p_1 or the law's, and moments held are those of
+// the peak equals p_0 + p_1 or the law's, and held moments equal moments of
 // sliding.
 TEST(InterferenceJoint, RatesSlidingAtEveryLoad) {
   const Vector3d rate(0.2, 0, 1);
@@ -286,7 +286,7 @@ TEST(InterferenceJoint, RatesSlidingAtEveryLoad) {
   }
 }
 
-// The whole pressure is that of the profile, whose slope is its derivative.
+// The whole pressure follows the profile, whose slope is its derivative.
 TEST(InterferenceJoint, SlopesAreThoseOfThePressure) {
   for (const JointKind kind : {JointKind::ball, JointKind::pin}) {
     const JointContact contact = spec_of(kind, -20e-6).contact();

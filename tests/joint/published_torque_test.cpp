@@ -25,7 +25,7 @@ class Bush {
   struct State {
     double half_angle, sum;
   };
-  // At a load over that of lift-off.
+  // At a load over the load of lift-off.
   State pressed(double load) const { return at(pressed_, load); }
   State loose(double load) const { return at(loose_, load); }
   double ratio(double load) const {

@@ -1,5 +1,5 @@
 // JointSpec: one value from which everything about a joint follows, its text,
-// and what JointContact refuses.
+// and the input that JointContact rejects.
 #include "libcontact/joint/spec.hpp"
 
 #include <gtest/gtest.h>
@@ -110,7 +110,7 @@ TEST(JointSpec, OwnFrictionIsEqualToItsCopies) {
   EXPECT_NE(one, other);
 }
 
-// The laws that a spec names itself are those of its walls.
+// The laws that a spec names take its walls.
 TEST(JointSpec, GivesTheLawsOfItsWalls) {
   const JointSpec joint = lined_ball();
   EXPECT_EQ(joint.half_angle_law_name(), "exact");
@@ -203,7 +203,7 @@ TEST(JointContact, TakesLawsOfTheSameConstants) {
             "(no error)");
 }
 
-// Notes of several rows, or threads, are those of all.
+// Notes of several rows, or threads, cover all of them.
 TEST(ContactNotes, AddUp) {
   const JointSpec spec{.geometry = JointGeometry::ball(0.033, 1e-5)
                                        .with_seat(SeatZone::ring(0.028, 0.033)),

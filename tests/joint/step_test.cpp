@@ -238,7 +238,7 @@ TEST(JointStep, OfNoInertiaIsOutOfRange) {
   EXPECT_FALSE(is_inertia(pin, start, Vector3d(0, 1, 1).asDiagonal()));
 }
 
-// A mechanism of balls and pins, some of which rest.
+// A mechanism of balls and pins, some at rest.
 struct Mechanism {
   std::vector<const Joint*> joints;
   std::vector<StepStart> starts;

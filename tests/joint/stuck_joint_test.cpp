@@ -135,7 +135,7 @@ TEST(StuckJoint, WideHomogeneousContactsAreNoted) {
   EXPECT_EQ(stuck_notes(steel, 43.1 * degree).size(), 1U);
   EXPECT_TRUE(stuck_notes(steel, 42.9 * degree).empty());
   EXPECT_TRUE(stuck_notes(steel, std::nan("")).empty());
-  // What the stiffness leaves out: a rim at 90 deg.
+  // The stiffness ignores a rim at 90 deg.
   EXPECT_TRUE(stuck_notes(spec_of("hip_cup", 0.1), 89 * degree).empty());
   EXPECT_EQ(stuck_notes(spec_of("hip_cup", 0.1), 91 * degree).size(), 1U);
   EXPECT_TRUE(

@@ -1,4 +1,4 @@
-// Joints at other temperatures than that of their clearance.
+// Joints at other temperatures than their clearance.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,7 +29,7 @@ TEST(Temperature, ClearanceGrowsByTheDifference) {
   EXPECT_NEAR(warm.geometry.radial_clearance(), expected, 1e-18);
   EXPECT_EQ(warm.thermal_growth->reference_clearance, 60e-6);
   EXPECT_NEAR(warm.thermal_growth->inner, 0.025 * 11.5e-6 * 80, 1e-18);
-  // The joint is that of the grown clearance.
+  // The joint has the grown clearance.
   JointSpec drawn = bush();
   drawn.geometry = drawn.geometry.with_clearance(expected);
   EXPECT_NEAR(warm.contact().half_angle(1e4).half_angle,

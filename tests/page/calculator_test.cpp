@@ -86,7 +86,7 @@ TEST_P(EveryJoint, HasTheNumbersOfHingeJointToTheLastBit) {
     row.erase(name);
   }
   EXPECT_TRUE(row.empty()) << row;
-  // Its warnings, which say of which of several laws they are.
+  // Its warnings, which name the law if there are several.
   std::set<std::string> unsaid = answer_["warnings"];
   EXPECT_EQ(std::erase_if(unsaid,
                           [](const std::string& text) {

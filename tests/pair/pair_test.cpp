@@ -382,8 +382,8 @@ TEST(Fit, ClassesArePublishedOnes) {
 // ISO 286-1, with D the geometric mean of the range in mm (the deviations also
 // in Narayana's "Machine Drawing", table 15.4). It rounds in steps of 1 um that
 // grow to 10 um, and not always to the nearest one. The bounds are the largest
-// differences of the published values, measured, not a rule of the standard.
-// Up to 3 mm its values are not those of the formulas.
+// differences of the published values, measured, not a rule of the standard. Up
+// to 3 mm its values differ from the formulas.
 double rounding_of_the_standard_um(double value_um) {
   return value_um <= 100 ? 1.22 : value_um <= 200 ? 2.9 : 5;
 }

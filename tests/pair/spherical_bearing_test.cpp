@@ -74,8 +74,8 @@ TEST(SphericalBearing, NamesOfMakers) {
   }
 }
 
-// Their balls and rings are those of the series of their bores (GE50ES, GE30ES,
-// GE50FO), their clearances are not.
+// Their balls and rings equal the series of their bores (GE50ES, GE30ES,
+// GE50FO), their clearances do not.
 TEST(SphericalBearing, LinedOnesAreNamedWithTheirSize) {
   for (const char* series :
        {"C", "CJ", "TE", "TXE", "TXA", "TGR", "TXGR", "ET", "UK", "FW"}) {

@@ -131,8 +131,8 @@ double damping_of(double restitution, double speed) {
   return HuntCrossley::from_restitution(restitution, speed).damping();
 }
 
-// One mass that flies against its seat: restitution, times and penetration are
-// those of the closed forms.
+// One mass that flies against its seat: restitution, times and penetration
+// equal the closed forms.
 TEST(PlayMotion, ImpactIsThatOfTheClosedForms) {
   for (const JointSpec& spec :
        {test::steel_ball(), test::slider_crank_joint()}) {
@@ -385,7 +385,7 @@ TEST(PlayMotion, LooseDiscIsTheReference) {
 }
 
 // A pin that does not turn lies on its seat under its weight, pushed sideways
-// by half of what friction bears.
+// by half of the friction force.
 struct Seated {
   Disc disc;
   double weight = Disc::mass * Disc::gravity;

@@ -30,7 +30,7 @@ JointSpec pin_spec(double adhesion) {
   return spec;
 }
 
-// Regularised at a speed among those of the motions below, so that all
+// Regularised at a speed within the range of the motions below, so that all
 // derivatives are of one size.
 const PlayJoint& joint(JointKind kind) {
   const PlayJoint::Options options = {HuntCrossley::from_restitution(0.7, 0.5),
@@ -217,8 +217,8 @@ TEST(PlayJointIdentity, PinHasTwoPartsOfFriction) {
   const ForceLaw& law = pin.force_law();
   const double rho = 0.0095;
   const double delta = 4e-6;
-  // Rolling: the contact's centre hardly slips, and the sign of its slip is
-  // not that of the turning.
+  // Rolling: the contact's centre hardly slips, and the sign of its slip
+  // differs from the turning's.
   const PlayMotion motion = {
       {0.0005 + delta, 0, 0}, {0.01, -0.2, 0}, {0, 0, 20}};
   const PlayForce f = pin(motion);

@@ -18,8 +18,8 @@ inline JointSpec reference_joint(const ReferenceTable::Row& row) {
       .outer = bodies.outer};
 }
 
-/// A steel pin of 9.5 mm in a steel ring of its own thickness, play 0.5 mm:
-/// that of slider_crank.csv.
+/// A steel pin of 9.5 mm in a steel ring of its own thickness, play 0.5 mm, as
+/// in slider_crank.csv.
 inline JointSpec slider_crank_joint() {
   const Material steel = {207e9, 0.3};
   return {.geometry = JointGeometry::pin(0.0095, 0.0005, 0.02),

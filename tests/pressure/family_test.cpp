@@ -339,8 +339,8 @@ TEST(SqrtPressures, AgreeWithTheirDefinitionInHighPrecision) {
   }
 }
 
-// Against the definition by quadrature in 50 digits. Some 10 roundings; those
-// of cos theta at 90 deg are those of the angle.
+// Against the definition by quadrature in 50 digits. Some 10 roundings; near 90
+// deg the rounding of the angle dominates cos theta.
 TEST(WornPressure, AgreesWithItsDefinitionInHighPrecision) {
   using Rule = boost::math::quadrature::gauss<Real, 60>;
   AccuracyReport peak("peak", 2e-15);
@@ -443,7 +443,7 @@ TEST(PressureLaw, AgreesWithTheTabulatedProfiles) {
       // Angles are printed to 1e-4 deg: 5e-5 deg, 8.7e-7 rad, of both theta and
       // theta0 times a slope of at most 1 peak per rad there.
       {"cosine", "p_paper_3.3", 1.8e-6},
-      // 1e-6 of the peak, and what half-angles printed to 1e-4 deg leave.
+      // 1e-6 of the peak, and the rounding of half-angles to 1e-4 deg.
       {"exact", "p_exact*rho^2/Rn (sphere) or p*rho/P (cyl)", 3e-6}};
   const ReferenceTable table("conforming/pressure_profiles.csv");
   for (const auto& [name, column, budget] : laws) {
@@ -465,7 +465,7 @@ TEST(PressureLaw, AgreesWithTheTabulatedProfiles) {
   }
 }
 
-// A law's pressures and force ratio against those of the solver.
+// A law's pressures and force ratio against the solver.
 template <class Contact>
 void compare(const ExactPressure& law, const Contact& solver, double half_angle,
              AccuracyReport& pressure, AccuracyReport& force) {
@@ -782,7 +782,7 @@ TEST(ContactNotes, SayWhereTheTheoryAndTheMaterialsEnd) {
 }
 
 // Layers under the surface have limits too, once the contact is as wide as they
-// are deep; the half-angle is then that of the exact law.
+// are deep; the exact law then gives the half-angle.
 TEST(ContactNotes, SayWhatTheLayersBelowBear) {
   const Material steel{2.1e11, 0.3, "steel"};
   Material polymer{1e9, 0.4, "polymer"};
@@ -886,7 +886,7 @@ TEST(ContactNotes, SayWherePinsAreShort) {
 }
 
 // A law that knows its joint does not leave it: walls, loading and wear widen
-// contacts beyond those of infinite bodies.
+// contacts beyond the limit of infinite bodies.
 TEST(ContactNotes, ALawThatKnowsItsJointHasItsLimit) {
   const Material steel{2.1e11, 0.3};
   const Material liner{3e9, 0.3};

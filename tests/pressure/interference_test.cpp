@@ -31,7 +31,7 @@ std::unique_ptr<const ExactPressure> law_of(JointKind kind,
 void compare_with_rows(JointKind kind) {
   const bool is_ball = kind == JointKind::ball;
   // Below 120 deg the table of all joints, with walls good to 1e-6; above it
-  // that of interference.
+  // the table of interference.
   AccuracyReport sums[] = {{"S, below 120 deg", 1e-6}, {"S", 1e-7}};
   AccuracyReport centres[] = {{"p(0), below 120 deg", 1e-6}, {"p(0)", 1e-6}};
   AccuracyReport frictions[] = {{"chi, sigma_Y, sigma_Z, below 120 deg", 2e-6},

@@ -138,7 +138,7 @@ TEST(RunningInPressure, FrictionMixesLikewise) {
   });
 }
 
-// The largest of the sum lies between those of its parts.
+// The largest of the sum lies between the largest of its parts.
 TEST(RunningInPressure, PeakOfAFreeRing) {
   const auto law = ring();
   const RunningInPressure both(law, 1e-3);

@@ -189,8 +189,8 @@ TEST_F(Designer, WarningsOfWhatMaterialsDoNotBear) {
             "relative clearance 1e-06 is below 1e-05"));
 }
 
-// The paper's limit of 92.5 deg for a rigid seat is beyond that of a ball with
-// nu = 0.4 in it.
+// The paper's limit of 92.5 deg for a rigid seat is beyond the limit of a ball
+// with nu = 0.4 in it.
 TEST_F(Designer, WarningsOfHalfAnglesBeyondTheLimit) {
   const std::string angle =
       "hinge-angle --joint ball --modulus-ratio 0 --poisson1 0.4 "
@@ -215,7 +215,7 @@ TEST_F(Designer, HalfAnglesOfWallsAreComparedWithTheirOwnLimit) {
 }
 
 // Independent solutions to three digits, by whatever program; a pin's stiffness
-// is that of its length.
+// is for its length.
 TEST_F(Designer, ApproachAndStiffness) {
   folder_.write("bush.toml",
                 "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"

@@ -592,7 +592,7 @@ TEST(HingeAngle, Plots) {
   EXPECT_FALSE(has_text(picture, "error, %"));
 }
 
-// The columns of preload are those of hinge-joint, at no load too.
+// The columns of preload equal hinge-joint's, without load too.
 TEST(HingeAngle, WithoutClearanceHasThatOfPreload) {
   const ProgramFolder folder;
   const std::string pressed = " --joint data/joints/lined_bush_pressed.toml ";
@@ -641,8 +641,8 @@ TEST(HingeAngle, OfClearanceZeroIsTheLimit) {
             "without one use --load\n");
 }
 
-// The numbers are those of FinitePin under a normal force; a level load is the
-// endless pin's.
+// The numbers equal FinitePin's under a normal force; a level load gives the
+// infinite pin.
 TEST(HingeAngle, OfAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";

@@ -131,7 +131,7 @@ TEST_F(HingeDuty, LieOfAPinInColumns) {
   const std::string placed = with_column("load_at_m", "0.002");
   const std::string option = out(run + "data/duty/pin_cycle.csv --load-at 2mm");
   EXPECT_NEAR(value(placed, largest) / value(option, largest), 1, 1e-9);
-  // A tilt that stays with the carrier, unlike that of the option.
+  // A tilt that stays with the carrier, unlike the option's.
   const std::string tilted = with_column("tilt_y_deg", "0.03");
   const std::string level = out(run + "data/duty/pin_cycle.csv --tilt 0");
   EXPECT_GT(value(tilted, largest), 1.1 * value(level, largest));
@@ -139,7 +139,7 @@ TEST_F(HingeDuty, LieOfAPinInColumns) {
             value(out(run + "data/duty/pin_cycle.csv --tilt 0.03"), largest));
 }
 
-// A ball with a seat is in it: the summary is that of the rows.
+// The seat confines a ball: the summary follows the rows.
 TEST_F(HingeDuty, InSeat) {
   const std::string run =
       "hinge-duty --joint data/joints/hip_cup.toml --cycle "
@@ -176,7 +176,7 @@ TEST_F(HingeDuty, InSeat) {
                        "of a seat"));
 }
 
-// The joint wears in: --blocks ends with what the summary says.
+// The joint wears in: --blocks ends with the numbers of the summary.
 TEST_F(HingeDuty, Cycles) {
   const std::string text =
       out(hip + "--wear-seat 1e-6 --cycles 5e6 --blocks blocks.csv");
@@ -191,7 +191,7 @@ TEST_F(HingeDuty, Cycles) {
     EXPECT_EQ(blocks.at(blocks.size(), name), value(text, "worn_" + name));
   }
   EXPECT_EQ(value(text, "worn_cycles"), 5e6);
-  // The first cycle is that of the unworn joint, but for its laws.
+  // The first cycle equals the unworn joint's, except for its laws.
   EXPECT_NEAR(blocks.at(blocks.names()[7]) / value(text, "energy_J"), 1, 0.01);
   // The contact grows, and with it the moment and the volume of a cycle.
   EXPECT_GT(value(text, "worn_volume_seat_mm3"),
@@ -587,7 +587,7 @@ TEST_F(HingeDuty, Picture) {
 }
 
 // The map of a ball is two images with the visible axes, the seat's from its
-// back; that of a pin is two curves; there is one k, the seat's.
+// back; the map of a pin is two curves; there is one k, the seat's.
 TEST_F(HingeDuty, MapPicture) {
   const std::string text = out(hip + "--wear-seat 1e-6 --map-plot hip.svg");
   const std::string ball = folder_.read("hip.svg");

@@ -1,5 +1,5 @@
 // hinge-identify: forms of data, warnings, files of residuals and pictures.
-// Numbers are those of tests/identify/identify_test.cpp.
+// Numbers as in tests/identify/identify_test.cpp.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -35,7 +35,7 @@ TEST(HingeIdentify, PrintsTheFit) {
   EXPECT_GT(cell(result, "f0_effective"), 0.14);
 }
 
-// A row for each joint, with what its own fit says.
+// A row for each joint, with its own fit.
 TEST(HingeIdentify, SeveralJoints) {
   const ProgramFolder folder;
   const std::string key = "geometry.radial_clearance_um";
@@ -190,7 +190,7 @@ TEST(HingeIdentify, WarnsOfProfilesWithoutAnEnd) {
                         "range or do not converge\n"));
 }
 
-// The contacts are those of the data's states, with the joint that was found.
+// The contacts belong to the data's states, with the fitted joint.
 TEST(HingeIdentify, WarnsOfContactsThatLeaveTheTheory) {
   const ProgramFolder folder;
   folder.write("d.csv", pin_moments);

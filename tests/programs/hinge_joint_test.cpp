@@ -165,7 +165,7 @@ TEST(HingeJoint, WaysToGiveAStateAgree) {
   }
 }
 
-// Rows are found by what was swept: it comes back to the last digit.
+// Swept values identify rows: they are printed with all digits.
 // A joint's file without a flag before it; one that is an option's value is
 // not a joint.
 TEST(HingeJoint, TakesTheFileOfAJointAlone) {
@@ -722,7 +722,7 @@ TEST(HingeJoint, Pv) {
               1, 1e-15);
 }
 
-// The numbers are those of Joint, with their notes.
+// The numbers equal Joint's, with their notes.
 TEST(HingeJoint, ConfinesABallToItsSeat) {
   const ProgramFolder folder;
   const std::string run =
@@ -836,7 +836,7 @@ TEST(HingeJoint, SaysNoPressureBelowTheMeanOfARing) {
   }
 }
 
-// The numbers are those of FinitePin, of a level pin with a relief too.
+// The numbers equal FinitePin's, for a level pin with a relief too.
 TEST(HingeJoint, TiltsAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";

@@ -280,7 +280,7 @@ TEST(HingePressure, HalfAnglesThatHaveNotConvergedAreSaidSo) {
   EXPECT_TRUE(has_text(result.err, "1 of 1 half-angles have not converged"));
 }
 
-// The numbers are those of SeatContact; without confinement there is a note.
+// The numbers equal SeatContact's; without confinement there is a note.
 TEST(HingePressure, ConfinesToASeatThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/spherical_plain_bearing_ge50.toml";
@@ -316,7 +316,7 @@ TEST(HingePressure, ConfinesToASeatThatEnds) {
       "--direction requires a joint with a [seat]"));
 }
 
-// The numbers are those of FinitePin under a normal force.
+// The numbers equal FinitePin's under a normal force.
 TEST(HingePressure, MapsAPinThatEnds) {
   const ProgramFolder folder;
   const std::string file = "data/joints/relieved_bush.toml";
@@ -332,8 +332,8 @@ TEST(HingePressure, MapsAPinThatEnds) {
   const CsvTable map =
       folder.table(run + "1e5 --tilt 0.05 --twist -0.02 --points 41");
   ASSERT_EQ(map.size(), 41u * 41);
-  // Midpoints of the map add up to the load: that of 40 steps, of what falls
-  // like a root at its edge.
+  // Midpoints of the map add up to the load, with the error of 40 steps for a
+  // pressure that falls like a root at its edge.
   const double dtheta =
       (map.at(2, "theta_deg") - map.at(1, "theta_deg")) * degree;
   const double dz = map.at(42, "z_m") - map.at(1, "z_m");

@@ -451,7 +451,7 @@ TEST(HingeTable, OtherPressures) {
     const CsvTable table =
         folder.table("hinge-table --theta0 20," + widest + " --alpha 30,90 " +
                      (by_materials ? materials : "") + "--pressure " + name);
-    // The name of the pressure is in that of every column it counts for.
+    // Every column that depends on the pressure has its name.
     const std::string end = "_" + name;
     ASSERT_EQ(table["K_a"].size(), 4U);
     for (std::size_t i = 0; i < 4; ++i) {

@@ -55,7 +55,7 @@ TEST_P(RoundTrip, FindsTheFriction) {
       const double moment = number(direct, "M_t_N_m");
       EXPECT_NEAR(number(found, "M_t_N_m"), moment, 3e-14 * moment);
       EXPECT_NEAR(number(found, "f0"), f0, 1e-13 * f0) << run;
-      // Everything is that of the joint with this f0.
+      // Everything equals the joint with this f0.
       for (const char* column : {"R_n_N", "p_peak_Pa", "f_M"}) {
         const double value = number(direct, column);
         EXPECT_NEAR(number(found, column), value, 1e-13 * value) << column;

@@ -58,7 +58,7 @@ bool fits(std::string_view text, std::string_view form) {
   return false;
 }
 
-// The files of a folder and what is in them.
+// The files of a folder and their contents.
 std::map<std::string, std::string> contents(const ProgramFolder& folder) {
   std::map<std::string, std::string> all;
   for (const std::string& name : folder.files()) all[name] = folder.read(name);

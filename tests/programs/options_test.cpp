@@ -386,8 +386,8 @@ class ComparedJoints : public testing::Test {
       " --joint data/joints/hip_cocr_uhmwpe_infinite.toml ";
 };
 
-// Every key in its own unit, in the place of the file's; the rows are those of
-// files that say so.
+// Every key in its own unit, in the place of the file's; the rows equal the
+// rows of such files.
 TEST_F(ComparedJoints, RowsAreThoseOfTheirFiles) {
   std::string text = folder_.read("data/joints/hip_cocr_uhmwpe_infinite.toml");
   const std::string in_file = "radial_clearance_um = 100";

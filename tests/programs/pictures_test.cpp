@@ -252,7 +252,7 @@ std::size_t count(const std::string& svg, const std::string& what) {
   return times;
 }
 
-// Of curves on each other all can be seen; others are whole.
+// Coinciding curves are all visible; others are solid.
 TEST(Pictures, CurvesOnEachOtherAreDashed) {
   const ProgramFolder folder;
   if (!have_gnuplot(folder)) GTEST_SKIP() << no_gnuplot;

@@ -56,7 +56,7 @@ double number(const ProgramResult& summary, const std::string& quantity) {
   return CsvTable(summary.out).value(quantity);
 }
 
-// Peaks and means are those of the rows; the time is uneven.
+// Peaks and means follow the rows; the time is uneven.
 TEST(Points, SummaryIsThatOfTheRows) {
   const ProgramFolder folder;
   const std::vector<double> time = {0, 0.5, 0.75, 1.75};

@@ -1,5 +1,4 @@
-// What people see on a terminal: reports, colours, notes. script(1) gives the
-// programs one.
+// Terminal output: reports, colours, notes. script(1) gives the programs one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -75,7 +74,7 @@ TEST(TerminalReport, OfOneRowHasTheAnswerBesideTheTextbooks) {
   }
   EXPECT_GE(lines_of(text), 8U) << text;
   EXPECT_LE(lines_of(text), 16U) << text;
-  // The same in a pipe if it is asked for, but for what else there is.
+  // The same in a pipe on request, without the further commands.
   const std::string piped = folder.run_well(bush + " --format report").out;
   EXPECT_TRUE(has_text(text, piped.substr(0, piped.size() - 1))) << piped;
   EXPECT_FALSE(has_text(piped, "more:"));

@@ -180,7 +180,7 @@ TEST(UnwritableOutput, IsKept) {
   for (const std::string& name : files) EXPECT_NE(name[0], '.') << name;
 }
 
-// The folder that hinge-fmu works in goes, whenever it is ended and by what.
+// The working folder of hinge-fmu is removed however it ends.
 TEST(Signals, LeaveNoTemporaryFolder) {
   const ProgramFolder folder;
   int ended = 0;
@@ -207,8 +207,8 @@ TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
   EXPECT_EQ(piped.out, folder.run(run).out);
 }
 
-// On a full disk a program says what it cannot write, leaves no part of it
-// under its name, and writes all else.
+// On a full disk a program names the file that it cannot write, leaves no part
+// of it under its name, and writes all others.
 // A command on a disk with so much room for files.
 std::string with_room(int bytes, const std::string& command) {
   return "CONTACT_TEST_ROOM=" + std::to_string(bytes) +
@@ -287,7 +287,7 @@ TEST(FullDisk, HistoriesAreWholeOrNotThere) {
   EXPECT_EQ(folder.read("e.csv"), whole.read("e.csv"));
 }
 
-// The file behind standard output belongs to whoever opened it, too.
+// The file behind standard output is in use too.
 TEST(StandardOutput, IsNotReplacedAndNotAnother) {
   const ProgramFolder folder;
   const std::string table = "hinge-table --theta0 1 --alpha 5";
@@ -297,7 +297,7 @@ TEST(StandardOutput, IsNotReplacedAndNotAnother) {
     EXPECT_EQ(folder.read("l"), "head\n" + folder.run_well(table).out + "end\n")
         << name;
   }
-  const std::string said = " must be another file than that of --output\n";
+  const std::string said = " must be another file than --output\n";
   folder.run_ill(
       "hinge-duty --joint data/joints/hip_cocr_uhmwpe.toml --cycle "
       "data/duty/hip_cycle.csv --euler zxy --states v >v",
@@ -404,7 +404,7 @@ TEST(FullDisk, PicturesAreWholeOrNotThere) {
 TEST(FullDisk, PicturesOnASmallFileSystem) {
   const ProgramFolder folder;
   if (!folder.has_gnuplot()) GTEST_SKIP() << "gnuplot is not installed";
-  // Pages of 4 KiB, one of which is the folder's.
+  // Pages of 4 KiB, one for the folder.
   const auto small = [&folder](int pages, const std::string& command) {
     return folder.run(
         "mkdir -p small; unshare -rm sh -c 'mount -t tmpfs -o size=" +

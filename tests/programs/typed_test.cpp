@@ -1,5 +1,4 @@
-// What people type at first works, or says what to type; the help that they
-// ask for, and what their shells complete.
+// First attempts of users work, or give a hint; help and completion of shells.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,7 +67,7 @@ INSTANTIATE_TEST_SUITE_P(
               "hinge-joint --joint ball --pair steel_bronze --radius 10mm "
               "--interference 5um --friction 0.1 --reaction 0 --beta 90"}));
 
-// What is refused, and what is said.
+// Rejected commands, and their messages.
 struct Refused {
   std::string typed;
   std::string said;
@@ -183,7 +182,7 @@ TEST_P(Help, IsShortAndTheRestIsThere) {
     }
     ++options;
     EXPECT_TRUE(has_text(text, flag)) << flag;
-    // What shells complete, and manual pages have, are the same rows.
+    // Completion of shells and manual pages have the same rows.
     for (const std::string shell : {"bash", "zsh", "fish"}) {
       const std::string found =
           folder.run_well(GetParam() + " --completion " + shell).out;

@@ -20,7 +20,7 @@ def lines(text):
 
 
 def outputs_of(source, names):
-    """What a notebook shows of a cell."""
+    """Output of a cell in a notebook."""
     tree = ast.parse(source)
     last = tree.body.pop() if isinstance(tree.body[-1], ast.Expr) else None
     printed = io.StringIO()
@@ -51,7 +51,7 @@ def outputs_of(source, names):
 
 
 def texts(outputs):
-    """What is to be the same wherever it runs: all but pictures."""
+    """Output that must be the same on every machine: all except pictures."""
     return [o.get("text") or o["data"].get("text/plain", "picture") for o in outputs]
 
 

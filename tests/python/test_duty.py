@@ -102,7 +102,7 @@ class Cycles(unittest.TestCase):
         force = np.stack([c[f"R_{k}_N"] for k in "xyz"], axis=1)
         degrees = np.stack([c[n] for n in names], axis=1)
 
-        class Frame:  # as that of pandas
+        class Frame:  # like pandas'
             columns = names
 
             def __array__(self, dtype=None, copy=None):

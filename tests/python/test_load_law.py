@@ -196,7 +196,7 @@ class Pins(unittest.TestCase):
                 if loads:
                     text = text.replace("KREAL *dM)", "KREAL f, KREAL *dM)")
                     text = text.replace("if (dM)", "(void)f; if (dM)")
-                # The grid of the claim is not that of these loads.
+                # The grid of the claim differs from these loads.
                 M, slope = pin_in_c(text, load, f)
                 self.assertLess(relative(M, moment), 1.2 * double)
                 M, _ = pin_in_c(text, load, f, "float")
@@ -264,7 +264,7 @@ class Pins(unittest.TestCase):
             self.assertNotIn("NAME", text)
             self.assertEqual("do not run" in text, language not in ("c", "js", "numpy"))
 
-    # A pin of another size than that of the page's numbers.
+    # A pin of another size than in the page's numbers.
     def test_pairs_of_the_page(self):
         page = (source / "libcontact/docs/how-to/equivalent.md").read_text()
         pairs = re.findall(r"^\| steel [^|]*\|(.*, 0\..*)\|$", page, re.M)

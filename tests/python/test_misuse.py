@@ -168,7 +168,7 @@ for name, of in vars(_core).items():
                 print(name, call)
 """
 
-# Objects of all classes by __new__() alone, and what can be asked of them.
+# Objects of all classes by __new__() alone, and their attributes.
 uninitialised = """
 import libcontact
 from libcontact import _core

@@ -1,5 +1,4 @@
-"""Runs that stop on their way: to the last bit what the whole run is, and what
-C says of them."""
+"""Interrupted runs: bit-identical to the whole run, and to C."""
 
 import copy
 import ctypes

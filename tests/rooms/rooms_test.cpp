@@ -199,8 +199,8 @@ TEST(Rooms, InstalledHeadersIncludeInstalledHeadersOnly) {
   }
 }
 
-// contact.hpp is all stages, files.hpp the library contact::files; what neither
-// reaches would be public for nobody.
+// contact.hpp includes all stages, files.hpp the library contact::files; other
+// headers would not be reachable.
 TEST(PublicFace, IsWhatTheUmbrellasReach) {
   std::set<std::string> reached = {"libcontact/contact.hpp",
                                    "libcontact/files.hpp"};

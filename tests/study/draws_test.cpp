@@ -261,8 +261,8 @@ TEST_F(DrawnKeys, OfCopiesAreThoseOfACaseWithTheDrawsOfTheCopy) {
   }
 }
 
-// Laws, of which those with walls stand on tables, that a case has beside those
-// of the nominal one.
+// Laws that a case has in addition to the nominal one; laws with walls use
+// tables.
 std::size_t laws_made(const study::SeparationModel& model,
                       const separation::Case& c) {
   std::set<const void*> nominal;

@@ -129,7 +129,7 @@ TEST_F(JournalFile, TenWritersAtOnceLoseNothing) {
   for (std::uint64_t i = 0; i < 10; ++i) {
     writers.push_back(fork());
     if (writers.back() != 0) continue;
-    // Half of its rows are those of the next one too.
+    // Half of its rows are in the next one too.
     for (std::uint64_t run = 0; run < each; run += 10) {
       Journal journal(path("j"), "study", {"x", "y"}, write_it);
       for (std::uint64_t k = run; k < run + 10; ++k) {

@@ -113,7 +113,7 @@ Moments moments(const study::Quantile& quantile) {
   return {mean, std::sqrt(square - mean * mean)};
 }
 
-// Closed formulas of mean and deviation; the rule's error is that of the tails.
+// Closed formulas of mean and deviation; the rule's error comes from the tails.
 TEST(Distribution, MomentsOfAllKinds) {
   const auto expect = [](const std::string& text, double mean,
                          double deviation) {
@@ -258,7 +258,7 @@ TEST(Percentile, BoundsHoldAsOftenAsTheySay) {
     EXPECT_GE(*p.high, p.value);
   }
   EXPECT_NEAR(too_small, 0.5 * studies, 4 * std::sqrt(0.25 * studies));
-  // The exact shares are those of the binomial; 4 deviations of the counts.
+  // The exact shares follow the binomial; 4 deviations of the counts.
   const double most = 0.1 * studies + 4 * std::sqrt(0.09 * studies);
   EXPECT_LT(below, most);
   EXPECT_LT(above, most);
@@ -266,7 +266,7 @@ TEST(Percentile, BoundsHoldAsOftenAsTheySay) {
   EXPECT_GT(above, 0.05 * studies);
 }
 
-// 1705 runs without a failure are what makes the largest a bound of 99.865 %.
+// 1705 runs without a failure make the largest a bound of 99.865 %.
 TEST(Percentile, TheLargestIsABoundWhereTheVerdictIsMet) {
   std::vector<double> sorted(1704);
   std::iota(sorted.begin(), sorted.end(), 1.0);
@@ -377,8 +377,8 @@ double ishigami(const std::vector<double>& u) {
   return std::sin(x(0)) + 7 * std::pow(std::sin(x(1)), 2) +
          0.1 * std::pow(x(2), 4) * std::sin(x(0));
 }
-// The variances of a sum add up; that of a product of independent numbers with
-// means m, n and variances V, W is V n^2 + W m^2 + V W.
+// The variances of a sum add up; the variance of a product of independent
+// numbers with means m, n and variances V, W is V n^2 + W m^2 + V W.
 double sum_and_product(const std::vector<double>& u) {
   return 3 * u[0] + (u[1] + 0.5) * (4 * u[2] + 1);
 }
@@ -386,7 +386,7 @@ double mostly_the_first(const std::vector<double>& u) {
   return 10 * u[0] + 0.5 * u[1] + 0.1 * u[2] + 0.2 * u[0] * u[1];
 }
 
-// The variances that each input has alone, and what it shares.
+// The variances of each input alone, and its interactions.
 Known known(const char* name, double (*f)(const std::vector<double>&),
             const std::array<double, 3>& alone,
             const std::array<double, 3>& shared) {

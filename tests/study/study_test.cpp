@@ -80,7 +80,7 @@ class StudyFolder : public testing::Test {
   std::string path(const std::string& name) const {
     return folder_.path() / name;
   }
-  // A study of the arm, c.toml, with what else its file says.
+  // A study of the arm, c.toml, with further lines of its file.
   std::string arm(const std::string& more) const {
     return write("s.toml", "name = 's'\ncase = 'c.toml'\nruns = 10\n" + more);
   }
@@ -265,7 +265,7 @@ TEST_F(BallStudy, FailedRunsAreMisses) {
 
 class FailingRuns : public StudyFolder {
  protected:
-  // Findings of 200 runs, of which `failing` fail, with one requirement.
+  // Findings of 200 runs, `failing` of them failed, with one requirement.
   study::Findings findings(std::size_t failing, const std::string& limit,
                            const std::string& success) const {
     std::string text = ball_text.substr(0, ball_text.find("[[requirement]]"));
@@ -303,7 +303,7 @@ TEST_F(FailingRuns, AreAtTheBadEndOfPercentiles) {
   const auto least = of(188, "at_least = 1", "0.5").percentile;
   EXPECT_EQ(least.value, -infinity);
   EXPECT_EQ(least.high, -infinity);
-  // A few of them: the bounds are other order statistics of what is left.
+  // A few of them: the bounds are other order statistics of the rest.
   const auto none = of(0, "at_most = 1e9", "0.9").percentile;
   const auto few = of(5, "at_most = 1e9", "0.9").percentile;
   EXPECT_GT(few.value, none.value);
@@ -350,8 +350,8 @@ TEST_F(BallStudy, OnlyRandomRunsHaveAVerdict) {
 
 const std::string case_text = fs::path(CONTACT_DATA_DIR) / "cases/soyuz.toml";
 
-// One draw for each copy: the case's bodies and forces are those of a case that
-// is read with the draw of its copy.
+// One draw for each copy: the case's bodies and forces equal a case that is
+// read with the draw of its copy.
 TEST_F(StudyFolder, CopiesHaveDrawsOfTheirOwn) {
   const std::string text =
       "name = 's'\ncase = '" + case_text +
@@ -476,7 +476,7 @@ TEST_F(StudyFolder, ARunThatIsStoppedIsNoRow) {
   }
 }
 
-// A pressed bush is judged by what it has without load.
+// A pressed bush is judged by its numbers without load.
 TEST_F(StudyFolder, InterferenceHasItsNumbers) {
   const std::string joint = CONTACT_DATA_DIR "/joints/lined_bush_pressed.toml";
   const Study pressed(
@@ -589,7 +589,7 @@ TEST_F(StudyFolder, JointsAreInTheirSeats) {
               1, 1e-12);
 }
 
-// Seats about another axis than that of beta, under vectors in their axes: as
+// Seats about another axis than beta's, under vectors in their axes: as
 // hinge-joint --reaction-xyz.
 TEST_F(StudyFolder, LoadsAreVectorsInTheAxesOfTheSeat) {
   const auto study = [&](const std::string& reaction) {
@@ -646,7 +646,7 @@ TEST_F(StudyFolder, ManyLoadsAtRimsMakeATable) {
   }
 }
 
-// The share is that of 48 times.
+// The share is over 48 times.
 TEST_F(StudyFolder, LoadsThatSwingAreAtTheRimForAShare) {
   const std::string file =
       CONTACT_DATA_DIR "/joints/spherical_plain_bearing_ge50.toml";
@@ -771,7 +771,7 @@ TEST_F(StudyFolder, LoadsOfJointsThatEndAreChecked) {
   EXPECT_EQ(message("hip_cup", "without_seat = true"), "");
   EXPECT_EQ(message(ring, "reaction_xyz_N = [1, 0, 0]"),
             ":4: load.reaction_kN = 1 must be left out beside reaction_xyz, "
-            "which says it");
+            "which determines it");
   EXPECT_EQ(message(hip, "swing_deg = 1"),
             ":4: load.swing_deg = 1 requires a joint in a [seat]");
   EXPECT_EQ(message(ring, "without_seat = true, swing_deg = 1"),

@@ -11,7 +11,7 @@ std::atomic<std::size_t> count = 0;
 std::size_t contact::test::allocation_count() { return count; }
 
 // The array forms of the standard library call these. So does its nothrow form,
-// but not that of a sanitizer, whose memory is not for free().
+// but not a sanitizer's, whose memory is not for free().
 void* operator new(std::size_t size) {
   ++count;
   if (void* memory = std::malloc(size > 0 ? size : 1)) return memory;

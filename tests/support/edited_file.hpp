@@ -22,7 +22,7 @@ inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-/// A file some lines of which are other ones; @DATA@ in it is the folder data.
+/// A file with some lines replaced; @DATA@ in it is the folder data.
 class EditedFile {
  public:
   EditedFile() = default;
@@ -30,8 +30,8 @@ class EditedFile {
   explicit EditedFile(const std::string& name)
       : lines_(lines_of(messages_folder() / name)) {}
 
-  /// Puts `text` in the place of line "4", in that of line 4 and all below it,
-  /// "4...", at the end, "+", or below the text of the last call, "".
+  /// Puts `text` in the place of line "4", of line 4 and all below it, "4...",
+  /// at the end, "+", or below the text of the last call, "".
   EditedFile& edit(const std::string& where, const std::string& text) {
     if (where.empty()) {
       lines_.at(last_) += '\n' + text;

@@ -6,8 +6,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
-/// Joints of steel in steel with the paper's laws, for tests of what is done
-/// with joints.
+/// Joints of steel in steel with the paper's laws, for tests that use joints.
 namespace contact::test {
 
 inline const ElasticPair steel_in_steel({2e11, 0.3}, {2e11, 0.3});

@@ -54,7 +54,7 @@ class CsvTable {
   mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
-/// How a program ended and what it said.
+/// How a program ended and its output.
 struct ProgramResult {
   int status;  ///< exit status, or -1 for a signal
   std::string out;

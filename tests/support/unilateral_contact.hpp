@@ -9,11 +9,11 @@ namespace contact::test {
 
 /// Frictionless contact of a pin or a ball on its whole circumference as a
 /// complementarity problem, without an assumption on the half-angle: at every
-/// node p >= 0, gap >= 0, p gap = 0. Pressure and displacement are expanded
-/// in all harmonics that the nodes carry (cosines; Legendre polynomials), the
-/// compliances of body 1 and 2 are those of a disc, a hole, a ball and a
-/// cavity, written down one by one. Shares nothing with libcontact/conforming
-/// but the elastic constants.
+/// node p >= 0, gap >= 0, p gap = 0. Pressure and displacement are expanded in
+/// all harmonics that the nodes carry (cosines; Legendre polynomials), the
+/// compliances of body 1 and 2 belong to a disc, a hole, a ball and a cavity,
+/// written down one by one. Shares nothing with libcontact/conforming but the
+/// elastic constants.
 struct UnilateralContact {
   Eigen::VectorXd theta;     ///< nodes, rad, increasing, within (0, pi)
   Eigen::VectorXd pressure;  ///< in units of P/rho or R_n/rho^2

@@ -75,7 +75,7 @@ std::string quoted(std::string_view text) {
   return shown;
 }
 
-// Words that a kind or a meaning names: those of enumerations.
+// Words that a kind or a meaning names, as enumerations do.
 std::string words_of(const Option& row) {
   const std::string_view given = row.flag;
   if (given == "--law") {
@@ -187,7 +187,7 @@ std::string troff(std::string_view text) {
 
 std::string short_help(const ProgramHelp& program) {
   std::string text = fmt::format("{}\n\n", program.does);
-  // The first ones are what is asked most.
+  // The first ones are used most.
   auto shown = examples(program.text);
   shown.resize(std::min<std::size_t>(shown.size(), 3));
   for (const std::string_view example : shown) {
@@ -207,11 +207,10 @@ std::string short_help(const ProgramHelp& program) {
     }
     text += line + '\n';
   }
-  return text +
-         fmt::format(
-             "\nAll of it, with units and examples: {0} --help-all; what "
-             "columns mean:\n{0} --help-columns\n",
-             program.name);
+  return text + fmt::format(
+                    "\nAll of it, with units and examples: {0} --help-all; "
+                    "meanings of columns:\n{0} --help-columns\n",
+                    program.name);
 }
 
 std::string columns_help(std::string_view text) {

@@ -6,8 +6,8 @@
 
 #include "cli/option.hpp"
 
-/// What programs say of themselves, made from the rows of their options and
-/// their help.txt.
+/// Help texts of programs, made from the rows of their options and their
+/// help.txt.
 namespace cli {
 
 /// A row and its heading in --help.
@@ -21,7 +21,7 @@ struct ProgramHelp {
   std::string name;
   std::string does;
   std::vector<GroupedOption> options;
-  std::string text;  ///< of help.txt; examples stand below "Examples:"
+  std::string text;  ///< help.txt; examples follow "Examples:"
 };
 
 /// --help: at most 40 lines with three examples and the options in groups.

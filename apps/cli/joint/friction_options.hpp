@@ -31,7 +31,7 @@ contact::JointSpec asked_spec(const Joint& joint,
                               contact::FrictionModel friction,
                               const JointOptions& options);
 
-/// The joint's dry friction, 0 if it has none, but for what the options say.
+/// The joint's dry friction, 0 if it has none, changed by the options.
 /// @param needs  "X requires Y: ", the message where it is not dry
 contact::FrictionLaw dry_friction(
     const FrictionOptions& options,

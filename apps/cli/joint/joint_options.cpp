@@ -214,7 +214,7 @@ std::string backing_table(const JointOptions& o) {
   return "";
 }
 
-// What is refused may be a slip of a unit.
+// A rejected number may have a wrong unit.
 contact::JointSpec spec_of(const std::string& text,
                            const contact::KeySettings& settings,
                            const contact::MaterialPair& materials,
@@ -276,7 +276,7 @@ void refuse_several(std::string_view option,
   refuse(option, "all", "one law");
 }
 
-// Whether all laws of a joint, named alike, are those of another one.
+// True if two joints have the same laws, by name.
 bool have_laws_in_common(const Joint& a, const Joint& b) {
   return a.kind() == b.kind() && a.pair == b.pair &&
          a.spec.conditions() == b.spec.conditions() &&

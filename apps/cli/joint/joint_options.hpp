@@ -111,8 +111,8 @@ std::vector<Joint> make_joints(const JointOptions& options);
 /// The only one.
 Joint make_joint(const JointOptions& options);
 
-/// Columns of the differences, then those of the tables of some joints, which
-/// have to be the same. Throws contact::Error if they are not.
+/// Columns of the differences, then the columns of the tables of some joints,
+/// which must be the same. Throws contact::Error if they are not.
 std::vector<std::string> joint_columns(
     const std::vector<Joint>& joints,
     const std::vector<std::vector<std::string>>& columns);

@@ -12,7 +12,7 @@ namespace cli {
 
 /// The report of the only joint, a line for each of its numbers, or of several
 /// joints a row for each: its differences, then the numbers under their names,
-/// and what stands beside them as NAME_COLUMN. Throws contact::Error if the
+/// and the numbers beside them as NAME_COLUMN. Throws contact::Error if the
 /// reports have different lines.
 void write_reports(const std::vector<Joint>& joints,
                    const std::vector<Report>& reports, Output& output,

@@ -8,7 +8,7 @@
 namespace cli {
 
 /// Settings of --set KEY=VALUES, given once or more: one set for each
-/// combination of the values, those of the last key running fastest. VALUES are
+/// combination of the values, with the last key running fastest. VALUES are
 /// numbers, a range of them as of Sweep, or texts between commas. One
 /// combination without settings if there are none. Throws contact::Error for a
 /// text of another form, a key that is there twice or too many combinations.

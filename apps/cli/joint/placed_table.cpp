@@ -23,7 +23,7 @@ using contact::Dimension;
 using contact::JointSolution;
 using Eigen::Vector3d;
 
-// Columns of a quantity of what `get` finds in a state, a pointer; NaN of null.
+// Columns of a quantity of `get`(state), a pointer; NaN for null.
 template <class T, class Get>
 void add_columns(const contact::Quantity<T>& quantity, const Get& get,
                  std::vector<PlacedColumn>& to) {

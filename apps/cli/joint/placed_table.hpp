@@ -14,7 +14,7 @@
 /// friction: pins as they lie, balls in their seats.
 namespace cli {
 
-/// A joint of such a table under one load. Loads of pins are along x; those of
+/// A joint of such a table under one load. Loads of pins are along x; loads of
 /// seats lie in the plane of x and z, the seat's axis.
 struct PlacedState {
   const contact::Joint& joint;
@@ -28,7 +28,8 @@ struct PlacedColumn {
   std::string name;
   std::function<double(const PlacedState&)> value;
 };
-/// Those of a quantity of the solution, of the pin's lie, of all of the seat.
+/// Add columns of a quantity of the solution, of the pin's position, of all of
+/// the seat.
 void add_solution_column(std::string_view key, std::vector<PlacedColumn>& to);
 void add_lie_column(std::string_view key, std::vector<PlacedColumn>& to);
 void add_seat_columns(std::vector<PlacedColumn>& to);
@@ -39,16 +40,16 @@ struct PlacedTable {
   TiltOptions tilt = {};
   std::string direction = {};  ///< sweep of --direction, in the place of tilt
   std::vector<PlacedColumn> columns = {};
-  /// Of maps: names of their columns, and what writes their rows, each begun by
-  /// `begin`, which writes the cells of the load.
+  /// Maps: names of their columns, and the function that writes their rows,
+  /// each begun by `begin`, which writes the cells of the load.
   std::vector<std::string> map_columns = {};
   std::function<void(const PlacedState&, const std::function<void()>& begin,
                      RowWriter&)>
       write_map = {};
 };
 
-/// Rows of each load and placement, with warnings of what leaves the theory;
-/// some_bad if rows have no value.
+/// Rows of each load and placement, with warnings where the theory does not
+/// hold; some_bad if rows have no value.
 ExitStatus write_placed(const std::vector<Joint>& joints,
                         const PlacedTable& table, const OutputOptions& output);
 

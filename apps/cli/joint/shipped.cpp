@@ -26,7 +26,7 @@ fs::path folder_of(Shipped kind) {
   const fs::path programs =
       fs::read_symlink("/proc/self/exe", none).parent_path();
   if (none) return {};
-  // Of an installation, of a build directory in the tree.
+  // In an installation, in a build directory of the tree.
   for (const char* data : {"../share/libcontact", "../../data"}) {
     const fs::path folder =
         programs / data / names[static_cast<std::size_t>(kind)];

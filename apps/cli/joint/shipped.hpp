@@ -6,7 +6,7 @@
 
 namespace cli {
 
-/// A folder of data/ that is shipped, and what its files are called.
+/// A shipped folder of data/, and the term for its files.
 enum class Shipped { joints, materials, backings };
 
 /// The names of its files without their endings, sorted; none where the

@@ -38,7 +38,7 @@ std::string shown_symbol(std::string_view symbol);
 /// A unit's symbol with µ: "µm" of "um".
 std::string with_micro(std::string unit);
 
-/// A unit's prefix, and what numbers are multiplied by for it.
+/// A unit's prefix, and the factor of the numbers for it.
 struct Prefix {
   std::string_view name = "";
   double factor = 1;
@@ -67,7 +67,7 @@ struct Ticks {
   std::vector<double> places = {};
   std::vector<std::string> labels = {};
 
-  /// Where a number is: 0 at the low end, 1 at the high one; 0.5 of no number.
+  /// Position of a number: 0 at the low end, 1 at the high one; 0.5 for NaN.
   double share(double number, bool logarithmic) const;
   /// Width of the widest label.
   double width() const;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double margin = 0.5;
 constexpr double sample = 2.2;      // length of a legend's line
-constexpr double sample_gap = 0.5;  // and of what is between it and its text
+constexpr double sample_gap = 0.5;  // gap between it and its text
 constexpr double column_gap = 1.2;
 
 double width_of(const std::vector<LegendEntry>& legend) {
@@ -26,7 +26,7 @@ double width_of(const std::vector<LegendEntry>& legend) {
 }
 
 // The heights nearest to these that are a line apart, in the room: lines that
-// touch lie about the mean of what they wish.
+// touch lie about the mean of their wishes.
 std::vector<double> apart(const std::vector<double>& sorted, const Box& room) {
   struct Block {
     double top;  // mean of its lines' wishes for its first line

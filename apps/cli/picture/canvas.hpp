@@ -37,7 +37,7 @@ class Canvas {
 
   /// Room that is still free.
   const Box& room() const { return room_; }
-  /// Height over that of a canvas without a legend below the plots.
+  /// Height over the height of a canvas without a legend below the plots.
   double stretch() const { return stretch_; }
   /// The title and the legend. One beside the plots has its entries, from the
   /// top of the canvas, at the heights of their curves' ends as far as there is

@@ -67,8 +67,8 @@ class Statement {
 };
 
 /// A file of SQLite, used by one thread at a time. Other programs may read and
-/// write it meanwhile; a statement waits for theirs. What SQL a file has in it
-/// is whoever's that made it: ask has_only() before its tables are read.
+/// write it meanwhile; a statement waits for theirs. A file may contain SQL of
+/// any origin: check has_only() before reading its tables.
 class Database {
  public:
   enum class Use { write, read };
@@ -78,7 +78,7 @@ class Database {
 
   const std::string& name() const { return name_; }
   sqlite3* handle() const { return database_.get(); }
-  /// Statements without parameters, whose rows nobody asks for.
+  /// Statements without parameters and results.
   void run(const std::string& sql) const;
   /// Whether it has the tables of these CREATE statements and nothing else: no
   /// view in the place of one, and no trigger.
@@ -90,7 +90,7 @@ class Database {
   /// open, the database keeps what is new in NAME-wal. Where a file system has
   /// no memory shared by programs it stays as it is.
   void write_ahead() const;
-  /// Brings all of it back into the one file if nobody else has it open.
+  /// Brings all of it back into the one file if no other program has it open.
   void write_back() const noexcept;
 
  private:

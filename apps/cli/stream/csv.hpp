@@ -42,8 +42,8 @@ std::string_view split_record(std::string_view line,
 /// The value of a raw field: without its quotes, doubled quotes as one.
 std::string field_value(std::string_view raw);
 
-/// The same, numbers with a decimal point; those of which may_be_thousands()
-/// stay as they are.
+/// The same, numbers with a decimal point; numbers for which may_be_thousands()
+/// holds do not change.
 std::string field_value(std::string_view raw, CsvForm form);
 
 /// Whether a value in a file of this form is a number of one to three digits

@@ -9,12 +9,12 @@
 namespace cli {
 namespace {
 
-// Marks of byte order, and what is converted after them.
+// Marks of byte order, and the encodings after them.
 constexpr std::pair<std::string_view, const char*> marks[] = {
     {"\xEF\xBB\xBF", nullptr},
     {"\xFF\xFE", "UTF-16LE"},
     {"\xFE\xFF", "UTF-16BE"}};
-constexpr std::string_view replacement = "\xEF\xBF\xBD";  // of no character
+constexpr std::string_view replacement = "\xEF\xBF\xBD";  // for invalid bytes
 
 void* made_converter(const char* from) {
   const iconv_t made = iconv_open("UTF-8", from);

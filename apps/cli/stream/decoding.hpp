@@ -13,7 +13,7 @@ namespace cli {
 /// "Unicode text") becomes UTF-8, and "\r" alone ends a line. Other bytes stay.
 class TextDecoder {
  public:
-  /// Appends what these bytes say, which follow those of before.
+  /// Appends the text of these bytes, which follow the last ones.
   /// @throws contact::Error of UTF-16 where the system cannot convert it
   void decode(std::string_view bytes, std::string& to);
   /// Appends what was kept back for bytes that do not come.
@@ -31,7 +31,7 @@ class TextDecoder {
 
   bool is_known_ = false;   ///< the encoding
   std::string start_ = {};  ///< until the encoding is known
-  std::unique_ptr<void, Close> converter_ = {};  ///< of UTF-16
+  std::unique_ptr<void, Close> converter_ = {};  ///< from UTF-16
   std::string rest_ = {};                        ///< part of a character
   bool return_ = false;                          ///< "\r" was last
 };

@@ -16,7 +16,8 @@ bool is_hdf5(std::string_view name);
 bool is_page(std::string_view name);
 
 /// Names of files that an option takes.
-/// @param endings  good ones; so are "-" and what is there and is not a
+/// @param endings  allowed ones; "-" is allowed too, and an existing file that
+/// is not a
 ///   regular file
 /// @param words  the endings in words, for messages
 /// @throws contact::Error "OPTION NAME must be a name that ends in WORDS"

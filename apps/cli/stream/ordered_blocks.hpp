@@ -26,7 +26,7 @@ void ordered_blocks(int jobs, const Next& next, const Work& work,
   std::mutex write_mutex;
   std::condition_variable turn;
   std::size_t blocks_read = 0;     // guarded by read_mutex
-  std::size_t blocks_written = 0;  // this and what follows by write_mutex
+  std::size_t blocks_written = 0;  // this and the rest by write_mutex
   std::exception_ptr failure;
 
   const auto process = [&] {

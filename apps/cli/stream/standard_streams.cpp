@@ -15,7 +15,7 @@
 namespace cli {
 
 void open_missing_streams() {
-  // Nobody writes to the input and reads from the output.
+  // The input is not written, the output not read.
   constexpr std::array<std::pair<int, int>, 3> streams = {
       {{STDIN_FILENO, O_WRONLY},
        {STDOUT_FILENO, O_RDONLY},

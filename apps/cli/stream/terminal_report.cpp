@@ -35,7 +35,7 @@ std::string right(std::string_view text, std::size_t width) {
   return std::string(width - std::min(width, own), ' ') + std::string(text);
 }
 
-// What a * of the pattern stands for; none if the name is another one.
+// The text matched by the * of the pattern; none if the name does not match.
 std::optional<std::string> middle(std::string_view name,
                                   std::string_view pattern) {
   const auto star = pattern.find('*');

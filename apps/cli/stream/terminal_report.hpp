@@ -23,7 +23,7 @@ class TerminalReport {
     bool all = false;     ///< every column
     bool colour = false;  ///< escape sequences round verdicts
     std::string title = {};
-    std::string more = {};  ///< what else there is to ask for
+    std::string more = {};  ///< further commands, last line
   };
 
   /// @param names  of the columns

@@ -26,7 +26,7 @@ constexpr std::array<SiPrefix, 7> si_prefixes = {{{1e9, "G"},
                                                   {1e-3, "m"},
                                                   {1e-6, "µ"},
                                                   {1e-9, "n"}}};
-// Powers of lengths have those of the length.
+// Powers of lengths use the prefixes of the length.
 constexpr std::array<SiPrefix, 2> area_prefixes = {{{1, ""}, {1e-6, "m"}}};
 constexpr std::array<SiPrefix, 2> volume_prefixes = {{{1, ""}, {1e-9, "m"}}};
 

@@ -11,7 +11,7 @@ namespace cli {
 /// and a column for each of its rows, in groups of as many as fit.
 class TurnedTable {
  public:
-  /// Characters on a line of what needs no turning.
+  /// Line width up to which a table is not turned.
   static constexpr std::size_t widest = 100;
   static constexpr char end_of_cell = '\n';
 

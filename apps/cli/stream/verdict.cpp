@@ -11,7 +11,7 @@
 namespace cli {
 namespace {
 
-// "" of what is neither good nor bad.
+// "" for neutral words.
 std::string_view colour_of(std::string_view word) {
   constexpr std::string_view good[] = {"ok", "met", "holds"};
   constexpr std::string_view bad[] = {"not met",      "slips",  "not_converged",

@@ -8,8 +8,8 @@
 
 namespace hinge_angle {
 
-/// Draws the half-angle of every joint and law over the load. With the law
-/// exact among those of the only joint, a panel below has the others' errors:
+/// Draws the half-angle of every joint and law over the load. If the only joint
+/// has the law exact among others, a panel below has the others' errors:
 /// percent of the exact half-angle at the same load.
 /// @param inputs  one for each joint
 /// @return as cli::draw()

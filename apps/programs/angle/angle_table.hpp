@@ -42,11 +42,11 @@ class AngleTable {
   /// load_N or load_N_per_m (if the joint has a geometry), load_parameter, x,
   /// p_nominal_Pa (with a geometry), then for each law theta0_LAW_deg and
   /// p_peak_LAW_by_PRESSURE_Pa or _over_nominal; with a geometry and the law
-  /// exact those of cli::JointApproach.
-  /// Of half-angles: theta0_deg, then for each law load_LAW_N or
-  /// load_LAW_N_per_m, load_parameter_LAW, x_LAW, p_nominal_LAW_Pa, and the
-  /// peak pressure, approach and stiffness as above.
-  /// Behind all laws those of cli::JointPreload, by exact or the first law.
+  /// exact the columns of cli::JointApproach. Of half-angles: theta0_deg, then
+  /// for each law load_LAW_N or load_LAW_N_per_m, load_parameter_LAW, x_LAW,
+  /// p_nominal_LAW_Pa, and the peak pressure, approach and stiffness as above.
+  /// After all laws the columns of cli::JointPreload, by exact or the first
+  /// law.
   std::vector<std::string> columns() const;
   /// @param findings  for each law; added to
   void write_row(std::size_t index, cli::RowWriter& row,

@@ -16,7 +16,7 @@ struct PlayOptions {
   double mass = 0;                        ///< kg
   std::string speed;                      ///< sweep, m/s
   double restitution = 0;                 ///< e
-  std::optional<double> reference_speed;  ///< m/s; none: that of each impact
+  std::optional<double> reference_speed;  ///< m/s; none: each impact's
   double density = 0;                     ///< kg/m^3; 0: not known
 };
 
@@ -25,7 +25,7 @@ struct PlayOptions {
 /// @throws contact::Error without a size
 cli::Joint sized_joint(cli::JointOptions options, const char* for_option);
 
-/// Adds --force-law, --impact and what belongs to them.
+/// Adds --force-law, --impact and their options.
 void add_play_options(cli::Program& program, PlayOptions& options);
 
 /// --force-law: force, stiffness, energy, half-angle over the penetration as a

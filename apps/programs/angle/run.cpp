@@ -42,7 +42,7 @@ class Tables {
   }
 
   const std::vector<std::string>& columns() const { return columns_; }
-  /// Rows of all joints, of which each has as many.
+  /// Rows of all joints, the same number for each.
   std::size_t size() const { return tables_.size() * tables_[0].size(); }
   void write(Block& block, cli::RowWriter& row) const {
     block.findings = none_;

@@ -12,7 +12,8 @@
 namespace hinge_duty {
 
 /// Names and places of the columns of a cycle's file: the time, three of the
-/// force, those of the motion, and of a pin those of its tilt or load's place.
+/// force, the columns of the motion, and of a pin the columns of its tilt or
+/// load's place.
 struct CycleColumns {
   std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
   static constexpr std::size_t motion_at = 4;

@@ -44,7 +44,7 @@ void check_times(const contact::DutyCycle::Rows& rows, bool is_angles,
   }
 }
 
-// Makes one period of the rows, says what is left out.
+// Makes one period of the rows, with a note on omitted ones.
 void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
                 const Options& options) {
   if (!options.period.empty()) {

@@ -43,7 +43,7 @@ cli::SphereView view_of(const BodyWear& wear) {
   return view;
 }
 
-// What the numbers of a body are: its depth, m, where k is known.
+// Axis of the numbers of a body: its depth, m, if k is known.
 cli::Axis axis_of(const BodyWear& wear) {
   if (!wear.k) return {"∫ p v dt", "Pa m"};
   return {"depth in 10⁶ cycles", "m"};

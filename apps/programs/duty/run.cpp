@@ -75,8 +75,7 @@ void check_files(const Options& options) {
     names.keep("--seat-table", options.seat_table);
   }
   if (!options.worn_out.empty() && options.worn == options.worn_out) {
-    cli::refuse("--worn-out", options.worn_out,
-                "another file than that of --worn");
+    cli::refuse("--worn-out", options.worn_out, "another file than --worn");
   }
   if (!options.map_plot.empty()) {
     cli::check_picture_name("--map-plot", options.map_plot);
@@ -186,7 +185,7 @@ BodyWear wear_of(const JointDuty& duty, JointBody body,
           .volume_defect = map.volume_defect(worn)};
 }
 
-// The wear of both bodies of all joints; along pins that end it is that of
+// The wear of both bodies of all joints; along finite-length pins from
 // --along-map.
 void wear(const Options& options, std::vector<JointDuty>& duties) {
   if (!wants_wear(options) || have_ends(duties)) return;

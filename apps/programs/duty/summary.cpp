@@ -156,7 +156,7 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
          "standard error, of the measured volume alone");
 }
 
-// The worst at the rims, but for what is there of every contact.
+// The worst values at the rims, without the ones of every contact.
 void add_rims(const JointCycle& cycle, Report& to) {
   const Instant nearest = cycle.least_gap();
   const Instant sharpest = cycle.largest_intensity();

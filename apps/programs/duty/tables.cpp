@@ -23,7 +23,7 @@ using contact::JointSolution;
 using Rating = contact::SlidingContact::Rating;
 using Eigen::Vector3d;
 
-// A time of the cycle, and what its contact is rated by.
+// A time of the cycle, and the rating of its contact.
 struct State {
   const Instant& instant;
   const Rating& rating;
@@ -53,7 +53,8 @@ struct StateColumn {
   std::function<double(const State&)> of;
 };
 
-// @param rims, ends  whether those of seats and pins that end are among them
+// @param rims, ends  whether to include the columns of seats and finite-length
+// pins
 std::vector<StateColumn> state_columns(bool rims, bool ends) {
   std::vector<StateColumn> all;
   // Vectors without their length.

@@ -15,7 +15,7 @@ using contact_hosts::fmu::Model;
 using contact_hosts::fmu::Role;
 using contact_hosts::fmu::Variable;
 
-// Units of joints in those of the SI.
+// Units of joints in SI units.
 struct Unit {
   const char* name;
   const char* base;

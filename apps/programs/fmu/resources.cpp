@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file's keys are those of the table that names it.
+// A file's keys belong to the table that names it.
 class Packer {
  public:
   explicit Packer(Resources& to) : to_(to) {}
@@ -74,8 +74,8 @@ class Packer {
   int count_ = 0;
 };
 
-// Readers of joints and cases say what is wrong with a file. Notes are what an
-// FMU cannot say while it runs.
+// Readers of joints and cases report errors of a file. Notes are printed here
+// because a running FMU cannot print them.
 void check_joint(const fs::path& file, Resources& all) {
   const contact::Joint joint{contact::read_joint(file)};
   all.notes = joint.contact().validity_notes();

@@ -68,8 +68,8 @@ std::string data_blocks(const FrictionFit& fit,
   return moments + "END\n" + residuals + "END\n";
 }
 
-// Directions of the curves: those of the data, or of many the two ends and the
-// middle.
+// Directions of the curves: the directions of the data, or of many the two ends
+// and the middle.
 std::vector<double> directions(const FrictionFit& fit,
                                std::span<const MeasuredMoment> data) {
   if (fit.joint->geometry().kind() == contact::JointKind::pin) return {90};

@@ -22,7 +22,7 @@ const contact::FitParameter& of(FrictionParameter parameter) {
   return contact::fit_parameter(parameter);
 }
 
-// Standard error, interval and, if there is one, that of the profile.
+// Standard error, interval and, if there is one, the profile's interval.
 std::vector<cli::Cell> errors(const Estimate& e, bool profile) {
   std::vector<cli::Cell> cells = {e.standard_error, e.interval.low,
                                   e.interval.high};
@@ -81,7 +81,7 @@ double load_ratio(std::span<const MeasuredMoment> data) {
   return most.reaction.norm() / least.reaction.norm();
 }
 
-// Whether a trend is more than chance: t above that of 99.9 % and more.
+// Whether a trend is more than chance: t above the quantile of 99.9 % and more.
 bool shows(const Estimate& trend) {
   constexpr double most_by_chance = 3.6;
   return std::abs(trend.value) > most_by_chance * trend.standard_error;

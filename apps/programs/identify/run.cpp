@@ -43,7 +43,7 @@ contact::IdentifyOptions identify_options(const Options& options) {
   return all;
 }
 
-// Friction that is not fitted: that of the options or of the joint.
+// Friction that is not fitted, from the options or the joint.
 contact::FrictionModel given_friction(
     const Options& options, const cli::Joint& joint,
     const std::vector<FrictionParameter>& fitted) {

@@ -71,7 +71,7 @@ void add_range(const Inputs& inputs, bool pin, cli::Report& to) {
   to.add("states", inputs.size(), "in these ranges");
 }
 
-// Names of a radius; those of pins and balls differ.
+// Names of a radius, which differ for pins and balls.
 struct RadiusNames {
   std::string_view radius;
   std::string_view with_preload;

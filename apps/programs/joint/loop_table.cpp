@@ -30,7 +30,8 @@ constexpr int round_limit = 200;
 constexpr double outer_tolerance = 1e-12;
 
 // Writes a table of numbers of one joint.
-// @param write  of what writes a row: its values, and how many of them, from
+// @param write  given the function that writes a row of values; how many of
+// them, from
 //               the first, are whole numbers
 template <class Rows>
 void write_numbers(const NamedJoint& joint,
@@ -56,7 +57,7 @@ void write_numbers(const NamedJoint& joint,
   });
 }
 
-// The keys of what both loops say of a contact, in order.
+// The keys of the quantities that both loops print of a contact, in order.
 constexpr const char* contact_keys[] = {"friction_angle", "slip_axis_angle",
                                         "normal_force",   "adhesion_number",
                                         "load_parameter", "half_angle"};
@@ -95,8 +96,8 @@ void warn_of(const contact::FixedPointResult& result) {
                               result.steps));
 }
 
-// Contact under R when the friction angle is that of f: M_t of a state that
-// the inner loop has not finished.
+// Contact under R at the friction angle of f: M_t of a state that the inner
+// loop has not finished.
 JointSolution contact_at(const contact::Joint& joint,
                          const contact::Joint::Slip& slip, double f) {
   const Vector3d& reaction = slip.reaction;

@@ -38,7 +38,7 @@ cli::Reader counts(const char* flag, std::vector<int>& to, int most) {
   };
 }
 
-// The help with what the columns mean.
+// The help with the meanings of the columns.
 std::string help_with_columns() {
   constexpr std::string_view place = "%COLUMNS%\n";
   std::string columns;

@@ -6,8 +6,8 @@
 namespace hinge_joint {
 
 /// Above friction coefficients of engineering surfaces. Up to it |M_t| under a
-/// given reaction grows with f0; beyond, that of a pin reaches its largest
-/// value, a few % above rho R, and falls.
+/// given reaction grows with f0; beyond, the moment of a pin reaches its
+/// largest value, a few % above rho R, and falls.
 inline constexpr double largest_measured_friction = 3;
 
 /// Gives each joint the friction coefficient with which its |M_t| is a measured

@@ -50,7 +50,7 @@ struct Options {
   /// A reaction that answers to the friction moment: R = R_0 + M r, with M the
   /// friction moment about Dw of all joints (5.1); r, N per N m.
   std::optional<Eigen::Vector3d> outer;
-  int joints = 1;  ///< M is that of so many
+  int joints = 1;  ///< number of joints that give M
   /// Angular acceleration per moment, deg/s^2 per N m.
   std::optional<double> braking;
   /// Steps of the inner loop in each round, the last number for all further
@@ -91,7 +91,7 @@ struct Setup {
   std::vector<cli::Joint> given;
   std::vector<NamedJoint> joints;
 
-  /// Whether f0 is that of --measured-moment.
+  /// Whether f0 comes from --measured-moment.
   bool friction_found = false;
 
   template <class Predicate>
@@ -122,8 +122,8 @@ enum class Pointing {
 
 /// Puts the joints that have a seat in it, unless Options::without_seat, and
 /// gives pins their ends that have a relief or are tilted: with the laws exact.
-/// A relief is left out of what asks for a contact with an axis of symmetry or
-/// another law. Throws contact::Error for options that do not go with that.
+/// A relief is ignored by options that require a contact with an axis of
+/// symmetry or another law. Throws contact::Error for incompatible options.
 void give_ends(const Options& options, Pointing pointing, Setup& setup);
 
 }  // namespace hinge_joint

@@ -73,7 +73,7 @@ struct AnswerColumn {
   double operator()(const Answer& a) const;
 };
 
-/// Which columns there are beside those of every solution.
+/// Columns in addition to the ones of every solution.
 struct ColumnSets {
   bool rest = false;      ///< columns of Question::rest
   bool approach = false;  ///< approach by the half-angle law exact
@@ -88,7 +88,7 @@ struct ColumnSets {
 /// All of them in the order of the columns.
 std::vector<AnswerColumn> answer_columns(const ColumnSets& with);
 
-/// Whether they are those of joints without clearance, with the word
+/// Whether to include the columns of joints without clearance, with the word
 /// contact_state.
 bool have_preload(std::span<const AnswerColumn> columns);
 

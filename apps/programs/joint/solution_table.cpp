@@ -131,7 +131,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
              "of the solver");
   if (setup.has_preload()) {
     report.add("contact_state", std::string(contact_state_text(a)),
-               "what clearance and load make of the contact");
+               "state of the contact by clearance and load");
   }
   for (const AnswerColumn& column : columns_of(setup, inputs)) {
     std::vector<cli::Cell> cells;

@@ -11,7 +11,7 @@
 
 namespace hinge_joint {
 
-/// Answers that are no solutions, and what is to be said of the contacts.
+/// Rows without a solution, and notes on the contacts.
 struct Problems {
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;

@@ -12,9 +12,9 @@ namespace hinge_joint {
 /// picture.
 inline constexpr std::size_t most_pairs_of_laws = 8;
 
-/// Draws the friction moment over the swept force or angle, of which there are
-/// more values; a curve for each of some of the others and each pair of laws,
-/// with the traditional estimate dashed beside it.
+/// Draws the friction moment over the swept force or angle, whichever has more
+/// values; a curve for each of some of the others and each pair of laws, with
+/// the traditional estimate dashed beside it.
 /// @param setup  with at most most_pairs_of_laws
 /// @return "" or why there is no picture
 std::string draw_torque(const Setup& setup, const Inputs& inputs,

@@ -8,8 +8,8 @@
 namespace hinge_pressure {
 
 /// Draws the pressure over the angle from the contact's centre, a curve for
-/// each joint, law and load; the colours are those of the laws, or of the
-/// joints or loads if there is one law.
+/// each joint, law and load; the colours distinguish the laws, or the joints or
+/// loads if there is one law.
 /// @return as cli::draw()
 std::string draw(const std::vector<PressureTable>& tables,
                  const std::vector<cli::Joint>& joints,

@@ -34,7 +34,7 @@ class PressureTable {
   /// The first columns as above, law, pressure, p_peak, p_mean and p_nominal
   /// (with a geometry), area of the contact, S, and for a ball the friction
   /// coefficients of pure sliding and pure spinning; approach and stiffness if
-  /// the joint has a geometry and the half-angles are exact; those of
+  /// the joint has a geometry and the half-angles are exact; the columns of
   /// cli::JointPreload.
   std::vector<std::string> summary_columns() const;
   /// A row for each law.

@@ -154,7 +154,7 @@ cli::ExitStatus run(const Options& options) {
   if (!options.direction.empty() || options.tilt.given()) {
     return run_placed(options);
   }
-  // Nobody reads a profile of 101 rows.
+  // A profile of 101 rows is too long to read.
   if (options.output.format == cli::Format::report && options.points == 0 &&
       !options.summary) {
     Options summary = options;

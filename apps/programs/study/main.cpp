@@ -1,4 +1,5 @@
-// hinge-study: a thousand separations or loads of a joint, and what they say.
+// hinge-study: a thousand separations or loads of a joint, and their
+// statistics.
 #include <limits>
 
 #include "cli/program.hpp"
@@ -61,7 +62,7 @@ void add_output(cli::Program& program, Options& o) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  cli::Program program("Studies of scatter: verdicts, bounds, what drives them",
+  cli::Program program("Studies of scatter: verdicts, bounds, sensitivities",
                        "hinge-study");
   Options options;
   program.add("Study", {{"STUDY.toml", &options.file, "", "the study file", "",

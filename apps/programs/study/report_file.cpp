@@ -60,7 +60,7 @@ std::optional<PageParts> parts_of_replays(const std::string& file) {
   }
 }
 
-// The nominal case, and what the run has instead.
+// The nominal case, and the differing values of the run.
 std::string case_text(const Study& study, const separation::Case& c,
                       std::uint64_t run) {
   std::string text = contact::detail::file_text(c.file);

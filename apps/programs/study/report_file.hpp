@@ -9,12 +9,11 @@
 namespace study {
 
 /// Writes the report as a page, and of a case beside it the replay of each
-/// worst run, FILE_runN.html. What draws them may be missing: the page has
-/// tables alone then, and a warning says so.
+/// worst run, FILE_runN.html. If the drawing programs are missing, the page has
+/// tables only, with a warning.
 /// @param command  that begins the one for a single run
-/// @param names  of all files, of which a replay may not be another
-/// @return false if the page or a replay could not be written, of which it
-///   warns
+/// @param names  of all files; a replay must differ from them
+/// @return false, with a warning, if the page or a replay could not be written
 bool write_report(const Study& study, const Findings& findings,
                   const std::vector<Picture>& pictures,
                   const std::string& command, const std::string& file,

@@ -100,7 +100,7 @@ else:
 
 
 class Status(enum.IntEnum):
-    """How an evaluation ended: what Solution.status has."""
+    """Status of an evaluation, as in Solution.status."""
 
     OK = 0
     OUT_OF_RANGE = 1
@@ -117,7 +117,7 @@ class State(enum.IntEnum):
 
 
 if not TYPE_CHECKING:
-    # Names that are gone, and what to write instead.
+    # Removed names, and their replacements.
     _gone = {
         "FinitePin": "write Joint.solve() with tilt, place or axial_velocity",
         "FinitePinSolution": "Solution has its quantities",

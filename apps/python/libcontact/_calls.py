@@ -30,8 +30,8 @@ def unexpected_keyword(
 
 
 def with_known_keywords(function: Callable[P, R]) -> Callable[P, R]:
-    """A function of the package that says of a misspelt keyword which one may
-    be meant, as those of _core do."""
+    """A function of the package that suggests the nearest keyword for a misspelt
+    one, like the functions of _core."""
     name = function.__qualname__.removesuffix(".__init__")
     known = [k for k in inspect.signature(function).parameters if k != "self"]
 
@@ -80,7 +80,7 @@ def _wrong_types(
 def _checked(
     name: str, function: Callable[..., Any], owner: type | None = None
 ) -> Callable[..., Any]:
-    """owner: the class of which it is a function; others may have it too."""
+    """owner: the function's class; other classes may have it too."""
 
     @functools.wraps(function)
     def call(*arguments: Any, **keywords: Any) -> Any:

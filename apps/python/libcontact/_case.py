@@ -1,4 +1,4 @@
-"""Separations: cases of hinge-separation and what comes of them."""
+"""Separations: cases of hinge-separation and their outcomes."""
 
 import json
 import warnings
@@ -42,9 +42,9 @@ class Case(FileText, _core.Case):
     """A separation: bodies on hinges with friction, forces, events.
 
     Made from a file (from_file()) or from its tables as dicts, with keys and
-    units as in case files (libcontact/docs/reference/case_file.md). Nothing
-    of a case changes: replace() makes another. Cases compare by what they say,
-    and may be pickled; one in another process finds its joint files in the
+    units as in case files (libcontact/docs/reference/case_file.md). A case is
+    immutable: replace() makes another. Cases compare by their contents, and may
+    be pickled; one in another process finds its joint files in the
     same folder.
     """
 
@@ -91,15 +91,15 @@ class Run(_core.Run):
         while run.advance_to(run.time + 0.1) == "running":
             print(run["stage.angle_deg"], run["stage.x_m", "stage.y_m"])
 
-    Where it stops and what is asked of it there changes nothing of what
-    follows, to the last bit: its outcome at the end is that of Case.run().
+    Stops and queries do not change the later motion, which is bit-identical:
+    at the end it has the outcome of Case.run().
 
-    Values are those of the history by their columns
+    Values are named by the columns of the history
     (libcontact/docs/reference/separation_output.md), in the units of their
     names. Of each body NAME: NAME.x_m, NAME.vx_m_per_s and so on, of the centre of mass in inertial axes;
     NAME.qw to NAME.qz, the unit quaternion that turns the body's axes into
     inertial ones; NAME.wx_rad_per_s and so on in the body's axes. Of its hinge:
-    NAME.mode and what hinge, lock and friction do to the body, in inertial
+    NAME.mode and the loads of hinge, lock and friction on the body, in inertial
     axes: NAME.reaction_x_N, NAME.lock_reaction_x_N, NAME.friction_moment_x_N_m
     and so on.
 
@@ -121,7 +121,7 @@ class Run(_core.Run):
         )
 
     def _repr_html_(self) -> str:
-        """With what has happened so far."""
+        """With the events so far."""
         lines = [[f"{e.time:.6g}", e.body, e.what] for e in self.events]
         return html_table(repr(self)[1:-1], ["t, s", "body", "event"], lines)
 

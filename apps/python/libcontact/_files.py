@@ -108,10 +108,10 @@ def _file_of(table: Mapping[str, Any]) -> str | None:
 
 
 def with_files(tables: Any, folder: Path, settings: type_of_settings) -> Any:
-    """Tables with those of the files that they name.
+    """Tables including the tables of the files that they name.
 
     tables: of a file that has its own settings already.
-    settings: those of files that it names count.
+    settings: the ones for files that it names count.
     """
     walked = [(walk(tables, key), value) for key, value in settings]
 
@@ -134,7 +134,7 @@ def with_files(tables: Any, folder: Path, settings: type_of_settings) -> Any:
 
 def without_names(tables: Any) -> Any:
     """Tables of with_files() that name no files. The friction of a pair of
-    materials is that of the joint, unless it has its own."""
+    materials applies to the joint, unless it has its own."""
     if isinstance(tables, list):
         return [without_names(value) for value in tables]
     if not isinstance(tables, dict):
@@ -218,7 +218,7 @@ class FileText:
             "wall.layer[1].thickness_mm", "body[booster].mass_t". A key takes
             the place of the same one in another unit. Keys of files that the
             file names are keys of the table that names them.
-        keywords: of a joint, those of Joint(): replace(radius_mm=16).
+        keywords: of a joint, as for Joint(): replace(radius_mm=16).
         """
         settings = dict(self._settings)
         named = {self._key_of(k): value for k, value in keywords.items()}
@@ -241,7 +241,7 @@ class FileText:
 
     @functools.cached_property
     def _tables(self) -> dict[str, Any]:
-        """With those of the files that it names."""
+        """Includes the tables of the files that it names."""
         tables = tomllib.loads(self._toml)
         return with_files(tables, Path(self._folder), self._settings)  # type: ignore
 
@@ -270,7 +270,7 @@ class FileText:
         return self.get(key) is not None
 
     def keys(self) -> list[str]:
-        """All keys, as in replace(), those of files that it names too."""
+        """All keys, as in replace(), including keys of files that it names."""
         return list(dotted(self._tables))
 
     def __iter__(self) -> Iterator[str]:

@@ -37,7 +37,7 @@ _table_of = {
 def _check_keywords(
     function: str, keywords: Iterable[str], own: Iterable[str] = ()
 ) -> None:
-    """own: keywords of the function beside those of joints."""
+    """own: keywords of the function in addition to the keywords of joints."""
     known = [*own, *_table_of, *_core._joint_keys]
     for keyword in keywords:
         if keyword not in known:
@@ -83,8 +83,8 @@ def _joint_text(keywords: Mapping[str, Key]) -> str:
 
 
 def _several(keys: Mapping[str, Key], error: Exception) -> Exception:
-    """The error; of several numbers in the place of one it says what takes
-    them."""
+    """The error; for several numbers in place of one it names the function that
+    takes them."""
     text = str(error)
     wants_one = text.endswith(" must be a number")
     for key, value in keys.items():
@@ -104,13 +104,13 @@ class Joint(FileText, _core.Joint):
             coefficient=0.0587)
 
     Keywords are the keys of joint files with their units
-    (libcontact/docs/reference/joint_file.md): those of [geometry], [materials]
+    (libcontact/docs/reference/joint_file.md): keys of [geometry], [materials]
     and [friction] without their tables; `half_angle`, `pressure`, `friction` (names of laws),
     `loading`, `wall` and `coating` as in the file. None is left out. Whole
     tables may be given as dicts.
 
-    Nothing of a joint changes: replace() makes another, vary() many. Joints compare by what
-    they say, may be pickled and shared by threads, and go through fork.
+    A joint is immutable: replace() makes another, vary() many. Joints compare by their
+    contents, may be pickled and shared by threads, and survive fork.
 
     A ball with a [seat] or a designation is in its seat wherever the direction
     of its load is known, and a pin has its [relief]; without_seat() and
@@ -339,7 +339,7 @@ class Wear:
 
 
 class _Made:
-    """Mixed into a class of _core: pickled as what it was made of."""
+    """Mixed into a class of _core: pickled by its arguments."""
 
     def __init__(self, *state: Any) -> None:
         super().__init__(*state)

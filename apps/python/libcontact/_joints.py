@@ -20,7 +20,7 @@ class Joints(_core.Joints):
         fits.peak_pressure(2000)  # (3,)
         fits.solve(np.ones((7, 1, 3)), [1, 0, 1]).power  # (7, 3)
 
-    Functions are those of a Joint; their arguments broadcast against the
+    Functions are the same as in Joint; their arguments broadcast against the
     joints. A ContactWarning is about the first joint that leaves its limits.
     Each joint with a [seat] is in its own, without a table.
     """

@@ -21,7 +21,7 @@ Floats = NDArray[np.float64]
 colours = (
     "#4477aa", "#ee6677", "#228833", "#ccbb44", "#66ccee", "#aa3377", "#888888",
 )  # fmt: skip
-#: Of laws, in all pictures.
+#: Colours of laws, in all pictures.
 law_colours = {
     "exact": colours[5], "fitted": colours[0], "tanh": colours[2],
     "arctan": colours[3], "hertz": colours[1], "blend": colours[4],
@@ -47,7 +47,7 @@ _style = {
 
 
 class _Paper:
-    """Axes one below the other, or those of the caller."""
+    """Axes one below the other, or the caller's."""
 
     def __init__(self, panels: int, axes: Any, size: tuple[float, float]) -> None:
         try:
@@ -88,7 +88,7 @@ def _label(name: str, unit: str) -> str:
 
 
 def _length(values: ArrayLike, rows: int) -> Floats:
-    """Of vectors their lengths."""
+    """The values, or the lengths of vectors."""
     array = np.asarray(values, dtype=float)
     return np.asarray(np.linalg.norm(array, axis=-1)) if array.ndim > rows else array
 
@@ -240,7 +240,7 @@ def plot_cycle(cycle: "Cycle", axes: Any = None) -> list[Any]:
 
 
 def _frame(eye: Floats) -> tuple[Floats, Floats]:
-    """To the right and to the top of who looks along -eye: Z is up, or Y."""
+    """Directions to the right and up for a view along -eye: Z is up, or Y."""
     up = np.eye(3)[2 if abs(eye[2]) < 0.9 else 1]
     right = np.cross(up, eye)
     right /= np.linalg.norm(right)
@@ -344,7 +344,7 @@ def _profile(joint: "Joint", load: ArrayLike, axes: Any) -> list[Any]:
 def plot_wear(
     wear: "Wear", k: float | None = None, axes: Any = None, cycles: float = 1e6
 ) -> list[Any]:
-    """Where a body wears, seen against the deepest point; returns the axes.
+    """Draws the wear of a body, seen against the deepest point; returns the axes.
 
     k: m^2/N, for the depth; without it the integral of p |v| is drawn.
     axes: of matplotlib, one; None makes a figure.

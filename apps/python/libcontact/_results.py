@@ -33,8 +33,7 @@ def _text(value: Any, words: str = "", digits: int = 6) -> str:
 def columns_of(
     shape: tuple[int, ...],
 ) -> tuple[list[str], list[tuple[int, ...]], list[str]]:
-    """Headings and places of the rows that are printed, and what stands for the
-    others."""
+    """Headings and places of the printed rows, and the text for the others."""
     places = list(itertools.islice(np.ndindex(*shape), _most))
     heads = [", ".join(map(str, p)) for p in places] if shape else [""]
     is_whole = len(places) == np.prod(shape, dtype=int)

@@ -2,8 +2,8 @@
 
 A study is shared out in parts of its runs. Each is computed by the program
 hinge-study where the executor has a worker, and comes back as the bytes of a
-journal. From all of them hinge-study writes the results, which are the same
-bytes as those of the study on one machine. A part that is lost with its worker
+journal. From all of them hinge-study writes the results, which are
+bit-identical to the study on one machine. A part that is lost with its worker
 is computed again, by the executor or by the same call repeated.
 
     >>> from concurrent.futures import ThreadPoolExecutor

@@ -48,7 +48,7 @@ bool has_unit(py::handle given) {
           (py::hasattr(given, "value") && py::hasattr(given, "unit")));
 }
 
-// As NumPy has it without being told of which type.
+// As NumPy converts it by default.
 py::array natural(py::handle given) {
   const auto from_any = py::detail::npy_api::get().PyArray_FromAny_;
   auto array = py::reinterpret_steal<py::array>(

@@ -29,9 +29,8 @@ class Numbers
     : public py::array_t<double, py::array::c_style | py::array::forcecast> {
  public:
   Numbers() : array_t(py::handle(), stolen_t{}) {}
-  /// Throws Python's TypeError for anything else that NumPy makes an array of,
-  /// as text, dates, complex numbers and masks, and NumPy's own error for what
-  /// it makes none of.
+  /// Throws Python's TypeError for other arrays, such as text, dates, complex
+  /// numbers and masks, and NumPy's own error for other objects.
   explicit Numbers(py::handle given);
 };
 using Shape = std::vector<py::ssize_t>;
@@ -65,11 +64,11 @@ class Rows {
 
   const Shape& shape() const { return shape_; }
   std::size_t size() const { return size_; }
-  /// Rows between two looks at Ctrl-C, for which nobody waits.
+  /// Rows between two checks for Ctrl-C (takes well under 0.1 s).
   static constexpr std::size_t block = 1024;
 
-  /// Calls `row(numbers)` for each in turn, numbers[k] those of argument k,
-  /// without Python's lock. Ctrl-C ends it.
+  /// Calls `row(numbers)` for each in turn, numbers[k] from argument k, without
+  /// Python's lock. Ctrl-C ends it.
   /// @param at_once  rows between two looks; below `block` the rows are slow
   template <class Row>
   void for_each(const Row& row, std::size_t at_once = block) const {

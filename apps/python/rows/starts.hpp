@@ -49,7 +49,7 @@ struct Lies {
   std::optional<Numbers> place = {};
   std::optional<Numbers> axial_velocity = {};
 
-  /// The arguments `others`, and behind them those of these that are given.
+  /// The arguments `others`, followed by the given ones of these.
   /// @throws contact::Error for a tilt beside a place, and for any of a ball
   std::vector<Argument> behind(const JointSet& joints,
                                std::initializer_list<Argument> others) const;

@@ -22,7 +22,7 @@ void read_reaction(const TomlTable& load, Load& to) {
   if (load.has(vector_key)) {
     for (const char* key : {"reaction", "beta"}) {
       if (load.has(key)) {
-        load.must_be(key, "left out beside reaction_xyz, which says it");
+        load.must_be(key, "left out beside reaction_xyz, which determines it");
       }
     }
     to.direction = contact::LoadDirection::vector;

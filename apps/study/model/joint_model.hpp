@@ -12,9 +12,9 @@
 namespace study {
 
 /// A joint under a Load: [load] of the study file. Numbers are named as
-/// hinge-joint's columns, with those of interference where the nominal joint
-/// has no clearance, else with how far it goes before it slides. Files are
-/// parsed and keys that are drawn looked up once.
+/// hinge-joint's columns, with the numbers of interference if the nominal joint
+/// has no clearance, else with its presliding angle. Files are parsed and keys
+/// that are drawn looked up once.
 ///
 /// Contacts at the rims of a seat take 20 to 60 ms. If only the load scatters
 /// and there are many of them, all but the nominal one are read from a table;

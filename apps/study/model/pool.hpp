@@ -11,8 +11,8 @@ namespace study {
 template <class T>
 class Pool {
  public:
-  /// Lends one, that of `make` if all are lent. It is not given back if what it
-  /// is used for throws.
+  /// Lends one, made by `make` if all are lent. It is not given back if its
+  /// user throws.
   template <class Make, class Use>
   auto with_one(const Make& make, const Use& use) {
     std::unique_ptr<T> one = take();

@@ -28,7 +28,7 @@ std::string which_of(const std::string& key, const std::string& table) {
   return key.substr(from, key.find(']') - from);
 }
 
-// Labels of the items with the name `which`, or that of the which-th name.
+// Labels of the items with the name `which`, or with the which-th name.
 template <class Items, class Name, class Label>
 std::vector<std::string> labels_of(const Items& items, const std::string& which,
                                    const Name& name, const Label& label) {

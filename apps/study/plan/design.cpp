@@ -137,7 +137,7 @@ std::string Design::identity() const {
   return text;
 }
 
-// A draw with factors is that of its normal score, to which they add.
+// A draw with factors follows its normal score, to which they add.
 std::vector<double> Design::numbers_of(
     const std::vector<double>& uniforms) const {
   const boost::math::normal normal;

@@ -18,7 +18,7 @@ using contact::TomlTable;
 
 constexpr contact::ArrayShape one_or_more{.rows = 1, .or_more = true};
 
-// Low and high of a range, both of which are there.
+// Low and high of a range, both required.
 std::pair<double, double> read_range(const TomlTable& table) {
   const double low = table.number("low", Interval::any());
   const double high = table.number("high", Interval::any());
@@ -49,7 +49,7 @@ Quantile truncated(const TomlTable& table, const Distribution& all) {
   const double bottom = low.value_or(-Interval::largest);
   const double top = high.value_or(Interval::largest);
   if (from >= 0.5) {
-    // By what is above: next to 1 there are few numbers, and 1 has no quantile.
+    // By the upper tail: doubles are sparse next to 1, and 1 has no quantile.
     const double most = cdf(complement(all, *low));
     const double rest = high ? cdf(complement(all, *high)) : 0;
     return [all, most, rest, bottom, top](double u) {

@@ -12,7 +12,7 @@ namespace study {
 using Quantile = std::function<double(double u)>;
 
 /// Reads a distribution from a table with distribution_keys(): its `kind` and
-/// what belongs to that.
+/// the keys of that kind.
 Quantile read_distribution(const contact::TomlTable& table);
 /// Text of such a table: "uniform, low 1, high 2".
 std::string distribution_text(const contact::TomlTable& table);

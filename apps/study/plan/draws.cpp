@@ -7,7 +7,7 @@
 namespace study {
 namespace {
 
-// Counters of permuted() are apart from those of runs.
+// Counters of permuted() are separate from the counters of runs.
 constexpr std::uint64_t permutations = std::uint64_t{1} << 63;
 
 }  // namespace

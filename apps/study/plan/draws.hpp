@@ -7,8 +7,8 @@ namespace study {
 
 /// Random numbers that depend on a seed, a key and a run alone (Philox 4x32 of
 /// Random123, libcontact/docs/reference/references.md#salmon-2011): the same on
-/// any machine, in any order and any thread. Another key leaves those of the
-/// others as they are.
+/// any machine, in any order and any thread. Another key does not change the
+/// numbers of the others.
 class Stream {
  public:
   Stream(std::uint64_t seed, std::string_view key);

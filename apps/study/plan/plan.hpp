@@ -70,7 +70,7 @@ struct Plan {
   std::vector<std::string> factors;
   std::vector<Dispersion> dispersions;
   std::vector<Requirement> requirements;
-  /// Quantities recorded beside those of the requirements; may have `*`.
+  /// Quantities recorded in addition to the requirements; may have `*`.
   std::vector<std::string> quantities;
   std::filesystem::path path;
   contact::TomlTable file;
@@ -84,7 +84,7 @@ struct PlanChanges {
 
 /// Reads a study file (keys: study_file.md).
 /// @throws contact::Error with one line that names file, line, key, value and
-///   what is allowed
+/// the allowed values
 Plan read_plan(const std::filesystem::path& path,
                const PlanChanges& changes = {});
 /// The same of a text.

@@ -34,8 +34,8 @@ class Journal {
   /// Runs from `first` to `last` that are not there.
   std::vector<std::uint64_t> missing(std::uint64_t first,
                                      std::uint64_t last) const;
-  /// From now on nothing is appended here: rows are read in less time, and
-  /// those of other programs are not seen.
+  /// From now on nothing is appended here: rows are read in less time, and rows
+  /// of other programs are not seen.
   void hold() const;
   /// Does nothing if the row is there.
   /// @throws contact::Error if it cannot be written

@@ -32,10 +32,9 @@ std::vector<Group> whole_groups(std::span<const double> outputs,
   return groups;
 }
 
-// The ratio of two sums, of which independent parts are given, and its standard
-// error: the spread of what a part has above the ratio times its own divisor.
-// Ratios of the parts themselves would be biased, which no spread of them
-// shows.
+// The ratio of two sums of independent parts, and its standard error: the
+// spread of the parts' excess over the ratio times their own divisor. Ratios of
+// the parts themselves would be biased, which no spread of them shows.
 struct Ratio {
   double value;
   double error;

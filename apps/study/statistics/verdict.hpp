@@ -12,10 +12,10 @@ namespace study {
 /// Requirement on a share of runs.
 struct Demand {
   double success = 0.9973;  ///< share of all possible runs that has to succeed
-  double risk = 0.1;        ///< consumer's risk: that of a wrong "met"
+  double risk = 0.1;        ///< consumer's risk of a wrong "met"
 };
 
-/// Probability that of n runs at most k fail if each fails with probability p.
+/// Probability that at most k of n runs fail if each fails with probability p.
 double at_most(std::size_t k, std::size_t n, double p);
 
 /// Runs that are needed with so many failures among them: the fewest for which

@@ -7,7 +7,8 @@ namespace contact::detail {
 // Eigen's decompositions, compiled once: each costs a source 2 to 7 s. Matrices
 // without an inverse give infinities and NaN, or what solve_least_squares says.
 
-/// Cholesky's L of A = L L^T in its lower triangle, of which alone A is read.
+/// Cholesky's L of A = L L^T in its lower triangle. Reads only this triangle of
+/// A.
 void factor_positive(Eigen::Ref<Eigen::MatrixXd> a);
 
 /// X of L X = B in the place of B.

@@ -43,7 +43,7 @@ void backward(double x, Eigen::VectorXd& out) {
     }
   }
   sum += now * now;
-  // The sign is that of j_0 or, near its zeros, j_1.
+  // Takes the sign of j_0 or, near its zeros, of j_1.
   const double zeroth = std::sin(x) / x;
   const bool same = std::abs(now) > std::abs(after)
                         ? now * zeroth > 0

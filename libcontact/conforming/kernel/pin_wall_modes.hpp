@@ -12,9 +12,9 @@ namespace contact::detail {
 ///     G_n(k) = ∫ sqrt(1 - s^2) U_2k cos(nt)/(1 + b^2 s^2) ds
 ///            = (1/(2b)) ∫ sin((2k+1) phi) cos(nt) dt,
 ///
-/// tan(t/2) = b s, s = cos phi, b = tan(theta0/2), for thousands of n. In
-/// t = theta0 cos psi the sines of psi have Bessel functions for harmonics,
-/// and those of phi are short sums of them: G_n = T^T g_n/(2b),
+/// tan(t/2) = b s, s = cos phi, b = tan(theta0/2), for thousands of n. In t =
+/// theta0 cos psi the sines of psi have Bessel functions for harmonics, and the
+/// sines of phi are short sums of them: G_n = T^T g_n/(2b),
 ///
 ///     sin((2k+1) phi) = sum_j T_jk sin((2j+1) psi),
 ///     g_nj = (-1)^j pi (2j+1) J_{2j+1}(n theta0)/n.

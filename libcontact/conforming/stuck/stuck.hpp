@@ -30,8 +30,8 @@ inline constexpr double narrowest_stuck = 0.01;  // rad
 inline constexpr double widest_stuck = 3.1;      // rad
 inline constexpr double thinnest_stuck = 1e-3;   // radii
 
-/// The rotation is that of the outer body's far end against the mean over the
-/// volume of a solid inner body.
+/// The rotation is measured between the outer body's far end and the mean over
+/// the volume of a solid inner body.
 ///
 /// Each is a lower bound. Accuracy (conforming/stuck_test.cpp): 5e-4 on 46
 /// contacts of half-angles from 5 to 85 deg; the frictionless() limit to 1e-4

@@ -17,8 +17,8 @@ using Eigen::MatrixXd;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-// C_n of both bodies, m/Pa. That of n = 1 shifts the pin and nothing else; a
-// pin in an infinite body has none, and any will do.
+// C_n of both bodies, m/Pa. C_1 shifts the pin and nothing else; a pin in an
+// infinite body has none, and any will do.
 VectorXd compliances(const LayeredPair& pair, Index count) {
   using Side = LayerCompliance::Side;
   const double unit = 4 * pair.radius() / pair.surfaces().effective_modulus();

@@ -56,7 +56,7 @@ class WornCircle {
 
   /// A step of wear: gap grows by local p + mean of p, both implicitly, with
   /// an error of the third order (SDIRK of Alexander, two stages).
-  /// @return the contact after it; its status is that of both stages
+  /// @return the contact after it, with the status of both stages
   Contact wear(const Eigen::Vector2d& load, Eigen::VectorXd& gap,
                const CircleSprings& growth,
                const Contact* last = nullptr) const;

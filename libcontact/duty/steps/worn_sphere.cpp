@@ -255,8 +255,8 @@ WornSphere::Contact WornSphere::press(const Vector3d& load, const Map& gap,
 }
 
 // How many cells before the first of three gaps they begin, (0, 1]. Beyond the
-// end of an elastic contact a gap grows as s^(3/2), beyond that of a worn bed
-// or on a thin layer as s: these are a s^(3/2) + b s.
+// end of an elastic contact a gap grows as s^(3/2), beyond a worn bed or on a
+// thin layer as s: these are a s^(3/2) + b s.
 double begin_of(double first, double second, double third) {
   const auto excess = [&](double s) {
     const double one = second / (s + 1) - first / s;

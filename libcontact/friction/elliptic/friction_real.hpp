@@ -10,12 +10,11 @@
 #include "libcontact/friction/integrals.hpp"
 
 /// The functions of friction/elliptic/friction.hpp for any real type that
-/// Boost.Math takes. The formulas and letters are those of
-/// docs/internals/elliptic_form.md.
+/// Boost.Math takes. Formulas and symbols: docs/internals/elliptic_form.md.
 namespace contact {
 namespace elliptic_form {
 
-/// Contact and slip axis, by what the integrals over the longitude need.
+/// Contact and slip axis, as parameters of the integrals over the longitude.
 template <class Real>
 struct Cap {
   Real s, c;         ///< sine and cosine of theta0

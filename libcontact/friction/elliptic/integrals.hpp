@@ -13,9 +13,9 @@
 ///     Pi = int 1/((1 - n sin^2 phi) Delta) = cosine part + sine part
 ///
 /// where the cosine part has cos^2 phi, the sine part sin^2 phi in its
-/// numerator. The parts are what the friction integrals are made of: each is
-/// positive, and they stay accurate where K - E or Pi - K have lost their
-/// digits (x -> 1, n -> 0). Fukushima calls the parts of K B and D
+/// numerator. The friction integrals consist of these parts: each is positive,
+/// and they stay accurate where K - E or Pi - K have lost their digits (x -> 1,
+/// n -> 0). Fukushima calls the parts of K B and D
 /// (docs/reference/references.md#fukushima-2011). All reduce to Carlson's
 /// symmetric integrals, DLMF 19.25.
 ///

@@ -16,11 +16,11 @@ enum class ArcTerms {
 };
 
 /// Along an arc the edge cuts: like cap_rules, for integrands with the factor
-/// cos^2 am(u, k), which the weights hold, and, but for smooth pressures,
-/// ln cos^2 am(u, k), whose values have corrections. Arcs that all but touch
-/// the edge weigh little: the last rule, of k'^2 = 5.6e-4, serves all of a
-/// smaller one, and where more nodes are taken for the logarithm that of
-/// 1.1e-3, to 6e-11 up to 120 deg.
+/// cos^2 am(u, k), which the weights hold, and, but for smooth pressures, ln
+/// cos^2 am(u, k), whose values have corrections. Arcs that all but touch the
+/// edge weigh little: the last rule, of k'^2 = 5.6e-4, serves all of a smaller
+/// one, and the rule of 1.1e-3 where the logarithm takes more nodes, to 6e-11
+/// up to 120 deg.
 extern const CapRules smooth_arc_rules;
 extern const CapRules logarithm_arc_rules;
 extern const CapRules large_logarithm_arc_rules;

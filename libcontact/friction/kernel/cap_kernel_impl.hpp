@@ -184,7 +184,7 @@ void few(const double* half_angle_sin, const double* half_angle_cos,
 namespace contact::detail {
 namespace {
 
-/// Points of a block, sorted by what they share: rule, side of the pole, arc
+/// Points of a block, sorted by common properties: rule, side of the pole, arc
 /// range. Only then can lanes run over points without waste.
 class Block {
  public:

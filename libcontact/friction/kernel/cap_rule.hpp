@@ -28,9 +28,9 @@ struct CapRule {
 /// One rule serves a range of moduli: k only steers the nodes, the integrand
 /// has its own modulus.
 using CapRules = std::span<const CapRule>;
-/// Rule i at index i. These and those of arc_rule.hpp are constants, which
-/// the program make-friction-rules (libcontact/tools/friction_rules) writes
-/// while the library is built.
+/// Rule i at index i. These rules and the rules of arc_rule.hpp are constants,
+/// which the program make-friction-rules (libcontact/tools/friction_rules)
+/// writes while the library is built.
 extern const CapRules cap_rules;
 
 /// Ends of the ranges of k'^2, from 1 downwards: four steps while few nodes

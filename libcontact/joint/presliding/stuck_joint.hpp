@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <string>
@@ -10,7 +11,7 @@
 namespace contact {
 
 /// Stiffness of a contact that sticks all over against a turn of ball or pin,
-/// and what slip makes of it up to where the joint slides,
+/// and its decrease by partial slip up to the onset of sliding,
 ///
 ///     M/M_s = 1 - (1 - x/b)^b,  x = w K_load/M_s in [0, b]
 ///
@@ -39,8 +40,9 @@ struct StuckJoint {
   double lugre_stiffness() const;
 };
 
-/// Rotation is that of the outer body's far end against the mean over the
-/// volume of a solid inner body; rims, tilt and adhesion's share are left out.
+/// The rotation is measured between the outer body's far end and the mean over
+/// the volume of a solid inner body; rims, tilt and adhesion's share are left
+/// out.
 ///
 /// Accuracy of the stiffnesses (joint/stuck_joint_test.cpp): 5e-4 of a
 /// reference, of joints of data/joints at 300 N to 263 kN.
@@ -53,10 +55,10 @@ struct StuckJoint {
 StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
                        double normal_force, double half_angle);
 
-/// A sentence each: why there is no stiffness, or if the stiffness is that of the shaft's attachment as much
-/// as of the contact (homogeneous bodies above 43 deg), and of rims that are
-/// reached and a load on the back, which it leaves out; JointSpec::own_notes()
-/// say it of a relief.
+/// Notes, one sentence each: why there is no stiffness; if the shaft's
+/// attachment determines it as much as the contact (homogeneous bodies above 43
+/// deg), and on neglected rims and loads on the back; JointSpec::own_notes()
+/// has the note on a relief.
 std::vector<std::string> stuck_notes(const JointSpec& joint, double half_angle);
 
 }  // namespace contact

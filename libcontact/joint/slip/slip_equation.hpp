@@ -41,7 +41,7 @@ class SlipEquation {
   /// f/cos a of any contact.
   double friction(double normal_force, SlipAxis axis) const;
 
-  /// Puts another trial value into a point, and what it says of R_n and a.
+  /// Puts another trial value, with its R_n and a, into a point.
   void set_triangle(SlipPoint& point, double tangent) const;
   /// The same for a step in ln tan psi: short ones by their differentials.
   void shift_triangle(SlipPoint& point, double step) const;

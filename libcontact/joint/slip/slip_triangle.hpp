@@ -8,8 +8,8 @@ namespace contact::detail {
 /// (unit vectors w, n, e; right angle at n).
 ///
 /// Its sides are b (hypotenuse), g and pi/2 - a; psi is the angle at w. Seen
-/// along w the force triangle is that of a pin: R sin b is its hypotenuse,
-/// R_t and R_n cos a are its legs, so that
+/// along w the forces form a pin's triangle: R sin b is its hypotenuse, R_t and
+/// R_n cos a are its legs, so that
 ///
 ///     tan psi = f/cos a,  sin g = sin b sin psi,  cot a = tan b cos psi
 ///

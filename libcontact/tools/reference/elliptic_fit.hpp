@@ -7,9 +7,9 @@ namespace contact::reference {
 
 enum class EllipticKind { k, e };
 
-/// P(x) - Q(x) ln x with the smallest largest relative error on (0, 1] that
-/// the order allows; x = 1 - k^2. The terms without x are those of the limit
-/// x -> 0 (ln 4 and 1/2 for K, 1 and 0 for E), the rest is fitted.
+/// P(x) - Q(x) ln x with the smallest largest relative error on (0, 1] that the
+/// order allows; x = 1 - k^2. The terms without x come from the limit x -> 0
+/// (ln 4 and 1/2 for K, 1 and 0 for E), the rest is fitted.
 struct EllipticLogFit {
   std::vector<double> p;  ///< coefficients of x, x^2, ..., x^order in P
   std::vector<double> q;  ///< the same of Q

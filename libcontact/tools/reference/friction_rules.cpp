@@ -126,7 +126,7 @@ std::vector<Real> corrections(const std::vector<Real>& t,
   return result;
 }
 
-/// The derivative of B(x, y)/2 with respect to that of x and y which is given
+/// The derivative of B(x, y)/2 with respect to the one of x and y that is given
 /// once more.
 Real log_moment(const Real& x, const Real& y, const Real& differentiated) {
   using boost::math::digamma;

@@ -3,9 +3,9 @@
 #include <vector>
 
 /// The nodes and weights of friction/kernel/cap_rule.hpp and arc_rule.hpp anew,
-/// in 50 digits, by other formulas than those of tools/friction_rules: sn, cn
-/// and dn by Landen's transformation (Abramowitz and Stegun 16.12), corrections
-/// of logarithms by digamma functions.
+/// in 50 digits, by other formulas than tools/friction_rules: sn, cn and dn by
+/// Landen's transformation (Abramowitz and Stegun 16.12), corrections of
+/// logarithms by digamma functions.
 namespace contact::reference {
 
 /// Rounded once.

@@ -1,5 +1,5 @@
 // A steel ball joint at theta0 = 60 deg, a = 30 deg; fails unless the numbers
-// are those of data/reference/friction_integrals.csv.
+// equal data/reference/friction_integrals.csv.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>

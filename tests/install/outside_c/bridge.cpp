@@ -1,4 +1,4 @@
-// A C++17 program, as those of Simbody are: what a joint holds at rest.
+// A C++17 program, like Simbody's: the moment that a joint holds at rest.
 #include <libcontact/c/contact.h>
 
 #include <cstdio>

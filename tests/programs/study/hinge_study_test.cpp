@@ -60,7 +60,7 @@ class HingeStudy : public testing::Test {
     return {folder_.read("rows.csv"), folder_.read("all.json"), text};
   }
   // Status of a study that is killed as soon as its journal has so many rows:
-  // that of the signal, unless it has come to its end before.
+  // the signal's, unless it has ended before.
   int killed_at(int rows) const {
     return folder_
         .run(
@@ -253,7 +253,7 @@ TEST_F(HingeStudy, AnotherStudysJournalIsRefused) {
   EXPECT_FALSE(folder_.has("x.csv"));
 }
 
-// The history is that of the case with the draws of the run.
+// The history equals the case with the draws of the run.
 TEST_F(HingeStudy, HistoriesOfARunOfACase) {
   folder_.write("c.toml",
                 "name = 's'\ncase = '" CONTACT_DATA_DIR
@@ -302,7 +302,7 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   EXPECT_EQ(folder_.read("again.html"), page);
 }
 
-// Nobody has to have the study file to see what was scattered.
+// The report shows the dispersions without the study file.
 TEST_F(HingeStudy, TheReportSaysWhatScatters) {
   const std::string text =
       "# A <b>comment</b>.\n" + balls +
@@ -385,7 +385,7 @@ TEST_F(HingeStudy, SignalsEndPicturesAndReports) {
   }
 }
 
-// A name of a picture or a replay is that of no other file.
+// Names of pictures and replays are unique.
 TEST_F(HingeStudy, PicturesOverwriteNothing) {
   for (const std::string option : {"--journal", "--csv", "--hdf5"}) {
     folder_.run_ill("hinge-study s.toml --plot p.svg " + option + " p_1.svg", 2,

@@ -49,7 +49,7 @@ class PointSeries {
   /// From the first row to the last, s; 0 without a time.
   double duration() const;
   /// Mean of a number, by the trapezoidal rule over the time; without a
-  /// duration that of the rows.
+  /// duration over the rows.
   double mean(std::size_t number) const;
 
  private:

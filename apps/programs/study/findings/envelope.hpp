@@ -12,12 +12,12 @@ namespace study {
 struct Envelope {
   std::string name;   ///< name of its picture
   std::string label;  ///< with its unit
-  /// What requirements call it, "" if nothing.
+  /// Name in requirements, "" if none.
   std::string quantity;
   std::size_t runs;
   std::string special;  ///< run of the last number
   std::vector<double> times;
-  /// Smallest, 5 %, 50 %, 95 %, largest, and that of the special run; NaN where
+  /// Smallest, 5 %, 50 %, 95 %, largest, and the special run's value; NaN where
   /// there is none.
   std::vector<std::array<double, 6>> shares;
   std::vector<std::size_t> counts;  ///< runs that have a number, at each time

@@ -17,7 +17,7 @@ std::string heading(const std::string& title, const std::string& x_label,
 std::string histogram(const Study& study, const Journal& journal,
                       const Judgement& judgement, std::size_t place);
 
-/// Pictures of what was drawn, with a panel for each dispersion.
+/// Pictures of the draws, with a panel for each dispersion.
 std::size_t count_input_pictures(const Study& study);
 /// Its name, "inputs_1".
 /// @param number  of the picture, from 0
