@@ -99,12 +99,16 @@ void MechanismStep::begin(std::span<const MechanismStart> starts,
     starts_[i].angular_velocity = rate_of(i, rates);
     steps_[i].angular_velocity = rate_of(i, likely);
   }
+  has_begun_ = true;
 }
 
 double MechanismStep::turn(const Ref<const VectorXd>& rates_at_end,
                            Ref<VectorXd> force) {
   check("rates_at_end", rates_at_end.size());
   check("force", force.size());
+  if (weight_.size() == 0 || !has_begun_) {
+    throw Error("MechanismStep: weigh() and begin() must come before turn()");
+  }
   const VectorXd before = force(own_);
   // What the rates would be without this friction.
   VectorXd free = rates_at_end;
@@ -131,6 +135,9 @@ VectorXd MechanismStep::holding_force(
     const Ref<const VectorXd>& rates_at_end) const {
   check("rates", rates.size());
   check("rates_at_end", rates_at_end.size());
+  if (weight_.size() == 0) {
+    throw Error("MechanismStep: weigh() must come before holding_force()");
+  }
   VectorXd force = VectorXd::Zero(rates.size());
   force(own_) = weight_ * (rates - rates_at_end)(own_);
   return force;

@@ -103,6 +103,7 @@ class MechanismStep {
   std::vector<Placement> placements_;
   std::vector<JointStep> steps_;
   StepSweeps sweeps_;
+  bool has_begun_ = false;
   Eigen::MatrixXd weight_;  // W
   Eigen::LLT<Eigen::MatrixXd> factor_;
 };

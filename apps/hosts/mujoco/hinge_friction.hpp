@@ -64,7 +64,8 @@ class HingeFriction {
   /// After mj_step(): the reactions for the next one.
   void note_reactions(mjData* data);
 
-  /// Last step of the i-th hinge added.
+  /// Last step of the i-th hinge added: of balls in the axes of their body, of
+  /// hinges in those of the world.
   const contact_step& hinge(std::size_t i) const { return steps_.at(i); }
   /// Turns of friction and constraints in the last step; 1 without constraints.
   int turns() const { return turns_; }
