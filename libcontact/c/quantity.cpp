@@ -98,18 +98,19 @@ contact_status contact_joint_stuck(const contact_joint* joint,
       [=] {
         const contact_joint& j = given(joint, "contact_joint_stuck: joint");
         const contact::JointContact& contact = j.joint.contact();
+        const double half_angle = contact.half_angle(normal_force).half_angle;
         const contact::StuckJoint s =
-            contact::stuck_joint(j.spec, contact, normal_force,
-                                 contact.half_angle(normal_force).half_angle);
+            contact::stuck_joint(j.spec, contact, normal_force, half_angle);
         given(stuck, "contact_joint_stuck: stuck") = {
             s.load_stiffness, s.held_stiffness, s.spin_stiffness,
             s.friction_moment, s.shape};
-        return std::isnan(s.load_stiffness)
-                   ? contact_report(CONTACT_OUT_OF_RANGE,
-                                    "contact_joint_stuck: joint must have a "
-                                    "clearance, a half-angle of 0.01 to 3.1 "
-                                    "rad and no layer below 1e-3 radii")
-                   : CONTACT_OK;
+        if (!std::isnan(s.load_stiffness)) return CONTACT_OK;
+        const auto notes = contact::stuck_notes(j.spec, half_angle);
+        const std::string why =
+            notes.empty() ? "normal_force must be a number, and the bodies held"
+                          : notes[0];
+        return contact_report(CONTACT_OUT_OF_RANGE,
+                              ("contact_joint_stuck: " + why).c_str());
       },
       stuck);
 }

@@ -121,6 +121,9 @@ TEST(CQuantities, OfStuckJointsHaveTheirLimits) {
   const CJoint tight = c_joint(pressed);
   EXPECT_EQ(contact_joint_stuck(tight.get(), 2000, &stuck),
             CONTACT_OUT_OF_RANGE);
+  EXPECT_STREQ(contact_last_message(),
+               "contact_joint_stuck: the stuck contact has no stiffness here, "
+               "because the joint has interference");
   EXPECT_TRUE(std::isnan(stuck.load_stiffness));
   EXPECT_EQ(contact_joint_stuck(nullptr, 2000, &stuck), CONTACT_BAD_INPUT);
   EXPECT_TRUE(std::isnan(stuck.shape));

@@ -107,6 +107,23 @@ TEST(StuckJoint, IsNanWhereItIsNotKnown) {
   EXPECT_TRUE(std::isnan(stuck_joint(hip, contact, 1, 0.001).load_stiffness));
   const JointSpec pressed = spec_of("lined_bush_pressed", 0.1);
   EXPECT_TRUE(std::isnan(stuck_under(pressed, 2000).load_stiffness));
+  // And says why.
+  const auto why = [](const JointSpec& spec, double angle) {
+    const auto notes = stuck_notes(spec, angle);
+    return notes.size() == 1 ? notes[0].substr(41) : "";
+  };
+  EXPECT_EQ(why(pressed, 1), "because the joint has interference");
+  EXPECT_EQ(why(hip, 0.0099),
+            "because the half-angle is 0.567 deg: only 0.57 to 177.6 deg are "
+            "computed");
+  EXPECT_EQ(why(hip, 0.0101), "");
+  JointSpec film = hip;
+  film.outer = {{{0.9e-3 * hip.geometry.radius(), {1e9, 0.4}}},
+                Backing::rigid()};
+  EXPECT_EQ(why(film, 1),
+            "because a layer is 0.0009 radii thick: less than 0.001 is not "
+            "computed");
+  EXPECT_TRUE(std::isnan(stuck_under(film, 2000).load_stiffness));
   const JointContact viscous = contact.with_friction(ViscousLaw(1, 1));
   const StuckJoint stuck = stuck_joint(hip, viscous, 1, 0.5);
   EXPECT_GT(stuck.load_stiffness, 0);

@@ -331,8 +331,9 @@ struct Ball : Equations {
 
 StuckStiffness stuck_stiffness(JointKind kind, const LayeredPair& pair,
                                double half_angle) {
-  const bool is_known = half_angle >= 0.01 && half_angle <= 3.1 &&
-                        pair.relative_thickness() >= 1e-3;
+  const bool is_known = half_angle >= narrowest_stuck &&
+                        half_angle <= widest_stuck &&
+                        pair.relative_thickness() >= thinnest_stuck;
   if (!is_known) return {nan, nan, nan, nan, nan};
   const auto of = [](const Equations& contact, double unit, double spin) {
     const int k = contact.terms;

@@ -25,16 +25,20 @@ struct StuckStiffness {
   double load() const { return turn - coupling * coupling / shift; }
 };
 
+/// Half-angles and relative thicknesses of layers for which it is known.
+inline constexpr double narrowest_stuck = 0.01;  // rad
+inline constexpr double widest_stuck = 3.1;      // rad
+inline constexpr double thinnest_stuck = 1e-3;   // radii
+
 /// The rotation is that of the outer body's far end against the mean over the
 /// volume of a solid inner body.
 ///
 /// Each is a lower bound. Accuracy (conforming/stuck_test.cpp): 5e-4 on 46
 /// contacts of half-angles from 5 to 85 deg; the frictionless() limit to 1e-4
 /// of R/D.
-/// @param half_angle  theta0, [0.01, 3.1] rad
-/// @return NaN for half-angles outside, layers below 1e-3 radii, and bodies
-/// that
-///         nothing holds
+/// @param half_angle  theta0, rad
+/// @return NaN for half-angles and layers outside the limits above, and for
+///         bodies that nothing holds
 StuckStiffness stuck_stiffness(JointKind kind, const LayeredPair& pair,
                                double half_angle);
 

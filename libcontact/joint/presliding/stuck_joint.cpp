@@ -49,8 +49,37 @@ StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
   return result;
 }
 
+namespace {
+
+// "" where there is a stiffness.
+std::string why_none(const JointSpec& joint, double half_angle) {
+  if (joint.geometry.radial_clearance() < 0)
+    return "the joint has interference";
+  const double thickness =
+      LayeredPair(joint.geometry.radius(), joint.inner, joint.outer)
+          .relative_thickness();
+  if (thickness < detail::thinnest_stuck) {
+    return detail::message(
+        "a layer is {:.3g} radii thick: less than {} is not computed",
+        thickness, detail::thinnest_stuck);
+  }
+  const bool is_outside =
+      half_angle < detail::narrowest_stuck || half_angle > detail::widest_stuck;
+  if (!is_outside) return {};
+  return detail::message(
+      "the half-angle is {:.3g} deg: only {:.2g} to {:.4g} deg are computed",
+      half_angle / degree, detail::narrowest_stuck / degree,
+      detail::widest_stuck / degree);
+}
+
+}  // namespace
+
 std::vector<std::string> stuck_notes(const JointSpec& joint,
                                      double half_angle) {
+  if (const std::string why = why_none(joint, half_angle); !why.empty()) {
+    return {detail::message(
+        "the stuck contact has no stiffness here, because {}", why)};
+  }
   // Measured with the inner body held by a rigid core of half its radius: 0.92
   // of K_load at 43 deg, 0.69 at 65 deg; below 20 deg 1.01.
   constexpr double widest = 43 * degree;

@@ -53,7 +53,7 @@ struct StuckJoint {
 StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
                        double normal_force, double half_angle);
 
-/// A sentence each: if the stiffness is that of the shaft's attachment as much
+/// A sentence each: why there is no stiffness, or if the stiffness is that of the shaft's attachment as much
 /// as of the contact (homogeneous bodies above 43 deg), and of rims that are
 /// reached and a load on the back, which it leaves out; JointSpec::own_notes()
 /// say it of a relief.
