@@ -105,6 +105,7 @@ class FrictionMoment {
     must(contact_memory_make(&made));
     memory_.reset(made);
   }
+  const contact_joint* joint() const { return joint_.get(); }
   Seat seat() const { return seat_; }
   /// @param from_seat  3 x 3 numbers, row by row: from the axes of the half
   ///     that has the seat to those of the slip; null: they are the same

@@ -61,6 +61,7 @@ void bind_ratings(pybind11::module_& m, pybind11::class_<JointSet>& joints,
 void bind_stuck(pybind11::module_& m,
                 pybind11::class_<FileJoint, JointSet>& joint);
 void bind_step(pybind11::module_& m, pybind11::class_<JointSet>& joints);
+void bind_mechanism(pybind11::module_& m);
 void bind_moment_set(pybind11::module_& m, pybind11::class_<JointSet>& joints);
 void bind_joints(pybind11::module_& m);
 void bind_play(pybind11::module_& m);

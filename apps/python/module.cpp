@@ -52,6 +52,7 @@ PYBIND11_MODULE(_core, m) {
   m.attr("__version__") = contact::version;
   contact_python::bind_warning(m);
   contact_python::bind_joint(m);
+  contact_python::bind_mechanism(m);
   contact_python::bind_play(m);
   contact_python::bind_duty(m);
   contact_python::bind_identify(m);

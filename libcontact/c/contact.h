@@ -21,6 +21,7 @@
 
 #include "libcontact/c/ends.h"
 #include "libcontact/c/joint.h"
+#include "libcontact/c/mechanism.h"
 #include "libcontact/c/moments.h"
 #include "libcontact/c/play.h"
 #include "libcontact/c/quantity.h"

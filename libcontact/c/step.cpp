@@ -10,12 +10,23 @@
 #include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/slip.hpp"
+#include "libcontact/c/step.hpp"
 #include "libcontact/joint/step.hpp"
 
 namespace contact::c {
-namespace {
 
 using Eigen::Vector3d;
+
+void tell(contact_step& to, const JointStep& step, bool with_rest) {
+  to.status = status_of(step.status);
+  to.holds = step.holds;
+  Vector3d::Map(to.angular_velocity) = step.angular_velocity;
+  Vector3d::Map(to.moment) = step.moment;
+  put(to.solution, step.solution);
+  if (with_rest) put(to.rest, step.rest);
+}
+
+namespace {
 
 StepStart start_of(const contact_step_start& s) {
   return {Vector3d(s.reaction), Vector3d(s.angular_velocity), Vector3d(s.free),
@@ -32,15 +43,6 @@ JointStep last_of(const contact_step* last, bool with_rest) {
   step.solution = solution_of(last->solution);
   if (with_rest) step.rest = rest_of(last->rest);
   return step;
-}
-
-void tell(contact_step& to, const JointStep& step, bool with_rest) {
-  to.status = status_of(step.status);
-  to.holds = step.holds;
-  Vector3d::Map(to.angular_velocity) = step.angular_velocity;
-  Vector3d::Map(to.moment) = step.moment;
-  put(to.solution, step.solution);
-  if (with_rest) put(to.rest, step.rest);
 }
 
 contact_status step_all(const contact_joint* const* joints, std::size_t count,
@@ -83,19 +85,6 @@ contact_status step_all(const contact_joint* const* joints, std::size_t count,
 }
 
 }  // namespace
-
-template <>
-struct Refused<contact_step> {
-  static void write(contact_step* step, contact_status status) noexcept {
-    step->status = status;
-    step->holds = 0;
-    for (double* numbers : {step->angular_velocity, step->moment}) {
-      std::fill_n(numbers, 3, std::numeric_limits<double>::quiet_NaN());
-    }
-    Refused<contact_solution>::write(&step->solution, status);
-    Refused<contact_rest>::write(&step->rest, status);
-  }
-};
 
 }  // namespace contact::c
 

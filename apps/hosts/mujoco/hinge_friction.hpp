@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -21,7 +22,7 @@ namespace contact_hosts::mujoco {
 ///
 ///     M = W (Dw - free),   W = Schur complement of H in the hinges' rates / dt
 ///
-/// holds of all hinges at once (contact_joints_step()), H = mass matrix + dt
+/// holds of all hinges at once (contact_mechanism_turn()), H = mass matrix + dt
 /// damping; reactions are those of the step before. A hinge that friction holds
 /// has a rate of exactly 0, and its angles do not change by a bit.
 ///
@@ -32,7 +33,9 @@ namespace contact_hosts::mujoco {
 /// (turns()). Their forces count in the reaction as far as
 /// mj_rnePostConstraint() has them: contacts, no equalities. The axis of a
 /// [seat] is in the axes of the body that has it; a load that the seat does not
-/// carry throws an exception.
+/// carry throws an exception. Tested with MuJoCo 2.2.2; up to 3.12 by the
+/// signatures of its functions alone. Sleeping bodies (3.5 and later) are
+/// refused.
 class HingeFriction {
  public:
   /// @param model  stays while this is used
@@ -61,7 +64,8 @@ class HingeFriction {
   /// After mj_step(): the reactions for the next one.
   void note_reactions(mjData* data);
 
-  /// Last step of the i-th hinge added.
+  /// Last step of the i-th hinge added: of balls in the axes of their body, of
+  /// hinges in those of the world.
   const contact_step& hinge(std::size_t i) const { return steps_.at(i); }
   /// Turns of friction and constraints in the last step; 1 without constraints.
   int turns() const { return turns_; }
@@ -74,35 +78,28 @@ class HingeFriction {
     int dof;    // in qvel
     int size;   // 3 or 1 of them
     int angle;  // in qpos
-    JointHandle contact;
-    bool on_carrier;  // the seat is on the parent
-    Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();  // to the seat's axes
+    FrictionMoment contact;
     double damping = 0;  // given by add_damping()
   };
-  void start(const mjData* data);
-  Eigen::VectorXd slide(std::size_t i);
-  void guess(const Eigen::VectorXd& rates);
+  contact_mechanism_start start_of(const Hinge& h, const mjData* data) const;
+  Eigen::VectorXd slide(const Hinge& h, const mjData* data) const;
+  void make_mechanism();
   void weigh(mjData* data);
   void hold(mjData* data);
   void begin(mjData* data, const Eigen::VectorXd& smooth);
-  double solve(const Eigen::VectorXd& free);
   void accelerate(mjData* data, const Eigen::VectorXd& smooth);
-  Eigen::VectorXd free_rates(const mjData* data) const;
+  Eigen::VectorXd rates_at_end(const mjData* data) const;
 
   const mjModel* model_;
   std::vector<Hinge> hinges_;
-  std::vector<int> own_, other_;  // dofs with and without friction
-  std::vector<const contact_joint*> contacts_;
-  std::vector<contact_step_start> starts_;
   std::vector<contact_step> steps_;
+  std::unique_ptr<contact_mechanism, void (*)(contact_mechanism*)> mechanism_;
   bool has_damping_ = false;
   bool has_reactions_ = false;
   int turns_ = 0;
   contact_sweeps sweeps_{};
   Eigen::MatrixXd inertia_;             // H
-  Eigen::LLT<Eigen::MatrixXd> damped_;  // H where there is damping
-  Eigen::MatrixXd weight_;              // W
-  Eigen::MatrixXd turned_;              // W in the axes of the seats
+  Eigen::LLT<Eigen::MatrixXd> damped_;  // of H where there is damping
   Eigen::VectorXd force_;               // generalized, of friction
 };
 
