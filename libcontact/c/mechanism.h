@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Steps of a simulator's mechanism whose joints have friction, in the
  * simulator's own generalized rates. */
 #ifndef LIBCONTACT_C_MECHANISM_H
