@@ -1,6 +1,6 @@
 #include "libcontact/finite_pin/finite_pin.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "libcontact/base/complaint.hpp"

@@ -1,8 +1,9 @@
 // A pin of finite length under known loads.
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/finite_pin/sums.hpp"
 
 namespace contact {
@@ -81,7 +82,8 @@ FinitePinState FinitePin::solved(const Vector4d& load, bool tilts,
     Eigen::Matrix4d k = unit.asDiagonal() * now.stiffness * unit.asDiagonal();
     // A tilt that is known has no equations.
     if (!tilts) k.bottomRightCorner<2, 2>() = Matrix2d::Identity();
-    const Vector4d step = -unit.cwiseProduct(k.ldlt().solve(missing));
+    const Vector4d step =
+        -unit.cwiseProduct(detail::solve_symmetric(k, missing));
     bool taken = false;
     for (double share = 1; share > 1e-9 && !taken; share /= 2) {
       const Vector4d there = place + share * step;

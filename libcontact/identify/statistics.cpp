@@ -1,12 +1,13 @@
 #include "libcontact/identify/statistics.hpp"
 
-#include <Eigen/QR>
-#include <Eigen/SVD>
+#include <Eigen/Core>
 #include <boost/math/distributions/students_t.hpp>
 #include <boost/math/special_functions/gamma.hpp>
 #include <cmath>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/parts.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/base/root_finding.hpp"
 
 namespace contact::detail {
@@ -111,16 +112,14 @@ MatrixXd inverse_of_square(const MatrixXd& slopes) {
   const VectorXd size = slopes.colwise().norm().cwiseInverse();
   const MatrixXd scaled = slopes * size.asDiagonal();
   const MatrixXd inverse =
-      (scaled.transpose() * scaled)
-          .ldlt()
-          .solve(MatrixXd::Identity(slopes.cols(), slopes.cols()));
+      solve_symmetric(scaled.transpose() * scaled,
+                      MatrixXd::Identity(slopes.cols(), slopes.cols()));
   return size.asDiagonal() * inverse * size.asDiagonal();
 }
 
 double scaled_condition(const MatrixXd& slopes) {
   if (slopes.cols() == 0) return 1;
-  const VectorXd values =
-      slopes.colwise().normalized().jacobiSvd().singularValues();
+  const VectorXd values = singular_values(slopes.colwise().normalized());
   return values[0] / values[values.size() - 1];
 }
 
@@ -143,7 +142,7 @@ Estimate trend(const VectorXd& residuals, const VectorXd& over,
   // Trends that the fit can follow do not count.
   VectorXd left = centred;
   if (slopes.cols() > 0) {
-    left -= slopes * slopes.colPivHouseholderQr().solve(centred);
+    left -= slopes * solve_least_squares(slopes, centred);
   }
   const auto n = static_cast<int>(residuals.size());
   const int degrees = n - static_cast<int>(slopes.cols()) - 1;

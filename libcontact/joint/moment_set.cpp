@@ -1,6 +1,5 @@
 #include "libcontact/joint/moment_set.hpp"
 
-#include <Eigen/Cholesky>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <algorithm>
@@ -134,7 +133,7 @@ Vector3d MomentSet::normal_at(const Vector3d& held) const noexcept {
     if (!(slope.norm() > 1e-13 * least)) break;
     const Matrix3d second = curvature(u.normalized()) / u.norm();
     Vector3d step =
-        -across * (across.transpose() * second * across).ldlt().solve(slope);
+        -across * (across.transpose() * second * across).inverse() * slope;
     if (!(step.dot(across * slope) < 0)) step = -across * slope / least;
     double share = 1;
     while (share > 1e-10 && !(support(u + share * step) < least)) share /= 2;

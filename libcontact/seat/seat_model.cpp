@@ -8,6 +8,8 @@
 #include <numbers>
 #include <utility>
 
+#include "libcontact/base/linear/turn.hpp"
+
 namespace contact::detail {
 
 namespace {
@@ -139,9 +141,7 @@ SeatModel::SeatModel(const JointSpec& joint,
       side_(joint.geometry.side()),
       table_(std::move(table)) {
   const auto& axis = grids_->contact.zone().axis();
-  to_body_ = Eigen::Quaterniond::FromTwoVectors(
-                 Vector3d::UnitZ(), Vector3d(axis[0], axis[1], axis[2]))
-                 .toRotationMatrix();
+  to_body_ = turn_of_z(Vector3d(axis[0], axis[1], axis[2]));
 }
 
 Matrix3d SeatModel::to_solution(const Placement* placement) const {

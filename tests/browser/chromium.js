@@ -1,9 +1,6 @@
 // Chromium without a window, for pages from files: what every test of a page
 // and scripts that draw one stand on.
 'use strict';
-const fs = require('fs');
-const os = require('os');
-const path = require('path');
 const {pathToFileURL} = require('url');
 const {chromium} = require('playwright-core');
 
@@ -14,18 +11,36 @@ const settings = [
   '--disable-sync', '--disable-quic',
 ];
 
-// Calls use(page, said) with a page on which `file` is open and ready, a replay at
-// its start and not playing; `said`
-// has everything that a good page does not do: console messages, errors,
-// requests for anything but itself and parts of itself (blobs). `hash` follows
-// in the address. `prepare` sees the page before.
+// One for all pages of a program: it takes longer to start than most of them.
+// It goes when no page has been open for a moment.
+let starting;
+let pages = 0;
+let leaving;
+function browser() {
+  clearTimeout(leaving);
+  ++pages;
+  return starting ??= chromium.launch({
+    executablePath: '/usr/bin/chromium', headless: false, args: settings,
+  });
+}
+function leave() {
+  if (--pages > 0) return;
+  leaving = setTimeout(async () => {
+    const gone = starting;
+    starting = undefined;
+    await (await gone).close();
+  }, 200);
+}
+
+// Calls use(page, said) with a page on which `file` is open and ready, a replay
+// at its start and not playing, in a profile of its own; `said` has everything
+// that a good page does not do: console messages, errors, requests for anything
+// but itself and parts of itself (blobs). `hash` follows in the address.
+// `prepare` sees the page before.
 async function withPage(file, {hash = '', ...options}, use,
                         prepare = async () => {}) {
-  const profile = fs.mkdtempSync(path.join(os.tmpdir(), 'replay-'));
-  const context = await chromium.launchPersistentContext(profile, {
-    executablePath: '/usr/bin/chromium', headless: false, args: settings,
-    viewport: {width: 1280, height: 800}, ...options,
-  });
+  const context = await (await browser()).newContext(
+      {viewport: {width: 1280, height: 800}, ...options});
   try {
     const page = await context.newPage();
     page.setDefaultTimeout(120e3);  // machines of tests are busy
@@ -46,7 +61,7 @@ async function withPage(file, {hash = '', ...options}, use,
     return await use(page, said);
   } finally {
     await context.close();
-    fs.rmSync(profile, {recursive: true, force: true});
+    leave();
   }
 }
 

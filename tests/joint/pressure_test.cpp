@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "libcontact/base/linear/turn.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
 #include "libcontact/half_angle/factory.hpp"
@@ -269,7 +270,7 @@ TEST(JointAnswers, PressuresAndPvAreThoseOfTheContact) {
     const Vector3d to_contact =
         inner == JointBody::carrier ? s.normal : Vector3d(-s.normal);
     const Eigen::Quaterniond turn =
-        Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), to_contact);
+        detail::turn_between(Vector3d::UnitZ(), to_contact);
     const auto speed = [&](const Vector3d& place) {
       return radius * rate.cross(place).norm();
     };

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <vector>
 
+#include "libcontact/base/linear/turn.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "support/numbers.hpp"
@@ -55,7 +56,7 @@ TEST(SeatContactPv, TotalTimesFrictionIsThePower) {
 TEST(SeatContactPv, LargestIsThatOfPlaces) {
   const Joint joint(bearing(tilted_cup()));
   const Vector3d axis(0.6, 0, 0.8);
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis);
+  const auto turn = detail::turn_between(Vector3d::UnitZ(), axis);
   std::vector<Vector3d> places;
   const double end = 60 * degree - 0.02;  // the reported distance
   for (int i = 0; i <= 60; ++i) {

@@ -1,7 +1,6 @@
 #include "multibody/system/constants.hpp"
 
-#include <Eigen/Eigenvalues>
-
+#include "libcontact/base/linear/parts.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/hinges/kinds.hpp"
 
@@ -23,15 +22,14 @@ HeldConstants<double> held_constants(const Link& link) {
 }
 
 FreeConstants<double> free_constants(const Link& link) {
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(link.inertia);
+  const auto [values, v] = contact::detail::symmetric_parts(link.inertia);
   // A direction without inertia has no rotation to speak of: it rests.
-  const double largest = eigen.eigenvalues()[2];
+  const double largest = values[2];
   Vector3d inverse;
   for (int i = 0; i < 3; ++i) {
-    const double moment = eigen.eigenvalues()[i];
+    const double moment = values[i];
     inverse[i] = moment > 1e-14 * largest ? 1 / moment : 0;
   }
-  const Matrix3d& v = eigen.eigenvectors();
   return {1 / link.mass, sym3(link.inertia),
           sym3(v * inverse.asDiagonal() * v.transpose())};
 }

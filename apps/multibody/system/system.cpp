@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/base/linear/parts.hpp"
 #include "multibody/system/hinges/kinds.hpp"
 #include "multibody/system/hinges/link_checks.hpp"
 #include "multibody/system/tree_order.hpp"
@@ -37,9 +38,7 @@ Matrix3d checked_inertia(const Matrix3d& inertia, bool positive,
     refuse(place, fmt::format("symmetric, it is off by {} kg m^2", skew));
   }
   Matrix3d symmetric = 0.5 * (inertia + inertia.transpose());
-  const double smallest =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(symmetric, Eigen::EigenvaluesOnly)
-          .eigenvalues()[0];
+  const double smallest = contact::detail::symmetric_parts(symmetric).values[0];
   if (positive ? smallest <= zero_inertia * scale
                : smallest < -zero_inertia * scale) {
     refuse(fmt::format("{}: smallest principal moment = {} kg m^2", place,

@@ -1,8 +1,7 @@
 #include "separation/case/body_reader.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/linear/parts.hpp"
 #include "separation/case/reading.hpp"
 
 namespace separation {
@@ -55,8 +54,7 @@ void check_inertia(const TomlTable& table, std::string_view key,
   if ((inertia - inertia.transpose()).cwiseAbs().maxCoeff() > 1e-9 * scale) {
     table.must_be(key, "a symmetric matrix");
   }
-  const Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvalues();
+  const Vector3d moments = contact::detail::symmetric_parts(inertia).values;
   // Rounding of entries with some digits, not of doubles.
   const double slack = 1e-6 * scale;
   if (moments[0] < -slack || moments[2] > moments[0] + moments[1] + slack) {

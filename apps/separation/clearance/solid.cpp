@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "separation/case/turn_of_z.hpp"
+#include "libcontact/base/linear/turn.hpp"
 
 namespace separation {
 
@@ -18,7 +18,8 @@ Solid::Solid(const Shape& shape)
       points_(3, shape.points.size()),
       margin_(shape.kind == ShapeKind::capsule ? shape.radius : 0),
       reach_(separation::reach(shape)) {
-  if (from_ != to_) across_ = turn_of_z(to_ - from_).leftCols<2>();
+  if (from_ != to_)
+    across_ = contact::detail::turn_of_z(to_ - from_).leftCols<2>();
   Eigen::Index i = 0;
   for (const Vector3d& point : shape.points) points_.col(i++) = point;
 }

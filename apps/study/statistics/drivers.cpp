@@ -1,11 +1,12 @@
 #include "study/statistics/drivers.hpp"
 
-#include <Eigen/Cholesky>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <set>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace study {
 namespace {
@@ -118,8 +119,8 @@ Regression::Answer Regression::solve() const {
     if (scale[i] == 0) covariance(i, i) = 1;
   }
   const Eigen::VectorXd with_output = covariance.col(inputs).head(inputs);
-  const Eigen::VectorXd solution =
-      covariance.topLeftCorner(inputs, inputs).ldlt().solve(with_output);
+  const Eigen::VectorXd solution = contact::detail::solve_symmetric(
+      covariance.topLeftCorner(inputs, inputs), with_output);
   std::ranges::copy(solution, answer.standardised.begin());
   answer.explained = solution.dot(with_output);
   return answer;

@@ -1,12 +1,13 @@
 #include "libcontact/duty/steps/worn_circle.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <numeric>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/conforming/layer_compliance.hpp"
 
 namespace contact::detail {
@@ -90,19 +91,21 @@ void WornCircle::balance(const Vector2d& load, const VectorXd& gap,
   MatrixXd system = compliance_(touching, touching);
   system.array() += springs.mean / count;
   system.diagonal().array() += springs.local;
-  const Eigen::LLT<MatrixXd> solver(system);
+  factor_positive(system);
   // Fewer points than three cannot turn their force to the load's direction.
   const bool is_point = touching.size() < 3;
   MatrixXd lever = lever_(touching, Eigen::all);
   if (is_point) lever = lever * load.normalized();
-  const MatrixXd by_shift = solver.solve(lever);
-  const VectorXd by_gap = solver.solve(gap(touching));
+  MatrixXd by_shift = lever;
+  solve_factored(system, by_shift);
+  VectorXd by_gap = gap(touching);
+  solve_factored(system, by_gap);
   // P = 2 pi rho mean(p (cos, sin))
   VectorXd goal = load * count / (2 * pi * radius_);
   if (is_point) goal = goal.norm() * VectorXd::Ones(1);
   const MatrixXd stiffness = lever.transpose() * by_shift;
   const VectorXd shift =
-      stiffness.ldlt().solve(goal + lever.transpose() * by_gap);
+      solve_symmetric(stiffness, goal + lever.transpose() * by_gap);
   contact.shift =
       is_point ? Vector2d(shift[0] * load.normalized()) : Vector2d(shift);
   contact.pressure = VectorXd::Zero(size());

@@ -1,10 +1,12 @@
 #include "libcontact/duty/steps/worn_sphere.hpp"
 
-#include <Eigen/Dense>
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "libcontact/base/constants.hpp"
+#include "libcontact/base/linear/solve.hpp"
 
 namespace contact::detail {
 namespace {
@@ -144,12 +146,11 @@ int WornSphere::solve(const Problem& problem, double tolerance, Map& y,
     by_lever.push_back(problem.better(lever_[static_cast<std::size_t>(k)]));
     stiffness.col(k) = problem.force(by_lever.back());
   }
-  const Eigen::LDLT<Eigen::Matrix3d> by_force(stiffness);
   const auto along = [&](const Vector3d& d) -> Map {
     return d[0] * by_lever[0] + d[1] * by_lever[1] + d[2] * by_lever[2];
   };
   y = y.cwiseProduct(problem.contact).eval();
-  y += along(by_force.solve(problem.goal - problem.force(y)));
+  y += along(solve_symmetric(stiffness, problem.goal - problem.force(y)));
   Map residual = problem.compliance(y) + problem.gap;
   const double goal =
       tolerance *
@@ -159,7 +160,7 @@ int WornSphere::solve(const Problem& problem, double tolerance, Map& y,
   int count = 0;
   for (;; ++count) {
     Map z = problem.better(residual);
-    const Vector3d d = by_force.solve(problem.force(z));
+    const Vector3d d = solve_symmetric(stiffness, problem.force(z));
     z -= along(d);
     shift = d;
     const Map rest =
@@ -200,7 +201,7 @@ WornSphere::Contact WornSphere::press(const Vector3d& load, const Map& gap,
       a.diagonal() +=
           mean * cells_.unit.matrix() +
           1e-3 * a.diagonal().mean() * Eigen::VectorXd::Ones(a.rows());
-      problem.inverse[m] = a.llt().solve(Map::Identity(a.rows(), a.cols()));
+      problem.inverse[m] = inverse_of_positive(std::move(a));
     }
   }
   Map y = Map::Zero(gap.rows(), gap.cols());

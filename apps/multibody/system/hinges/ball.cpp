@@ -1,9 +1,10 @@
 #include "multibody/system/hinges/ball.hpp"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
+#include "libcontact/base/linear/parts.hpp"
 #include "libcontact/base/magnitude.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/hinges/link_checks.hpp"
@@ -27,8 +28,7 @@ Matrix3d axes_along(const Vector3d& z) {
 // free to turn, I_xy - j j^T/I_zz, is diagonal: then so is N of (1.3).
 Matrix3d axes_of_ball(const Matrix3d& inertia, const Vector3d& r) {
   if (r.isZero(0)) {
-    Matrix3d axes =
-        Eigen::SelfAdjointEigenSolver<Matrix3d>(inertia).eigenvectors();
+    Matrix3d axes = contact::detail::symmetric_parts(inertia).vectors;
     if (axes.determinant() < 0) axes.col(0) *= -1;
     return axes;
   }

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "separation/case/turn_of_z.hpp"
+#include "libcontact/base/linear/turn.hpp"
 
 namespace separation {
 namespace {
@@ -26,7 +26,8 @@ class Lathe {
   Lathe(Mesh& mesh, const Vector3d& from, const Vector3d& span)
       : mesh_(mesh),
         from_(from),
-        turn_(span.norm() > 0 ? turn_of_z(span) : Matrix3d::Identity()) {}
+        turn_(span.norm() > 0 ? contact::detail::turn_of_z(span)
+                              : Matrix3d::Identity()) {}
 
   void add(const std::vector<Point>& strip) const {
     const auto first = static_cast<std::uint32_t>(mesh_.positions.size());

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "libcontact/base/linear/turn.hpp"
 #include "programs/separation/replay/gltf.hpp"
 #include "programs/separation/replay/mesh.hpp"
 
@@ -44,7 +45,7 @@ class Stage {
         size_(size),
         tolerance_(tolerance),
         gltf_({{"name", c.name},
-               {"rotation", numbers(Quaterniond::FromTwoVectors(
+               {"rotation", numbers(contact::detail::turn_between(
                                 upwards(c), Vector3d::UnitY()))}}) {
     add_marks();
   }

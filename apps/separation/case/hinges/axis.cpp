@@ -2,9 +2,9 @@
 #include <optional>
 #include <utility>
 
+#include "libcontact/base/linear/turn.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
-#include "separation/case/turn_of_z.hpp"
 
 namespace separation {
 namespace {
@@ -58,7 +58,7 @@ void read_start(const TomlTable& table, multibody::BodyStart& start) {
 }
 
 void place(const Hinge& hinge, multibody::Body& body) {
-  body.hinge_to_carrier_zero = turn_of_z(hinge.axis);
+  body.hinge_to_carrier_zero = contact::detail::turn_of_z(hinge.axis);
   body.hinge_to_body =
       hinge.zero_rotation.transpose() * body.hinge_to_carrier_zero;
 }
