@@ -102,8 +102,8 @@ peak_error_percent
         --theta0 40 | tail -n 1 | cut -d, -f2)
       infinite=$(one wall.toml "$load")
       for backing in rigid steel held; do
-        for i in {0..18}; do
-          t=$(ratio $((i - 12)) 6)
+        for i in {0..36}; do
+          t=$(ratio $((i - 24)) 12)
           "${joint[@]}" "${backing/steel/210 0.3}" \
             "$(awk -v t="$t" 'BEGIN { printf "%.6g", 10 * t }')"
           awk -F, -v what="$kind,$name,$backing,$t" -v a="$infinite" \

@@ -13,7 +13,8 @@ do for [row = 1:2] {
     set rmargin at screen 0.11 + 0.37 * (i - 1) + 0.31
     set bmargin at screen row == 1 ? 0.57 : 0.12
     set tmargin at screen row == 1 ? 0.94 : 0.49
-    set yrange [row == 1 ? -90 : -75 : row == 1 ? 180 : 165]
+    set yrange [row == 1 ? -90 : -80 : row == 1 ? 180 : 320]
+    set ytics row == 1 ? 50 : 100
     set format y "%4.0f"
     if (row == 1) {
       set title i == 1 ? 'ball in a seat' : 'pin in a hole'
@@ -36,8 +37,10 @@ do for [row = 1:2] {
     is(material, backing) = (strcol(1) eq kind && strcol(2) eq material && \
       strcol(3) eq backing) ? column(row == 1 ? 6 : 5) : NaN
     array backings[3] = ['rigid', 'steel', 'held']
+    # A rigid backing shows below one of steel where both are the same.
     plot for [k = 1:3] 'wall_errors.csv' skip 1 \
         using 4:(is('polymer', backings[k])) with lines linetype k \
+        linewidth (k == 1 ? 6 : 2.5) \
         title 'polymer, '.backings[k], \
       for [k = 1:3] 'wall_errors.csv' skip 1 \
         using 4:(is('bronze', backings[k])) with lines linetype k dashtype 2 \

@@ -280,6 +280,7 @@ std::string choices() {
        {{"length", unit_choices(Dimension::length)},
         {"stress", unit_choices(Dimension::stress)},
         {"force", unit_choices(Dimension::force)},
+        {"temperature", unit_choices(Dimension::temperature)},
         {"angular_velocity", unit_choices(Dimension::angular_velocity)}}}};
   return text_of(all);
 }

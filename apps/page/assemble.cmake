@@ -30,7 +30,7 @@ file(READ ${html}/head.html page)
 file(READ ${CMAKE_CURRENT_LIST_DIR}/page.html body)
 string(APPEND page "${body}")
 foreach(part
-    "title=Calculator of hinges" "style=${style}${own_style}"
+    "title=Hinge calculator" "style=${style}${own_style}"
     "policy= 'wasm-unsafe-eval'; worker-src blob:" "version=${VERSION}"
     "engine=${engine}" "wasm=${packed_wasm}" "start=${start}"
     "choices=${choices}"

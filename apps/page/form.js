@@ -14,11 +14,13 @@ function fieldsOf(choices) {
   const isBall = has('kind', 'ball');
   const coated = has('coating', 'one');
   const viscous = has('friction', 'viscous');
+  const warm = has('warm', 'another');
+  const solid = (v) => !['rigid', 'held'].includes(v.backing);
   return [
     {id: 'kind', label: 'Kind', key: 'kind', of: ['pin', 'ball']},
     {id: 'by', label: 'Size by', of: [
-      ['size', 'diameter and clearance'], ['fit', 'diameter and fit (ISO 286)'],
-      ['designation', 'designation of a bearing (ball)']]},
+      ['size', 'diameter and clearance'], ['fit', 'diameter and ISO 286 fit'],
+      ['designation', 'bearing designation']]},
     {id: 'diameter', label: 'Diameter', key: 'geometry.diameter', value: '40',
      units: 'length', unit: 'mm', when: sized},
     {id: 'clearance', label: 'Diametral clearance', value: '50',
@@ -37,8 +39,14 @@ function fieldsOf(choices) {
      when: has('by', 'fit', 'designation')},
     {id: 'length', label: 'Length', key: 'geometry.length', value: '40',
      units: 'length', unit: 'mm', when: has('kind', 'pin')},
+    {id: 'seat', label: 'Seat', when: both(isBall, sized), of: [
+      ['none', 'beyond the contact'], ['cup', 'cup'], ['ring', 'ring']]},
+    {id: 'cup', label: 'Cup, half-angle', key: 'seat.cup_deg', value: '90',
+     unit: '°', when: both(isBall, sized, has('seat', 'cup'))},
+    {id: 'ring', label: 'Ring, width', key: 'seat.ring_width', value: '28',
+     units: 'length', unit: 'mm', when: both(isBall, sized, has('seat', 'ring'))},
     {id: 'pair', label: 'Materials', value: 'steel_bronze.toml',
-     of: [...choices.pairs.map(named), ['numbers', 'by their numbers']]},
+     of: [...choices.pairs.map(named), ['numbers', 'by numbers']]},
     ...[['inner', 'Ball or pin', '207', '0.292'],
         ['outer', 'Seat or hole', '111', '0.349']].flatMap(
         ([body, label, modulus, ratio]) => [
@@ -53,7 +61,7 @@ function fieldsOf(choices) {
      value: '0.4', units: 'length', unit: 'mm', when: walled},
     {id: 'backing', label: 'Backing', value: 'carbon_steel.toml', when: walled,
      of: ['rigid', 'held', ...choices.backings.map(named),
-          ['numbers', 'by its numbers']]},
+          ['numbers', 'by numbers']]},
     {id: 'backing_modulus', label: 'Backing, E', value: '70',
      key: 'wall.backing.youngs_modulus', units: 'stress', unit: 'GPa',
      when: both(walled, has('backing', 'numbers'))},
@@ -68,6 +76,17 @@ function fieldsOf(choices) {
      key: 'coating.youngs_modulus', units: 'stress', unit: 'GPa'},
     {id: 'coating_ratio', label: 'Coating, ν', value: '0.25', when: coated,
      key: 'coating.poissons_ratio'},
+    {id: 'warm', label: 'Temperature', of: [
+      ['none', 'that of the clearance'], ['another', 'another']]},
+    {id: 'temperature', label: 'Of both bodies', key: 'temperature', value: '80',
+     units: 'temperature', unit: 'C', when: warm},
+    ...[['materials.inner', 'Ball or pin', '11.5e-6', warm],
+        ['materials.outer', 'Seat or hole', '18e-6', warm],
+        ['wall.backing', 'Backing', '11.5e-6', both(warm, walled, solid)],
+        ['coating', 'Coating', '9e-6', both(warm, coated)]].map(
+        ([table, label, value, when]) => (
+          {id: `${table.replace('.', '_')}_expansion`, label: `${label}, α`,
+           value, key: `${table}.thermal_expansion_per_K`, unit: '1/K', when})),
     {id: 'friction', label: 'Friction', value: 'coefficient', of: [
       ['coefficient', 'coefficient'], ['viscous', 'viscous'],
       ...choices.presets.map(({name, least, largest}) => [
@@ -87,7 +106,7 @@ function fieldsOf(choices) {
      units: 'force', unit: 'kN', state: true},
     {id: 'rate', label: 'Speed', key: 'rate', value: '10', state: true,
      units: 'angular_velocity', unit: 'deg_per_s'},
-    {id: 'beta', label: 'Load to axis, b', key: 'beta_deg', value: '90', unit: '°',
+    {id: 'beta', label: 'Load to rotation axis, b', key: 'beta_deg', value: '90', unit: '°',
      state: true, when: isBall},
   ];
 }
@@ -131,6 +150,10 @@ class Form {
         const [value, text] = [choice].flat();
         return make('option', {value}, text ?? value);
       }));
+      // Texts that the place beside the label would cut.
+      const longest = Math.max(...[...field.input.options].map(
+          ({text}) => text.length));
+      field.input.classList.toggle('long_input', longest > 22);
     } else {
       field.input = make('input', {
         ...attributes, inputmode: field.text ? 'text' : 'decimal',
@@ -200,7 +223,7 @@ class Form {
     byId('own_file').hidden = this.own === null;
     byId('mode').setAttribute('aria-pressed', this.own !== null);
     byId('mode').textContent = this.own === null ?
-        'Write the joint file myself' : 'Back to the form';
+        'Edit as joint file' : 'Back to the form';
   }
 
   get question() {
@@ -232,16 +255,23 @@ class Form {
       tables.set('friction', `preset = ${JSON.stringify(values.friction)}\n` +
           tables.get('friction'));
     }
-    const pair = values.pair === 'numbers' ? '' :
-        '\n' + materialsOf(file('pairs', values.pair));
+    let pair = '';
+    if (values.pair !== 'numbers') {
+      // With what the form adds to it.
+      pair = '\n' + materialsOf(file('pairs', values.pair)).replace(
+          /\[(materials\.(?:inner|outer))\]\n/g,
+          (head, name) => head + (tables.get(name) ?? ''));
+      tables.delete('materials.inner');
+      tables.delete('materials.outer');
+    }
     if (values.wall === 'layer' && values.backing !== 'numbers') {
       const text = file('backings', values.backing).replace(/^#.*\n/gm, '');
-      if (text) tables.set('wall.backing', text);
+      if (text) tables.set('wall.backing', text + (tables.get('wall.backing') ?? ''));
       else tables.set('wall', `backing = ${JSON.stringify(values.backing)}\n`);
     }
     let text = 'name = "joint"\n' + (tables.get('') ?? '');
     tables.delete('');
-    for (const name of ['geometry', 'materials.inner', 'materials.outer',
+    for (const name of ['geometry', 'seat', 'materials.inner', 'materials.outer',
                         'wall', 'wall.backing', 'wall.layer', 'coating',
                         'friction']) {
       if (name === 'wall') text += pair;

@@ -29,13 +29,13 @@ async function ask(call, ...texts) {
 // Rows beside the picture: names of numbers, and what to call them; the first
 // ones in bold.
 const shownNumbers = [
-  ['theta0_deg', 'Half-angle of the contact', true],
+  ['M_t_N_m', 'Friction torque', true],
+  ['M_textbook_N_m', 'Textbook torque'],
+  ['f_M', 'Catalogue coefficient'],
   ['p_peak_Pa', 'Peak pressure', true],
-  ['M_t_N_m', 'Friction moment', true],
-  ['M_textbook_N_m', 'that of textbooks'],
-  ['f_M', 'Coefficient of catalogues'],
   ['p_mean_Pa', 'Mean pressure'],
   ['p_nominal_Pa', 'Nominal pressure'],
+  ['theta0_deg', 'Half-angle of the contact', true],
   ['pv_max_W_per_m2', 'Largest p v'],
   ['pv_nominal_W_per_m2', 'Nominal p v'],
   ['power_W', 'Power of friction'],
@@ -45,16 +45,16 @@ const shownNumbers = [
   ['stiffness_N_per_m', 'Stiffness'],
   ['p_0_Pa', 'Pressure of interference'],
   ['R_lift_off_N', 'Load of lift-off'],
-  ['M_0_N_m', 'Moment without load'],
+  ['M_0_N_m', 'Torque without load'],
 ];
 const shownCurves = [
-  {title: 'Half-angle', names: ['theta0_deg'], labels: ['half-angle']},
-  {title: 'Friction moment', logY: true,
+  {title: 'Friction torque', logY: true,
    names: ['M_t_N_m', 'M_textbook_N_m'], labels: ['computed', 'textbook']},
+  {title: 'Catalogue coefficient', names: ['f_M'], labels: ['computed']},
   {title: 'Pressure', logY: true, names: ['p_peak_Pa', 'p_mean_Pa', 'p_nominal_Pa'],
    labels: ['peak', 'mean', 'nominal']},
+  {title: 'Half-angle', names: ['theta0_deg'], labels: ['half-angle']},
   {title: 'Approach', logY: true, names: ['approach_m'], labels: ['approach']},
-  {title: 'Coefficient of catalogues', names: ['f_M'], labels: ['computed']},
 ];
 
 function showNumbers(numbers, number, {kind}) {

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <utility>
-
 #include "libcontact/joint/joint.hpp"
 #include "libcontact/load_law/ball_formula.hpp"
 #include "libcontact/load_law/load_law.hpp"

@@ -14,45 +14,72 @@
 /// the rim, where x is 0; its slope over a is the second component of the
 /// moment. e is t, T (on [-1, 1]) or their mean. Near the rim Phi has a term
 /// x^(7/2), by which it is smooth: inside by 1 - cos a over the contact's.
+///
+/// Slopes stand beside what they are slopes of, in CONTACT_KEPT() where they
+/// are wanted: Vx is dV/dx, Vxe its slope over e.
 // clang-format off
-#define CONTACT_BALL_AT                                                      \
-  T = poly(0, nT, t);                                                        \
+#define CONTACT_KEPT(...) __VA_ARGS__
+#define CONTACT_LEFT_OUT(...)
+#define CONTACT_EACH(DO) DO(0) DO(1) DO(2)
+#define CONTACT_DOT(a, b) a##0 * b##0 + a##1 * b##1 + a##2 * b##2
+#define CONTACT_LENGTH(a) sqrt(CONTACT_DOT(a, a))
+#define CONTACT_CROSS(a, b)                                                  \
+  k0 = a##1 * b##2 - a##2 * b##1;                                            \
+  k1 = a##2 * b##0 - a##0 * b##2;                                            \
+  k2 = a##0 * b##1 - a##1 * b##0;
+
+#define CONTACT_POLYNOMIAL(V, first, count, argument, SLOPE)                 \
+  V = poly(first, count, argument);                                          \
+  SLOPE(                                                                     \
+    place = first + count - 1;                                               \
+    V = 0; V##e = 0;                                                         \
+    for (int k = 0; k < count; ++k) {                                        \
+      V##e = V##e * argument + V;                                            \
+      V = V * argument + poly(place, 1, argument);                           \
+      place = place - 1;                                                     \
+    }                                                                        \
+  )
+
+// The sum of x^i g_i(e), whose coefficients begin `at` there.
+#define CONTACT_SERIES(V, count, width, X, XX, E)                            \
+  at = at + (count - 1) * width;                                             \
+  V = 0; X(V##x = 0;) XX(V##xx = 0; V##xe = 0;) E(V##e = 0;)                 \
+  for (int i = 0; i < count; ++i) {                                          \
+    CONTACT_POLYNOMIAL(g, at, width, e, E)                                   \
+    XX(V##xx = V##xx * x + 2 * V##x; V##xe = V##xe * x + V##e;)              \
+    X(V##x = V##x * x + V;)                                                  \
+    E(V##e = V##e * x + ge;)                                                 \
+    V = V * x + g;                                                           \
+    at = at - width;                                                         \
+  }                                                                          \
+  at = at + (count + 1) * width;
+
+#define CONTACT_BALL_AT(SLOPE)                                               \
+  CONTACT_POLYNOMIAL(T, 0, nT, t, SLOPE)                                     \
   inverse = 1 / (1 + T * T);                                                 \
   s = 2 * T * inverse;                                                       \
   drop = 2 * T * T * inverse;                                                \
   c = 1 - drop;                                                              \
-  e = share * (T - T_middle) / T_half + other * t;                           \
+  e = share * (T - T_middle) / T_half + (1 - share) * t;                     \
   wide = q > s ? q : 1;                                                      \
   x = q > s ? (q - s) * (q + s) / (wide * wide * c * c)                      \
             : 1 - q * q / ((1 + sa) * drop);                                 \
-  x = x < 0 ? 0 : x;                                                         \
-  x = x > 1 ? 1 : x;                                                         \
+  x = x < 0 ? 0 : x; x = x > 1 ? 1 : x;                                      \
   at = q > s ? outside : inside;                                             \
-  at = at + top;                                                             \
-  G = 0;                                                                     \
-  Gx = 0;                                                                    \
-  for (int i = 0; i < n; ++i) {                                              \
-    Gx = Gx * x + G;                                                         \
-    G = G * x + poly(at, nh, e);                                             \
-    at = at - nh;                                                            \
-  }                                                                          \
-  at = at + past;                                                            \
-  root = sqrt(x) * x * x;                                                    \
-  power = seven_halves;                                                      \
+  CONTACT_SERIES(G, n, nh, CONTACT_KEPT, SLOPE, SLOPE)                       \
+  root = sqrt(x) * x; power = 7;                                             \
   for (int i = 0; i < odd; ++i) {                                            \
-    g = poly(at, nh, e);                                                     \
-    G = G + g * root * x;                                                    \
-    Gx = Gx + g * root * power;                                              \
-    root = root * x;                                                         \
-    power = power + 1;                                                       \
-    at = at + nh;                                                            \
+    CONTACT_POLYNOMIAL(g, at, nh, e, SLOPE)                                  \
+    G = G + g * (root * x) * x;                                              \
+    Gx = Gx + g * (root * x) * power / 2;                                    \
+    SLOPE(                                                                   \
+      Gxx = Gxx + g * root * power * (power - 2) / 4;                        \
+      Ge = Ge + ge * root * x * x;                                           \
+      Gxe = Gxe + ge * root * x * power / 2;                                 \
+    )                                                                        \
+    root = root * x; power = power + 2; at = at + nh;                        \
   }                                                                          \
-  at = at + r_top;                                                           \
-  r = 0;                                                                     \
-  for (int i = 0; i < nr; ++i) {                                             \
-    r = r * x + poly(at, nrh, e);                                            \
-    at = at - nrh;                                                           \
-  }                                                                          \
+  CONTACT_SERIES(r, nr, nrh, SLOPE, CONTACT_LEFT_OUT, SLOPE)                 \
   b = q > s ? s * s / (wide * wide * c * c) : s / drop;                      \
   b = b * Gx;                                                                \
   Y = q > s ? (G + 2 * sa * sa * b) / wide : s * G - sa * b;                 \
@@ -60,44 +87,32 @@
   Phi = q > s ? f * q * G : f * s * G;                                       \
   Pa = q > s ? -f * sa * (G + 2 * b) : f * q * b;
 
-#define CONTACT_BALL_VARIABLES                                               \
-  Real T, inverse, s, drop, c, e, wide, x, at, G, Gx, root, power, g, r, b,  \
-      Y, F, Phi, Pa, t, sa, q, load, size, held, big, k0, k1, k2, last,      \
-      offset, rate, h, normal;
-
 #define CONTACT_BALL_LOAD                                                    \
   load = sqrt(R[0] * R[0] + R[1] * R[1] + R[2] * R[2]);                      \
   size = load == 0 ? 1 : load;                                               \
-  held = load < low ? low : load;                                            \
-  held = load > high ? high : held;
+  e0 = R[0] / size; e1 = R[1] / size; e2 = R[2] / size;                      \
+  held = load < low ? low : load; held = load > high ? high : held;
+
+#define CONTACT_BALL_UNIT(A) u##A = u##A / length;
+#define CONTACT_BALL_MOMENT(A)                                               \
+  M##A = h * (Phi * u##A + Pa * ((e##A - u##A * cbs) * cs + k##A * turn) / size);\
+  M##A = still == 0 ? 0 : M##A;
 
 #define CONTACT_BALL_FRICTION                                                \
-  CONTACT_BALL_VARIABLES                                                     \
-  Real u0, u1, u2, e0, e1, e2, length, log_R, sb2, sb, cbs, cb, K, B, D, y,  \
-      tangent, d, cg2, cg, cs, turn, still, M0, M1, M2, flag;                \
   CONTACT_BALL_LOAD                                                          \
   log_R = log(held);                                                         \
-  e0 = R[0] / size;                                                          \
-  e1 = R[1] / size;                                                          \
-  e2 = R[2] / size;                                                          \
   big = abs(w[0]);                                                           \
   big = abs(w[1]) > big ? abs(w[1]) : big;                                   \
   big = abs(w[2]) > big ? abs(w[2]) : big;                                   \
   size = big == 0 ? 1 : big;                                                 \
-  u0 = w[0] / size;                                                          \
-  u1 = w[1] / size;                                                          \
-  u2 = w[2] / size;                                                          \
-  length = sqrt(u0 * u0 + u1 * u1 + u2 * u2);                                \
+  u0 = w[0] / size; u1 = w[1] / size; u2 = w[2] / size;                      \
+  length = CONTACT_LENGTH(u);                                                \
   length = length == 0 ? 1 : length;                                         \
-  u0 = u0 / length;                                                          \
-  u1 = u1 / length;                                                          \
-  u2 = u2 / length;                                                          \
-  k0 = u1 * e2 - u2 * e1;                                                    \
-  k1 = u2 * e0 - u0 * e2;                                                    \
-  k2 = u0 * e1 - u1 * e0;                                                    \
-  sb2 = k0 * k0 + k1 * k1 + k2 * k2;                                         \
+  CONTACT_EACH(CONTACT_BALL_UNIT)                                            \
+  CONTACT_CROSS(u, e)                                                        \
+  sb2 = CONTACT_DOT(k, k);                                                   \
   sb = sqrt(sb2);                                                            \
-  cbs = u0 * e0 + u1 * e1 + u2 * e2;                                         \
+  cbs = CONTACT_DOT(u, e);                                                   \
   cb = abs(cbs);                                                             \
   T = poly(0, nT, (log_R - middle) / half);                                  \
   s = 2 * T / (1 + T * T);                                                   \
@@ -106,13 +121,7 @@
   D = sqrt(B * B + 4 * K * cb * cb * f * f);                                 \
   y = B > 0 ? 2 * f * f / (B + D) : (D - B) / (2 * K * cb * cb + tiny);      \
   y = sqrt(y);                                                               \
-  last = y;                                                                  \
-  offset = 0;                                                                \
-  tangent = 0;                                                               \
-  cg = 1;                                                                    \
-  cs = 1;                                                                    \
-  Phi = 0;                                                                   \
-  Pa = 0;                                                                    \
+  last = y; offset = 0; tangent = 0; cg = 1; cs = 1; Phi = 0; Pa = 0;        \
   for (int j = 0; j < rounds; ++j) {                                         \
     tangent = y;                                                             \
     d = 1 / (1 + y * y);                                                     \
@@ -123,7 +132,7 @@
     sa = cb / cg;                                                            \
     q = sb * cs / cg;                                                        \
     t = (log_R + log(cg) - middle) / half;                                   \
-    CONTACT_BALL_AT                                                          \
+    CONTACT_BALL_AT(CONTACT_LEFT_OUT)                                        \
     h = y - F;                                                               \
     if (abs(h) < tolerance * y) break;                                       \
     K = 16 * s * s / 25;                                                     \
@@ -132,8 +141,7 @@
     rate = y == last ? K : (h - offset) / rate;                              \
     rate = 50 * rate > 1 ? rate : K;                                         \
     rate = rate < 3 ? rate : K;                                              \
-    last = y;                                                                \
-    offset = h;                                                              \
+    last = y; offset = h;                                                    \
     y = y - h / rate;                                                        \
     y = y < 0 ? 0 : y;                                                       \
   }                                                                          \
@@ -143,77 +151,20 @@
   normal = load * cg;                                                        \
   h = -radius * normal;                                                      \
   still = big * load;                                                        \
-  M0 = h * (Phi * u0 + Pa * ((e0 - u0 * cbs) * cs + k0 * turn) / size);      \
-  M1 = h * (Phi * u1 + Pa * ((e1 - u1 * cbs) * cs + k1 * turn) / size);      \
-  M2 = h * (Phi * u2 + Pa * ((e2 - u2 * cbs) * cs + k2 * turn) / size);      \
-  M0 = still == 0 ? 0 : M0;                                                  \
-  M1 = still == 0 ? 0 : M1;                                                  \
-  M2 = still == 0 ? 0 : M2;                                                  \
-  flag = load < low ? 1 : 0;                                                 \
-  flag = load > high ? 1 : flag;                                             \
+  CONTACT_EACH(CONTACT_BALL_MOMENT)                                          \
+  flag = load < low ? 1 : 0; flag = load > high ? 1 : flag;                  \
   flag = still == 0 ? 2 : flag;                                              \
   flag = M0 == M0 ? flag : 4;
 
-// The same with slopes of Phi and of the force over a and l = ln R_n, by those
-// over x and e, and the derivatives of M as in docs/explanation/joint.md: sums of products
-// of two vectors each, of which A is a component.
-#define CONTACT_BALL_HORNER(first, count, argument)                          \
-  place = first + count - 1;                                                 \
-  g = 0;                                                                     \
-  ge = 0;                                                                    \
-  for (int k = 0; k < count; ++k) {                                          \
-    ge = ge * argument + g;                                                  \
-    g = g * argument + poly(place, 1, argument);                             \
-    place = place - 1;                                                       \
-  }
-
+// Slopes of Phi and of the force over a and l = ln R_n, by those over x and e,
+// and the derivatives of M as in docs/explanation/joint.md: sums of products of
+// two vectors each, of which A is a component.
 #define CONTACT_BALL_SLOPES                                                  \
-  CONTACT_BALL_HORNER(0, nT, t)                                              \
-  Tl = load == held ? ge / half : 0;                                         \
-  el = load == held ? share * Tl / T_half + other / half : 0;                \
+  CONTACT_BALL_AT(CONTACT_KEPT)                                              \
+  Tl = load == held ? Te / half : 0;                                         \
+  el = load == held ? share * Tl / T_half + (1 - share) / half : 0;          \
   sl = 2 * (1 - T * T) * inverse * inverse * Tl;                             \
   cl = -4 * T * inverse * inverse * Tl;                                      \
-  at = q > s ? outside : inside;                                             \
-  at = at + top;                                                             \
-  G = 0;                                                                     \
-  Gx = 0;                                                                    \
-  Gxx = 0;                                                                   \
-  Ge = 0;                                                                    \
-  Gxe = 0;                                                                   \
-  for (int i = 0; i < n; ++i) {                                              \
-    CONTACT_BALL_HORNER(at, nh, e)                                           \
-    Gxx = Gxx * x + 2 * Gx;                                                  \
-    Gx = Gx * x + G;                                                         \
-    G = G * x + g;                                                           \
-    Gxe = Gxe * x + Ge;                                                      \
-    Ge = Ge * x + ge;                                                        \
-    at = at - nh;                                                            \
-  }                                                                          \
-  at = at + past;                                                            \
-  root = sqrt(x) * x;                                                        \
-  power = seven_halves;                                                      \
-  for (int i = 0; i < odd; ++i) {                                            \
-    CONTACT_BALL_HORNER(at, nh, e)                                           \
-    G = G + g * root * x * x;                                                \
-    Gx = Gx + g * root * x * power;                                          \
-    Gxx = Gxx + g * root * power * (power - 1);                              \
-    Ge = Ge + ge * root * x * x;                                             \
-    Gxe = Gxe + ge * root * x * power;                                       \
-    root = root * x;                                                         \
-    power = power + 1;                                                       \
-    at = at + nh;                                                            \
-  }                                                                          \
-  at = at + r_top;                                                           \
-  r = 0;                                                                     \
-  rx = 0;                                                                    \
-  re = 0;                                                                    \
-  for (int i = 0; i < nr; ++i) {                                             \
-    CONTACT_BALL_HORNER(at, nrh, e)                                          \
-    rx = rx * x + r;                                                         \
-    r = r * x + g;                                                           \
-    re = re * x + ge;                                                        \
-    at = at - nrh;                                                           \
-  }                                                                          \
   K = s * s / (c * c * wide * wide * wide);                                  \
   xa = q > s ? -2 * K * sa : q / drop;                                       \
   xaa = q > s ? -2 * K * (q * q + 3 * sa * sa) / wide : -sa / drop;          \
@@ -222,11 +173,11 @@
   xal = q > s ? 4 * K * sa / wide : q * cl / (drop * drop);                  \
   H = q > s ? f * q : f * s;                                                 \
   Ha = q > s ? -f * sa : 0;                                                  \
-  Haa = q > s ? -f * q : 0;                                                  \
   Hl = q > s ? 0 : f * sl;                                                   \
   Gl = Gx * xl + Ge * el;                                                    \
   Pl = Hl * G + H * Gl;                                                      \
-  Paa = Haa * G + 2 * Ha * Gx * xa + H * (Gxx * xa * xa + Gx * xaa);         \
+  Paa = q > s ? -Phi : 0;                                                    \
+  Paa = Paa + 2 * Ha * Gx * xa + H * (Gxx * xa * xa + Gx * xaa);             \
   Pal = Ha * Gl + Hl * Gx * xa + H * ((Gxx * xl + Gxe * el) * xa + Gx * xal);\
   Pq = q > s ? Ha * (G + 2 * b) / wide : f * b;                              \
   force = F * q;                                                             \
@@ -259,61 +210,43 @@
 
 #define CONTACT_BALL_GRADIENT                                                \
   CONTACT_BALL_FRICTION                                                      \
-  Real place, ge, Tl, el, sl, cl, Gxx, Ge, Gxe, rx, re, xa, xaa, xl, xal, H, \
-      Ha, Haa, Hl, Gl, Pl, Paa, Pal, Pq, force, Fa, Fl, speed, sign, d0, d1, \
-      d2, t0, t1, t2, n0, n1, n2, j0, j1, j2, p0, p1, p2, Cn, Cj, Ct, X00,   \
-      X01, X02, X10, X11, X12, X20, X21, X22, W00, W01, W02, W10, W11, W12,  \
-      W20, W21, W22;                                                         \
   CONTACT_BALL_SLOPES                                                        \
   D = 1 + (force + Fl) * force - Fa * F * sa;                                \
   sign = cbs < 0 ? -1 : 1;                                                   \
-  sa = sign * sa;                                                            \
-  Pal = sign * Pal;                                                          \
-  Pq = sign * Pq;                                                            \
-  Fa = sign * Fa;                                                            \
+  sa = sign * sa; Pa = sign * Pa; Pal = sign * Pal;                          \
+  Pq = sign * Pq; Fa = sign * Fa;                                            \
   h = still == 0 ? 0 : -radius;                                              \
   speed = still == 0 ? 1 : big * length;                                     \
   K = 5 * abs(u0) < 3 ? 1 : 0;                                               \
   e0 = sb == 0 ? K : e0;                                                     \
   e1 = sb == 0 ? 1 - K : e1;                                                 \
   e2 = sb == 0 ? 0 : e2;                                                     \
-  K = u0 * e0 + u1 * e1 + u2 * e2;                                           \
-  k0 = u1 * e2 - u2 * e1;                                                    \
-  k1 = u2 * e0 - u0 * e2;                                                    \
-  k2 = u0 * e1 - u1 * e0;                                                    \
-  size = sqrt(k0 * k0 + k1 * k1 + k2 * k2);                                  \
+  K = CONTACT_DOT(u, e);                                                     \
+  CONTACT_CROSS(u, e)                                                        \
+  size = CONTACT_LENGTH(k);                                                  \
   size = size == 0 ? 1 : size;                                               \
-  CONTACT_BALL_VECTORS(0)                                                    \
-  CONTACT_BALL_VECTORS(1)                                                    \
-  CONTACT_BALL_VECTORS(2)                                                    \
-  CONTACT_BALL_ROW(0)                                                        \
-  CONTACT_BALL_ROW(1)                                                        \
-  CONTACT_BALL_ROW(2)
+  CONTACT_EACH(CONTACT_BALL_VECTORS)                                         \
+  CONTACT_EACH(CONTACT_BALL_ROW)
 
 #define CONTACT_BALL_HOLD                                                    \
-  CONTACT_BALL_VARIABLES                                                     \
-  Real along, across, cot, log_cot, J, Z, force, cg2, both, part, used;      \
   CONTACT_BALL_LOAD                                                          \
-  big = sqrt(m[0] * m[0] + m[1] * m[1] + m[2] * m[2]);                       \
-  along = abs(m[0] * R[0] + m[1] * R[1] + m[2] * R[2]) / size;               \
+  m0 = m[0]; m1 = m[1]; m2 = m[2];                                           \
+  big = CONTACT_LENGTH(m);                                                   \
+  along = abs(CONTACT_DOT(m, e));                                            \
   along = along < tiny ? tiny : along;                                       \
-  k0 = m[1] * R[2] - m[2] * R[1];                                            \
-  k1 = m[2] * R[0] - m[0] * R[2];                                            \
-  k2 = m[0] * R[1] - m[1] * R[0];                                            \
-  across = sqrt(k0 * k0 + k1 * k1 + k2 * k2) / size;                         \
+  CONTACT_CROSS(m, e)                                                        \
+  across = CONTACT_LENGTH(k);                                                \
   across = across < tiny ? tiny : across;                                    \
   normal = held;                                                             \
   cot = across / along;                                                      \
   cot = cot > largest ? largest : cot;                                       \
-  both = 1;                                                                  \
-  last = log(cot);                                                           \
-  offset = 0;                                                                \
+  both = 1; last = log(cot); offset = 0;                                     \
   for (int j = 0; j < hold_rounds; ++j) {                                    \
     log_cot = log(cot);                                                      \
     sa = 1 / sqrt(1 + cot * cot);                                            \
     q = cot * sa;                                                            \
     t = (log(normal) - middle) / half;                                       \
-    CONTACT_BALL_AT                                                          \
+    CONTACT_BALL_AT(CONTACT_LEFT_OUT)                                        \
     J = q * Phi - sa * Pa;                                                   \
     Z = sa * Phi + q * Pa;                                                   \
     force = F * q;                                                           \
@@ -329,47 +262,38 @@
     rate = log_cot == last ? 1 : (h - offset) / rate;                        \
     rate = 10 * rate > 3 ? rate : 1;                                         \
     rate = rate < 3 ? rate : 1;                                              \
-    last = log_cot;                                                          \
-    offset = h;                                                              \
+    last = log_cot; offset = h;                                              \
     cot = exp(log_cot - h / rate);                                           \
     cot = cot > largest ? largest : cot;                                     \
   }                                                                          \
   used = big * held / (radius * normal * sqrt(both) * load);                 \
   used = big == 0 ? 0 : used;
 
-#define CONTACT_BALL_CONSTANTS(X)                                            \
-  X(radius) X(side) X(low) X(high) X(middle) X(half) X(T_middle) X(T_half)   \
-  X(top) X(past) X(r_top) X(share) X(other) X(seven_halves) X(tiny) X(largest) X(tolerance)
-// clang-format on
+#define CONTACT_BALL_VARIABLES                                               \
+  Real T, inverse, s, drop, c, e, wide, x, at, G, Gx, root, power, g, r, b,  \
+      Y, F, Phi, Pa;
 
-// Float takes whole numbers as they are.
-#pragma GCC diagnostic push
-#pragma GCC diagnostic ignored "-Wconversion"
+// Coefficients of t in T; powers of x in G, of e in each, and odd powers; the
+// same of r; evaluations; where the coefficients of a side begin.
+#define CONTACT_BALL_COUNTS(X)                                               \
+  X(nT) X(n) X(nh) X(odd) X(nr) X(nrh) X(rounds) X(inside) X(outside)
+#define CONTACT_BALL_REALS(X)                                                \
+  X(tolerance) X(radius) X(side) X(low) X(high) X(middle) X(half) X(T_middle)\
+  X(T_half) X(share) X(tiny)
+// clang-format on
 
 namespace contact::detail {
 
-/// Counts of the coefficients of a ball's law, and of evaluations.
-struct BallCounts {
-  int nT;   ///< powers of t in T
-  int n;    ///< powers x^0, x^1, ...
-  int nh;   ///< powers of e in each
-  int odd;  ///< further powers, x^(7/2), x^(9/2), ...
-  int nr;   ///< powers of x of the force over sigma_Y
-  int nrh;  ///< powers of e in each
-  int rounds;
-  double residual;  ///< relative, of the last one
-};
-
-/// The law in double or float. The table: T; inside powers with theirs in e,
-/// ratio; outside the same.
+/// The law in double or float. `tolerance` is the relative residual of the last
+/// evaluation. The table: T; inside G with its odd powers, r; outside the same.
 template <class Real>
-struct BallLaw : BallCounts {
-#define CONTACT_MEMBER(name) Real name = 0;
-  CONTACT_BALL_CONSTANTS(CONTACT_MEMBER)
-#undef CONTACT_MEMBER
-  static constexpr int hold_rounds = 8;
-  int inside = 0;
-  int outside = 0;
+struct BallLaw {
+#define CONTACT_COUNT(name) int name = 0;
+#define CONTACT_REAL(name) Real name = 0;
+  CONTACT_BALL_COUNTS(CONTACT_COUNT)
+  CONTACT_BALL_REALS(CONTACT_REAL)
+#undef CONTACT_COUNT
+#undef CONTACT_REAL
   std::vector<Real> table = {};
 
   Real poly(Real first, int count, Real argument) const {
@@ -379,54 +303,31 @@ struct BallLaw : BallCounts {
     }
     return sum;
   }
+
+// Float takes whole numbers as they are.
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wconversion"
+  /// Friction force and both moments over rho at an axis, with f = 1: over R_n.
+  FrictionTriple at_axis(Real t, Real sa, Real q) const {
+    using std::sqrt;
+    CONTACT_BALL_VARIABLES
+    const Real f = 1;
+    CONTACT_BALL_AT(CONTACT_LEFT_OUT)
+    return {F * q, q * Phi - sa * Pa, sa * Phi + q * Pa};
+  }
   void friction(const Real* R, const Real* w, Real f, Real* M) const {
     using std::abs, std::log, std::sqrt;
+    CONTACT_BALL_VARIABLES
+    Real t, sa, q, load, size, held, big, k0, k1, k2, last, offset, rate, h,
+        normal, u0, u1, u2, e0, e1, e2, length, log_R, sb2, sb, cbs, cb, K, B,
+        D, y, tangent, d, cg2, cg, cs, turn, still, M0, M1, M2, flag;
     CONTACT_BALL_FRICTION
     M[0] = M0;
     M[1] = M1;
     M[2] = M2;
     (void)flag;
   }
-};
-
 #pragma GCC diagnostic pop
-
-template <class To>
-BallLaw<To> ball_law_in(const BallLaw<double>& law) {
-  BallLaw<To> other{static_cast<const BallCounts&>(law)};
-#define CONTACT_COPIED(name) other.name = static_cast<To>(law.name);
-  CONTACT_BALL_CONSTANTS(CONTACT_COPIED)
-#undef CONTACT_COPIED
-  other.inside = law.inside;
-  other.outside = law.outside;
-  other.table.assign(law.table.begin(), law.table.end());
-  return other;
-}
-
-inline Constants ball_constants(const BallLaw<double>& law) {
-  Constants all;
-  auto& to = all.numbers;
-#define CONTACT_NAMED(name) to[#name] = double(law.name);
-  CONTACT_BALL_CONSTANTS(CONTACT_NAMED)
-  CONTACT_NAMED(nT)
-  CONTACT_NAMED(n)
-  CONTACT_NAMED(nh)
-  CONTACT_NAMED(odd)
-  CONTACT_NAMED(nr)
-  CONTACT_NAMED(nrh)
-  CONTACT_NAMED(rounds)
-  CONTACT_NAMED(hold_rounds)
-  CONTACT_NAMED(inside)
-  CONTACT_NAMED(outside)
-#undef CONTACT_NAMED
-  return all;
-}
-
-inline constexpr std::string_view ball_friction_formula =
-    CONTACT_TEXT_OF(CONTACT_BALL_FRICTION);
-inline constexpr std::string_view ball_gradient_formula =
-    CONTACT_TEXT_OF(CONTACT_BALL_GRADIENT);
-inline constexpr std::string_view ball_hold_formula =
-    CONTACT_TEXT_OF(CONTACT_BALL_HOLD);
+};
 
 }  // namespace contact::detail

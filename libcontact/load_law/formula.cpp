@@ -1,6 +1,7 @@
 #include "libcontact/load_law/formula.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -28,9 +29,8 @@ std::string polynomial(const std::vector<double>& c, std::string_view x,
 std::string word(const std::smatch& found, const Constants& constants,
                  const Notation& in) {
   const std::string name = found[1];
-  const std::string index = found[2];
-  if (!index.empty()) return filled_in(in.component, name, index);
-  if (name.find_first_not_of("0123456789") == std::string::npos) {
+  if (found[2].matched) return filled_in(in.component, name, found[2].str());
+  if (name.find_first_not_of("0123456789") == name.npos) {
     return filled_in(in.whole, name);
   }
   const auto number = constants.numbers.find(name);
@@ -41,12 +41,9 @@ std::string word(const std::smatch& found, const Constants& constants,
   if (c != constants.polynomials.end()) {
     return polynomial(c->second, found[3].str(), in);
   }
-  constexpr std::string_view known[] = {"sqrt", "log", "abs", "exp"};
+  constexpr std::string_view known[] = {"sqrt", "log", "abs", "exp", "poly"};
   const auto at = std::ranges::find(known, name) - std::begin(known);
-  const std::string_view function = at < 4           ? in.functions[at]
-                                    : name == "poly" ? "NAME_poly"
-                                                     : std::string_view(name);
-  return std::string(function) +
+  return (at < 5 ? std::string(in.functions[at]) : name) +
          (found[3].matched ? '(' + found[3].str() + ')' : "");
 }
 
@@ -67,51 +64,55 @@ std::string expression(const std::string& text, const Constants& constants,
 }  // namespace
 
 std::string printed(std::string_view formula, const Constants& constants,
-                    const Notation& in, std::string_view indent) {
+                    const Language& language) {
   static const std::regex& statement = *new std::regex(
-      R"(\s*(?:Real ([^;]+);|for \(int (\w) = 0; \w < (\w+); \+\+\w\) \{|(\})|)"
-      R"(if \(([^;]+)\) break;|(\w+) = ([^;?]+)(?:\? ([^;:]+) : ([^;]+))?;))");
+      R"(\s*(?:for \(int (\w) = 0; \w < (\w+); \+\+\w\) \{|(\})|)"
+      R"(if \(([^;]+)\) break;|(\w+) = ([^;?]+?)(?: \? ([^;:]+) : ([^;]+))?;))");
+  const Notation& in = language.notation;
   const auto of = [&](const auto& part) {
     return expression(part.str(), constants, in);
   };
+  std::vector<std::string> names;
   std::string out;
-  std::string margin(indent);
+  std::string margin(language.indent);
   const std::string text(formula);
   for (std::sregex_iterator i(text.begin(), text.end(), statement), end;
        i != end; ++i) {
     const std::smatch& part = *i;
     std::string line;
-    if (part[4].matched) margin.resize(margin.size() - indent.size());
-    if (part[1].matched) line = filled_in(in.declared, part[1].str());
-    if (part[2].matched) {
-      line = filled_in(in.loop, part[2].str(),
-                       constants.numbers.at(part[3].str()));
-    }
-    if (part[4].matched) line = in.end;
-    if (part[5].matched) line = filled_in(in.leave, of(part[5]));
-    if (part[6].matched) {
-      std::string value = of(part[7]);
-      if (part[8].matched) {
-        value.pop_back();  // the space before ?
-        value = filled_in(in.choice, value, of(part[8]), of(part[9]));
-      }
-      line = filled_in(in.assigned, part[6].str(), value);
+    if (part[1].matched) {
+      line = filled_in(in.loop, part[1].str(),
+                       constants.numbers.at(part[2].str()));
+    } else if (part[3].matched) {
+      margin.resize(margin.size() - language.indent.size());
+      line = in.end;
+    } else if (part[4].matched) {
+      line = filled_in(in.leave, of(part[4]));
+    } else {
+      const std::string name = part[5];
+      if (!std::ranges::count(names, name)) names.push_back(name);
+      line = filled_in(in.assigned, name,
+                       part[7].matched ? filled_in(in.choice, of(part[6]),
+                                                   of(part[7]), of(part[8]))
+                                       : of(part[6]));
     }
     if (!line.empty()) out += margin + line + '\n';
-    if (part[2].matched) margin += indent;
+    if (part[1].matched) margin += language.indent;
   }
-  return out;
+  if (in.declared.empty()) return out;
+  return fmt::format("{}{}\n{}", language.indent,
+                     filled_in(in.declared, fmt::join(names, ", ")), out);
 }
 
 std::string real_text(double x) {
   std::string text = fmt::format("{}", x);
-  if (text.find('.') != std::string::npos) return text;
+  if (text.find('.') != text.npos) return text;
   return text.insert(std::min(text.size(), text.find('e')), ".0");
 }
 
 std::string replaced(std::string text, std::string_view word,
                      std::string_view by) {
-  for (std::size_t at = 0; (at = text.find(word, at)) != std::string::npos;
+  for (std::size_t at = 0; (at = text.find(word, at)) != text.npos;
        at += by.size()) {
     text.replace(at, word.size(), by);
   }

@@ -1,6 +1,7 @@
 #include "libcontact/load_law/languages.hpp"
 
 #include <algorithm>
+#include <string>
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
@@ -9,142 +10,110 @@
 namespace contact::detail {
 namespace {
 
+constexpr std::string_view c_loop = "for (int {0} = 0; {0} < {1}; ++{0}) {{";
+
+// clang-format off
 constexpr Notation c_notation = {
-    .whole = "{0}",
-    .real = "(KREAL){0}",
-    .declared = "KREAL {0};",
-    .assigned = "{0} = {1};",
-    .choice = "{0} ? {1} : {2}",
-    .component = "{0}[{1}]",
-    .loop = "for (int {0} = 0; {0} < {1}; ++{0}) {{",
-    .end = "}",
-    .leave = "if ({0}) break;",
-    .functions = {"sqrt", "log", "fabs", "exp"}};
-
-constexpr Notation js_notation = [] {
-  Notation js = c_notation;
-  js.real = "{0}";
-  js.declared = "let {0};";
-  js.loop = "for (let {0} = 0; {0} < {1}; ++{0}) {{";
-  js.functions = {"Math.sqrt", "Math.log", "Math.abs", "Math.exp"};
-  return js;
-}();
-
-constexpr Notation glsl_notation = [] {
-  Notation glsl = c_notation;
-  glsl.whole = "{0}.0";
-  glsl.real = "{0}";
-  glsl.declared = "float {0};";
-  glsl.functions[2] = "abs";
-  return glsl;
-}();
-
+    "{0}", "(KREAL){0}", "KREAL {0};", "{0} = {1};", "{0} ? {1} : {2}",
+    "{0}[{1}]", c_loop, "}", "if ({0}) break;",
+    {"sqrt", "log", "fabs", "exp", "NAME_poly"}};
+constexpr Notation glsl_notation = {
+    "{0}.0", "{0}", "float {0};", "{0} = {1};", "{0} ? {1} : {2}",
+    "{0}[{1}]", c_loop, "}", "if ({0}) break;",
+    {"sqrt", "log", "abs", "exp", "NAME_poly"}};
+constexpr Notation js_notation = {
+    "{0}", "{0}", "let {0};", "{0} = {1};", "{0} ? {1} : {2}",
+    "{0}[{1}]", "for (let {0} = 0; {0} < {1}; ++{0}) {{", "}", "if ({0}) break;",
+    {"Math.sqrt", "Math.log", "Math.abs", "Math.exp", "NAME_poly"}};
 constexpr Notation python_notation = {
-    .whole = "{0}",
-    .real = "{0}",
-    .declared = "",
-    .assigned = "{0} = {1}",
-    .choice = "xp.where({0}, {1}, {2})",
-    .component = "{0}[..., {1}]",
-    .loop = "for {0} in range({1}):",
-    .end = "",
-    .leave = "",
-    .functions = {"xp.sqrt", "xp.log", "xp.abs", "xp.exp"}};
+    "{0}", "{0}", "", "{0} = {1}", "xp.where({0}, {1}, {2})",
+    "{0}[..., {1}]", "for {0} in range({1}):", "", "",
+    {"xp.sqrt", "xp.log", "xp.abs", "xp.exp", "NAME_poly"}};
+constexpr Notation st_notation = {
+    "{0}.0", "{0}", "VAR {0} : LREAL; END_VAR", "{0} := {1};", "SEL({0}, {2}, {1})",
+    "", "", "", "",
+    {"SQRT", "LN", "ABS", "EXP", ""}};
+// clang-format on
 
-// There are no loops for pins.
-constexpr Notation st_notation = {.whole = "{0}.0",
-                                  .real = "{0}",
-                                  .declared = "VAR {0} : LREAL; END_VAR",
-                                  .assigned = "{0} := {1};",
-                                  .choice = "SEL({0}, {2}, {1})",
-                                  .component = "{0}[{1}]",
-                                  .loop = "",
-                                  .end = "",
-                                  .leave = "",
-                                  .functions = {"SQRT", "LN", "ABS", "EXP"}};
+constexpr std::string_view c_pin = R"(
+KDEF KREAL NAME(KREAL load@, KREAL f@, KREAL *dM) {
+{MOMENT}  if (dM) *dM = slope;
+  return moment;
+}
+)";
 
-constexpr Language c = {
-    .name = "c",
-    .comment = "// ",
-    .indent = "  ",
-    .notation = c_notation,
-    .prelude = R"(#include <math.h>
-#ifndef KREAL
-#define KREAL double
-#endif
-#ifndef KDEF
-#define KDEF static inline
-#endif
-)",
-    .table = R"(KDEF KREAL NAME_poly(KREAL first, KREAL count, KREAL x) {
+constexpr std::string_view c_ball = R"(
+KDEF KREAL NAME_poly(KREAL first, KREAL count, KREAL x) {
   static const KREAL c[] = {TABLE};
   KREAL sum = 0;
   for (int i = (int)count - 1; i >= 0; --i) sum = sum * x + c[(int)first + i];
   return sum;
 }
-)",
-    .pin = {"KDEF KREAL NAME(KREAL load, KREAL f, KREAL *dM) {",
-            "  if (dM) *dM = slope;\n  return moment;\n}"},
-    .ball = {"KDEF int NAME(const KREAL R[3], const KREAL w[3], KREAL f, "
-             "KREAL M[3],\n                KREAL *normal_force) {",
-             "  M[0] = M0;\n  M[1] = M1;\n  M[2] = M2;\n"
-             "  if (normal_force) *normal_force = normal;\n"
-             "  return (int)flag;\n}"},
-    .hold = {"KDEF KREAL NAME_hold(const KREAL R[3], const KREAL m[3], "
-             "KREAL f) {",
-             "  return used;\n}"},
-    .gradient = {"KDEF int NAME_gradient(const KREAL R[3], const KREAL w[3], "
-                 "KREAL f,\n    KREAL dM_dR[9], KREAL dM_dw[9]) {",
-                 "  const KREAL r9[] = {DM_DR};\n"
-                 "  const KREAL w9[] = {DM_DW};\n"
-                 "  for (int i = 0; i < 9; ++i) {\n"
-                 "    dM_dR[i] = r9[i];\n    dM_dw[i] = w9[i];\n  }\n"
-                 "  return (int)flag;\n}"},
-    .was_run = true};
+KDEF int NAME(const KREAL R[3], const KREAL w[3], KREAL f, KREAL M[3],
+                KREAL *normal_force) {
+{FRICTION}  M[0] = M0;
+  M[1] = M1;
+  M[2] = M2;
+  if (normal_force) *normal_force = normal;
+  return (int)flag;
+}
+KDEF KREAL NAME_hold(const KREAL R[3], const KREAL m[3], KREAL f) {
+{HOLD}  return used;
+}
+KDEF int NAME_gradient(const KREAL R[3], const KREAL w[3], KREAL f,
+    KREAL dM_dR[9], KREAL dM_dw[9]) {
+{GRADIENT}  const KREAL r9[] = {DM_DR};
+  const KREAL w9[] = {DM_DW};
+  for (int i = 0; i < 9; ++i) {
+    dM_dR[i] = r9[i];
+    dM_dw[i] = w9[i];
+  }
+  return (int)flag;
+}
+)";
 
-constexpr Language cuda = [] {
-  Language language = c;
-  language.name = "cuda";
-  language.prelude = R"(#ifndef KREAL
+constexpr std::string_view c_prelude = R"(#include <math.h>
+#ifndef KREAL
+#define KREAL double
+#endif
+#ifndef KDEF
+#define KDEF static inline
+#endif)";
+
+constexpr std::string_view cuda_prelude = R"(#ifndef KREAL
 #define KREAL float
 #endif
 #ifndef KDEF
 #define KDEF __host__ __device__ static inline
-#endif
-)";
-  language.was_run = false;
-  return language;
-}();
+#endif)";
 
-constexpr Language js = {
-    .name = "js",
-    .comment = "// ",
-    .indent = "  ",
-    .notation = js_notation,
-    .prelude = "",
-    .table = R"(const NAME_table = [TABLE];
+constexpr std::string_view js_pin = R"(export function NAME(load@, f = F0@) {
+{MOMENT}  return [moment, slope];
+}
+)";
+
+constexpr std::string_view js_ball = R"(const NAME_table = [TABLE];
 function NAME_poly(first, count, x) {
   let sum = 0;
   for (let i = count - 1; i >= 0; --i) sum = sum * x + NAME_table[first + i];
   return sum;
 }
-)",
-    .pin = {"export function NAME(load, f = F0) {",
-            "  return [moment, slope];\n}"},
-    .ball = {"export function NAME(R, w, f = F0) {",
-             "  return [[M0, M1, M2], normal, flag];\n}"},
-    .hold = {"export function NAME_hold(R, m, f = F0) {", "  return used;\n}"},
-    .gradient = {"export function NAME_gradient(R, w, f = F0) {",
-                 "  return [[DM_DR], [DM_DW], flag];\n}"},
-    .was_run = true};
+export function NAME(R, w, f = F0) {
+{FRICTION}  return [[M0, M1, M2], normal, flag];
+}
+export function NAME_hold(R, m, f = F0) {
+{HOLD}  return used;
+}
+export function NAME_gradient(R, w, f = F0) {
+{GRADIENT}  return [[DM_DR], [DM_DW], flag];
+}
+)";
 
-constexpr Language numpy = {
-    .name = "numpy",
-    .comment = "# ",
-    .indent = "    ",
-    .notation = python_notation,
-    .prelude = "import numpy as xp\n\n\n",
-    .table = R"(NAME_table = xp.array([TABLE])
+constexpr std::string_view python_pin = R"(def NAME(load@, f=F0@):
+{MOMENT}    return moment, slope
+)";
+
+constexpr std::string_view python_ball = R"(NAME_table = xp.array([TABLE])
 
 
 def NAME_poly(first, count, x):
@@ -155,81 +124,77 @@ def NAME_poly(first, count, x):
     return total
 
 
-)",
-    .pin = {"def NAME(load, f=F0):", "    return moment, slope"},
-    .ball = {"def NAME(R, w, f=F0):",
-             "    return xp.stack([M0, M1, M2], -1), normal, flag\n\n"},
-    .hold = {"def NAME_hold(R, m, f=F0):", "    return used\n\n"},
-    .gradient = {"def NAME_gradient(R, w, f=F0):",
-                 "    all = xp.stack(xp.broadcast_arrays(DM_DR, DM_DW), -1)\n"
-                 "    all = all.reshape(flag.shape + (2, 3, 3))\n"
-                 "    return all[..., 0, :, :], all[..., 1, :, :], flag"},
-    .was_run = true};
+def NAME(R, w, f=F0):
+{FRICTION}    return xp.stack([M0, M1, M2], -1), normal, flag
 
-constexpr Language jax = [] {
-  Language language = numpy;
-  language.name = "jax";
-  language.prelude = "import jax.numpy as xp\n\n\n";
-  language.was_run = false;
-  return language;
-}();
 
-constexpr Language glsl = {
-    .name = "glsl",
-    .comment = "// ",
-    .indent = "  ",
-    .notation = glsl_notation,
-    .prelude = "",
-    .table = R"(const float NAME_table[] = float[](TABLE);
+def NAME_hold(R, m, f=F0):
+{HOLD}    return used
+
+
+def NAME_gradient(R, w, f=F0):
+{GRADIENT}    all = xp.stack(xp.broadcast_arrays(DM_DR, DM_DW), -1)
+    all = all.reshape(flag.shape + (2, 3, 3))
+    return all[..., 0, :, :], all[..., 1, :, :], flag
+)";
+
+constexpr std::string_view glsl_pin =
+    R"(float NAME(float load@, float f@, out float dM) {
+{MOMENT}  dM = slope;
+  return moment;
+}
+)";
+
+constexpr std::string_view glsl_ball =
+    R"(const float NAME_table[] = float[](TABLE);
 float NAME_poly(float first, float count, float x) {
   float sum = 0.0;
   for (int i = int(count) - 1; i >= 0; --i)
     sum = sum * x + NAME_table[int(first) + i];
   return sum;
 }
-)",
-    .pin = {"float NAME(float load, float f, out float dM) {",
-            "  dM = slope;\n  return moment;\n}"},
-    .ball = {"int NAME(vec3 R, vec3 w, float f, out vec3 M, "
-             "out float normal_force) {",
-             "  M = vec3(M0, M1, M2);\n  normal_force = normal;\n"
-             "  return int(flag);\n}"},
-    .hold = {"float NAME_hold(vec3 R, vec3 m, float f) {", "  return used;\n}"},
-    .gradient = {"int NAME_gradient(vec3 R, vec3 w, float f, out mat3 dM_dR, "
-                 "out mat3 dM_dw) {",
-                 "  dM_dR = transpose(mat3(DM_DR));\n"
-                 "  dM_dw = transpose(mat3(DM_DW));\n  return int(flag);\n}"}};
+int NAME(vec3 R, vec3 w, float f, out vec3 M, out float normal_force) {
+{FRICTION}  M = vec3(M0, M1, M2);
+  normal_force = normal;
+  return int(flag);
+}
+float NAME_hold(vec3 R, vec3 m, float f) {
+{HOLD}  return used;
+}
+int NAME_gradient(vec3 R, vec3 w, float f, out mat3 dM_dR, out mat3 dM_dw) {
+{GRADIENT}  dM_dR = transpose(mat3(DM_DR));
+  dM_dw = transpose(mat3(DM_DW));
+  return int(flag);
+}
+)";
 
-constexpr Language st = {
-    .name = "st",
-    .comment = "// ",
-    .indent = "  ",
-    .notation = st_notation,
-    .prelude = "",
-    .table = "",
-    .pin = {"FUNCTION NAME : LREAL\n  VAR_INPUT load, f : LREAL; END_VAR\n"
-            "  VAR_OUTPUT dM : LREAL; END_VAR",
-            "  dM := slope;\n  NAME := moment;\nEND_FUNCTION"}};
+constexpr std::string_view st_pin = R"(FUNCTION NAME : LREAL
+  VAR_INPUT load@, f@ : LREAL; END_VAR
+  VAR_OUTPUT dM : LREAL; END_VAR
+{MOMENT}  dM := slope;
+  NAME := moment;
+END_FUNCTION
+)";
 
-constexpr const Language* languages[] = {&c,  &cuda,  &glsl, &jax,
-                                         &js, &numpy, &st};
+constexpr Language languages[] = {
+    {"c", "// ", "  ", c_notation, c_prelude, c_pin, c_ball, true},
+    {"cuda", "// ", "  ", c_notation, cuda_prelude, c_pin, c_ball, false},
+    {"glsl", "// ", "  ", glsl_notation, "", glsl_pin, glsl_ball, false},
+    {"jax", "# ", "    ", python_notation, "import jax.numpy as xp\n\n\n",
+     python_pin, python_ball, false},
+    {"js", "// ", "  ", js_notation, "", js_pin, js_ball, true},
+    {"numpy", "# ", "    ", python_notation, "import numpy as xp\n\n\n",
+     python_pin, python_ball, true},
+    {"st", "// ", "  ", st_notation, "", st_pin, "", false}};
 
 }  // namespace
 
 const Language& language(std::string_view name) {
-  const auto found = std::ranges::find(
-      languages, name, [](const Language* one) { return one->name; });
-  if (found != std::end(languages)) return **found;
+  const auto found = std::ranges::find(languages, name, &Language::name);
+  if (found != std::end(languages)) return *found;
   std::vector<std::string> names;
-  for (const Language* one : languages) names.emplace_back(one->name);
+  for (const Language& one : languages) names.emplace_back(one.name);
   throw Error(unknown("language", name, names));
-}
-
-std::string written(std::string_view formula, const Constants& constants,
-                    const Language& in, const Function& as) {
-  return std::string(as.open) + '\n' +
-         printed(formula, constants, in.notation, in.indent) +
-         std::string(as.close) + '\n';
 }
 
 }  // namespace contact::detail

@@ -4,6 +4,7 @@
 
 #include <Eigen/QR>
 #include <limits>
+#include <numbers>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
@@ -36,6 +37,25 @@ MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
   return best;
 }
 
+Eigen::MatrixXd powers(const Eigen::ArrayXd& x, int count,
+                       const Eigen::ArrayXd& y) {
+  Eigen::MatrixXd a(x.size(), count);
+  a.col(0) = y;
+  for (int i = 1; i < count; ++i) a.col(i) = a.col(i - 1).array() * x;
+  return a;
+}
+
+Eigen::ArrayXd nodes(int count) {
+  return 0.5 - 0.5 * ((Eigen::ArrayXd::LinSpaced(count, 0, count - 1) + 0.5) *
+                      (std::numbers::pi / count))
+                         .cos();
+}
+
+FrictionLaw dry_friction(const Joint& joint) {
+  const auto* dry = std::get_if<FrictionLaw>(&joint.contact().friction());
+  return dry == nullptr ? FrictionLaw(0) : *dry;
+}
+
 void check_endless(const Joint& joint) {
   if (joint.is_endless()) return;
   throw Error(needs("a load law",
@@ -43,10 +63,14 @@ void check_endless(const Joint& joint) {
                     "without_seat() and without_relief()"));
 }
 
-void check_loads(double low, double high) {
-  if (low > 0 && low < high) return;
-  throw Error(must_be(message("the loads {} and {} N of a load law", low, high),
-                      "above 0, the first one less"));
+std::pair<double, double> loads_of(
+    const std::optional<std::pair<double, double>>& given, double unit,
+    double low, double high) {
+  const auto loads = given.value_or(std::pair(low * unit, high * unit));
+  if (loads.first > 0 && loads.first < loads.second) return loads;
+  throw Error(must_be(
+      message("the loads {} and {} N of a load law", loads.first, loads.second),
+      "above 0, the first one less"));
 }
 
 Error out_of_reach(double wanted, double best) {

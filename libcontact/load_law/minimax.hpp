@@ -1,6 +1,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
+#include <utility>
 
 #include "libcontact/base/error.hpp"
 #include "libcontact/joint/joint.hpp"
@@ -19,10 +21,21 @@ struct MinimaxFit {
 MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
                        int rows_of_one = 1, int rounds = 15);
 
+/// Columns y, x y, x^2 y, ...
+Eigen::MatrixXd powers(const Eigen::ArrayXd& x, int count,
+                       const Eigen::ArrayXd& y);
+/// Points of (0, 1), denser at both ends.
+Eigen::ArrayXd nodes(int count);
+
+/// f0 and adhesion of dry friction, else 0: of other laws the caller knows f.
+FrictionLaw dry_friction(const Joint& joint);
 /// @throws Error of a joint with rims or ends, which no load alone decides on
 void check_endless(const Joint& joint);
+/// The loads given, or else usual ones, as multiples of `unit`.
 /// @throws Error unless 0 < low < high
-void check_loads(double low, double high);
+std::pair<double, double> loads_of(
+    const std::optional<std::pair<double, double>>& given, double unit,
+    double low, double high);
 /// A law with all its numbers has errors of `best`.
 Error out_of_reach(double wanted, double best);
 

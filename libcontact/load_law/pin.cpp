@@ -13,28 +13,22 @@
 namespace contact {
 namespace {
 
-using Eigen::VectorXd;
+using Eigen::ArrayXd;
+using Form = PinLoadLaw::Form;
 
 constexpr const char* place = "the load law of a pin";
 
-double adhesion_of(const JointContact& contact) {
-  const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
-  return dry == nullptr ? 0 : dry->adhesion();
-}
-
 // f has to be a factor.
 void check_friction(const Joint& pin) {
-  const JointContact& contact = pin.contact();
-  const FrictionStress* stress = contact.stress();
-  const auto* dry = std::get_if<FrictionLaw>(&contact.friction());
-  if (!pin.is_pin() ||
-      !(stress != nullptr ? stress->source().law == "stribeck"
-                          : dry != nullptr && dry->coefficient() > 0)) {
-    throw Error(
-        detail::needs(place,
-                      "a pin with dry friction, with a coefficient above 0, or "
-                      "Stribeck's law"));
+  const FrictionStress* stress = pin.contact().stress();
+  if (pin.is_pin() &&
+      (stress != nullptr ? stress->source().law == "stribeck"
+                         : detail::dry_friction(pin).coefficient() > 0)) {
+    return;
   }
+  throw Error(detail::needs(place,
+                            "a pin with dry friction, with a coefficient above "
+                            "0, or Stribeck's law"));
 }
 
 // A load at which halves pressed into each other part, or else at which the
@@ -46,120 +40,60 @@ double unit_force(const JointContact& contact) {
   return std::isfinite(per_force) ? 1 / per_force : 1;
 }
 
-Joint::Slip state(double load, double rate) {
-  return {{load, 0, 0}, {0, 0, rate}, {0, 0, 1}};
+JointSolution solved(const Joint& pin, double load, double rate) {
+  return pin.solve({{load, 0, 0}, {0, 0, rate}, {0, 0, 1}});
 }
 
-double solved_moment(const Joint& pin, double load) {
-  return -pin.solve(state(load, 1)).friction_moment.z();
-}
-
-// The values of a function at some loads.
-template <class Function>
-VectorXd sampled(const VectorXd& loads, const Function& function) {
-  return loads.unaryExpr([&](double load) {
-    const double value = function(load);
-    if (std::isfinite(value)) return value;
-    throw Error(detail::needs(
-        fmt::format("{}: a load of {} N", place, load),
-        "a half-angle law and a pressure law that have a value there"));
-  });
-}
-
-// S.
-double pressures_over_load(const JointContact& contact, double normal_force) {
-  const double half_angle = contact.half_angle(normal_force).half_angle;
-  return contact.sum_of_pressures(normal_force, half_angle) / normal_force;
-}
-
-// Columns 1, x, x^2, ..., times y.
-Eigen::MatrixXd powers(const VectorXd& x, const VectorXd& y, int count) {
-  Eigen::MatrixXd a(x.size(), count);
-  a.col(0) = y;
-  for (int i = 1; i < count; ++i) a.col(i) = a.col(i - 1).cwiseProduct(x);
-  return a;
-}
-
-// Points of (-1, 1), denser at its ends.
-VectorXd nodes(int count) {
-  return VectorXd::NullaryExpr(count, [=](Eigen::Index i) {
-    return -std::cos(std::numbers::pi * (double(i) + 0.5) / count);
-  });
-}
-
-std::vector<double> numbers_of(const VectorXd& x) {
-  return {x.begin(), x.end()};
-}
-
-constexpr int points = 300;
-
-void fit_clearance(const JointContact& contact, int count, PinLoadLaw& law) {
-  const double unit = unit_force(contact);
-  const VectorXd load = (std::log(law.loads.first) +
-                         (nodes(points).array() + 1) / 2 *
-                             std::log(law.loads.second / law.loads.first))
-                            .exp();
-  const VectorXd sum =
-      sampled(load, [&](double n) { return pressures_over_load(contact, n); });
-  double least = std::numeric_limits<double>::infinity();
-  constexpr int steps = 40;
-  for (int i = 0; i < steps; ++i) {
-    const double scale = unit * 0.03 * std::pow(100, i / (steps - 1.0));
-    const VectorXd u = load.array() / (load.array() + scale);
-    const auto fit = detail::minimax_fit(powers(u, sum.cwiseInverse(), count),
-                                         VectorXd::Ones(points));
-    if (!(fit.error < least)) continue;
-    least = fit.error;
-    law.scale = scale;
-    law.numbers = numbers_of(fit.numbers);
-  }
-}
-
-void fit_interference(const JointContact& contact, int count, PinLoadLaw& law) {
-  law.scale = contact.lift_off_force();
-  const double least = pressures_over_load(contact, law.scale);
-  const double most = std::max(law.loads.second, 2 * law.scale);
-  const VectorXd u =
-      (nodes(points).array() + 1) / 2 * std::sqrt(1 - law.scale / most);
-  const VectorXd load = law.scale / (1 - u.array().square());
-  const VectorXd sum =
-      sampled(load, [&](double n) { return pressures_over_load(contact, n); });
-  const auto fit = detail::minimax_fit(
-      powers(2 * u.array() - 1, u.array().square() / sum.array(), count - 1),
-      1 - least / sum.array());
-  law.numbers = numbers_of(fit.numbers);
-  law.numbers.insert(law.numbers.begin(), least);
-}
-
-void fit_adhesion(const Joint& pin, int count, PinLoadLaw& law) {
-  const auto [low, high] = law.loads;
-  const double middle = std::log(low * high) / 2;
-  const double half = std::log(high / low) / 2;
-  const VectorXd t = nodes(points);
-  const VectorXd load = (middle + half * t.array()).exp();
-  const VectorXd arm = sampled(
-      load, [&](double force) { return solved_moment(pin, force) / force; });
-  const auto fit = detail::minimax_fit(powers(t, arm.cwiseInverse(), count),
-                                       VectorXd::Ones(points));
-  law.numbers = numbers_of(fit.numbers);
+// S, or M/R with adhesion.
+double number_at(const Joint& pin, Form form, double load) {
+  const JointContact& contact = pin.contact();
+  const double value = form == Form::adhesion
+                           ? -solved(pin, load, 1).friction_moment.z() / load
+                           : contact.sum_of_pressures(
+                                 load, contact.half_angle(load).half_angle) /
+                                 load;
+  if (std::isfinite(value)) return value;
+  throw Error(detail::needs(
+      fmt::format("{}: a load of {} N", place, load),
+      "a half-angle law and a pressure law that have a value there"));
 }
 
 void fit(const Joint& pin, int count, PinLoadLaw& law) {
-  switch (law.form) {
-    case PinLoadLaw::Form::clearance:
-      return fit_clearance(pin.contact(), count, law);
-    case PinLoadLaw::Form::interference:
-      return fit_interference(pin.contact(), count, law);
-    case PinLoadLaw::Form::adhesion:
-      return fit_adhesion(pin, count, law);
+  constexpr int points = 300;
+  const ArrayXd t = 2 * detail::nodes(points) - 1;
+  const auto [low, high] = law.loads;
+  const auto at = [&](double load) { return number_at(pin, law.form, load); };
+  const double unit = unit_force(pin.contact());
+  if (law.form == Form::interference) {
+    law.scale = unit;
+    const double least = at(unit);
+    const ArrayXd u =
+        (t + 1) / 2 * std::sqrt(1 - unit / std::max(high, 2 * unit));
+    const ArrayXd sum = (unit / (1 - u.square())).unaryExpr(at);
+    const auto best = detail::minimax_fit(
+        detail::powers(2 * u - 1, count - 1, u.square() / sum),
+        1 - least / sum);
+    law.numbers = {least};
+    law.numbers.insert(law.numbers.end(), best.numbers.begin(),
+                       best.numbers.end());
+    return;
   }
-}
-
-// Loads of the law if none are given: what a clearance needs is known for all.
-std::pair<double, double> usual_loads(const JointContact& contact) {
-  const double unit = unit_force(contact);
-  return adhesion_of(contact) > 0 ? std::pair(1e-3 * unit, 10 * unit)
-                                  : std::pair(1e-6 * unit, 1e4 * unit);
+  const ArrayXd load =
+      (std::log(low) + (t + 1) / 2 * std::log(high / low)).exp();
+  const ArrayXd number = load.unaryExpr(at);
+  const int scales = law.form == Form::adhesion ? 1 : 40;
+  double least = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < scales; ++i) {
+    const double scale =
+        scales == 1 ? 0 : unit * 0.03 * std::pow(100, i / 39.0);
+    const ArrayXd x = scales == 1 ? t : load / (load + scale);
+    const auto one = detail::minimax_fit(
+        detail::powers(x, count, number.inverse()), ArrayXd::Ones(points));
+    if (!(one.error < least)) continue;
+    least = one.error;
+    law.scale = scale;
+    law.numbers = {one.numbers.begin(), one.numbers.end()};
+  }
 }
 
 // Rates about which a coefficient is compared: all of it if it changes.
@@ -178,7 +112,7 @@ void measure(const Joint& pin, PinLoadLaw& law) {
   for (const double rate : rates(pin.contact())) {
     for (int i = 0; i < steps; ++i) {
       const double load = low * std::pow(high / low, (i + 0.5) / steps);
-      const JointSolution exact = pin.solve(state(load, rate));
+      const JointSolution exact = solved(pin, load, rate);
       const double f = exact.friction_force.norm() / exact.normal_force;
       const auto off = [&](double moment) {
         return std::abs(moment / -exact.friction_moment.z() - 1);
@@ -199,13 +133,15 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
   check_friction(pin);
   detail::check_endless(pin);
   const JointContact& contact = pin.contact();
+  const bool sticks = detail::dry_friction(pin).adhesion() > 0;
   PinLoadLaw law;
-  law.loads = loads.value_or(usual_loads(contact));
-  detail::check_loads(law.loads.first, law.loads.second);
+  // What a clearance needs is known for all loads.
+  law.loads = detail::loads_of(loads, unit_force(contact), sticks ? 1e-3 : 1e-6,
+                               sticks ? 10 : 1e4);
   law.radius = contact.geometry().radius();
-  law.form = adhesion_of(contact) > 0     ? PinLoadLaw::Form::adhesion
-             : contact.has_interference() ? PinLoadLaw::Form::interference
-                                          : PinLoadLaw::Form::clearance;
+  law.form = sticks                       ? Form::adhesion
+             : contact.has_interference() ? Form::interference
+                                          : Form::clearance;
   double best = std::numeric_limits<double>::infinity();
   for (const int count : {4, 6, 8, 10, 12}) {
     fit(pin, count, law);

@@ -1,12 +1,12 @@
 """Wrong calls of the compiled functions, said as Python says them."""
 
-import difflib
 import functools
 import inspect
 from collections.abc import Callable, Collection
 from typing import Any, ParamSpec, TypeVar
 
 from . import _core
+from ._examples import near
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -14,10 +14,8 @@ R = TypeVar("R")
 
 def meant(word: str, known: Collection[str]) -> str:
     """The end of a sentence about a word that is not known."""
-    # clearance_um is a part of a name.
-    whole = sorted((k for k in known if word in k), key=len)
-    near = whole or difflib.get_close_matches(word, known, 1)
-    return f". Did you mean '{near[0]}'?" if near else ""
+    names = near(word, known)
+    return f". Did you mean '{names[0]}'?" if names else ""
 
 
 def unexpected_keyword(

@@ -4,7 +4,7 @@ import difflib
 import functools
 import tomllib
 from abc import abstractmethod
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
 from typing import TYPE_CHECKING, Any, TypeVar
@@ -14,6 +14,14 @@ if TYPE_CHECKING:
 
 _data = Path(__file__).parent / "data"
 Value = TypeVar("Value")
+
+
+def near(word: str, known: Collection[str]) -> list[str]:
+    """Names that a word may mean: those that it is a part of, as clearance_um
+    is, the shortest first, or else up to three like it, the best first."""
+    part = word.lower()
+    whole = sorted((name for name in known if part in name.lower()), key=len)
+    return whole or difflib.get_close_matches(word, known, 3)
 
 
 class _Named(Mapping[str, Value]):
@@ -28,10 +36,8 @@ class _Named(Mapping[str, Value]):
         try:
             return self._all[name]
         except KeyError:
-            lower = str(name).lower()
-            near = [known for known in self if lower in known.lower()]
-            near = near or difflib.get_close_matches(str(name), self, 3)
-            said = f"there is {', '.join(map(repr, near or self))}"
+            names = near(str(name), self) or self
+            said = f"there is {', '.join(map(repr, names))}"
             raise KeyError(f"{name}: {said}") from None
 
     def __iter__(self) -> Iterator[str]:
