@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -131,7 +132,10 @@ void write_geometry(Toml& toml, const JointSpec& joint) {
     const SeatEdge& edge = seat->edge();
     if (edge.radius > 0) toml.number("edge_radius_m", edge.radius);
     if (edge.angle) toml.number("edge_angle_rad", *edge.angle);
-    if (edge.side_face == SideFace::free) toml.text("side_face", "free");
+    for (const auto& [key, face] :
+         {std::pair{"side_face", edge.side_face}, {"housing", edge.housing}}) {
+      if (face == SideFace::free) toml.text(key, "free");
+    }
     if (edge.report_distance != SeatEdge().report_distance) {
       toml.number("report_distance_rad", edge.report_distance);
     }

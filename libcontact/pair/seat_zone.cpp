@@ -115,7 +115,11 @@ double SeatZone::nearest(double direction) const {
 double SeatZone::side_angle(int rim) const {
   if (edge_.angle) return *edge_.angle;
   const double opening = rim == 0 ? from_ : pi - to_;
-  return opening < pi / 4 ? pi / 2 + opening : opening;
+  return has_bore(rim) ? pi / 2 + opening : opening;
+}
+
+bool SeatZone::has_bore(int rim) const {
+  return (rim == 0 ? from_ : pi - to_) < pi / 4;
 }
 
 }  // namespace contact

@@ -23,6 +23,10 @@ struct SeatEdge {
   /// Distance of peak pressures and p v from rims, over the radius, (0, 1).
   double report_distance = 0.02;
   SideFace side_face = SideFace::goes_on;
+  /// What an elastic backing behind layers does beside them if the side faces
+  /// are free: free, it ends at faces that run on from where those of the
+  /// layers end, straight from the ball's centre.
+  SideFace housing = SideFace::goes_on;
 
   friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
 };
@@ -113,6 +117,8 @@ class SeatZone {
   /// opening of less than 45 deg about it of a bore.
   /// @param rim  0 the lower, 1 the upper one
   double side_angle(int rim) const;
+  /// Whether side_angle() is that of a bore unless the edge has its own.
+  bool has_bore(int rim) const;
 
   friend bool operator==(const SeatZone&, const SeatZone&) = default;
 

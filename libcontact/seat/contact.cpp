@@ -64,7 +64,8 @@ std::string at_corner(double corner) {
   constexpr double small = -0.005;
   if (std::isnan(exponent)) return "falls to 0";
   if (exponent > small) return "is finite";
-  return detail::message("grows with the distance s like s^{:.2f}", exponent);
+  return detail::message("grows towards it like s^{:.2f}, s the distance",
+                         exponent);
 }
 
 Eigen::Vector2d in_plane(const Eigen::Vector3d& force) {
@@ -84,15 +85,27 @@ SeatContact::SeatContact(const JointSpec& joint, const SeatZone& zone,
                   "longitudes", grid.longitudes, "16 to 720");
   const LayeredPair pair = pair_of(joint);
   surface_layer_ = radius_ * pair.relative_thickness();
-  // Says at once what its side faces do not allow.
-  if (has_free_side_face()) detail::SideFaceMesh(pair, zone);
+  set_rim_warning(pair);
   windows_ = std::make_unique<const detail::SeatWindows>(
       pair, zone, grid.cells, grid.longitudes,
       joint.geometry.radial_clearance());
-  rim_warning_ = std::make_unique<const detail::RimWarning>(pair, zone);
 }
 
 SeatContact::~SeatContact() = default;
+
+// Says at once what its side faces do not allow, and how they are had.
+void SeatContact::set_rim_warning(const LayeredPair& pair) {
+  const SeatEdge& edge = zone_.edge();
+  std::string why = detail::SideFaceMesh(pair, zone_).refusal();
+  if (edge.side_face == SideFace::free) {
+    if (!why.empty()) throw Error(why);
+  } else if (edge.housing == SideFace::free) {
+    throw Error(detail::needs("housing = free", "side_face = free"));
+  }
+  if (why.empty()) why = "side_face = \"free\" of the [seat] computes it";
+  rim_warning_ =
+      std::make_unique<const detail::RimWarning>(pair, zone_, std::move(why));
+}
 
 SeatState SeatContact::under(const Eigen::Vector3d& force) const {
   return under(force, {});
@@ -391,15 +404,7 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
     if (has_free_side_face()) {
-      if (state.rims[rim].half_arc > 0) {
-        all.push_back(detail::message(
-            "the contact is at its {} rim, a corner of {:.4g} deg: nearer to "
-            "it than {:.3g} mm the pressure is the corner's own, which {}, "
-            "and not reported",
-            rim_names[rim], zone_.side_angle(rim) / degree,
-            radius_ * report_distance() * 1e3,
-            at_corner(zone_.side_angle(rim))));
-      }
+      add_side_face_notes(state, rim, all);
       continue;
     }
     if (!is_reached && !(state.rims[rim].distance < rim_warning_->reach(rim))) {
@@ -411,6 +416,31 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
     add_rounding_notes(state, rim, all);
   }
   return all;
+}
+
+// Of a rim whose side face counts.
+void SeatContact::add_side_face_notes(const SeatState& state, int rim,
+                                      std::vector<std::string>& all) const {
+  const double corner = zone_.side_angle(rim);
+  const char* taken =
+      zone_.edge().angle ? "" : ", of a side face that is taken to be ";
+  const char* shape = zone_.edge().angle    ? ""
+                      : zone_.has_bore(rim) ? "a bore"
+                                            : "flat";
+  if (state.rims[rim].half_arc > 0) {
+    all.push_back(detail::message(
+        "the contact is at its {} rim, a corner of {:.4g} deg{}{}: nearer to "
+        "it than {:.3g} mm the pressure is the corner's own, which {}, and not "
+        "reported",
+        rim_names[rim], corner / degree, taken, shape,
+        radius_ * report_distance() * 1e3, at_corner(corner)));
+  } else if (!zone_.edge().angle && !state.is_free &&
+             state.rims[rim].distance < rim_warning_->reach(rim)) {
+    all.push_back(detail::message(
+        "the contact ends beside its {} rim, whose side face counts: a corner "
+        "of {:.4g} deg{}{}; edge_angle of the [seat] says another",
+        rim_names[rim], corner / degree, taken, shape));
+  }
 }
 
 void SeatContact::add_rounding_notes(const SeatState& state, int rim,

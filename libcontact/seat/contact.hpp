@@ -71,7 +71,8 @@ struct RoundedRim {
 /// The exact contact of a ball in a seat that ends at rims: a ring, a cup, a
 /// socket, for any elastic pair and any walls, under any load. The bodies go on
 /// beyond the rims as they do in the laws without rims; only the contact ends
-/// there. What that leaves out, 0 to 68 %, says docs/explanation/seats.md.
+/// there, unless SideFace::free. What that leaves out, 0 to 68 %, says
+/// docs/explanation/seats.md.
 ///
 /// Axes: z is the seat's axis, which a SeatZone counts its angles from; forces
 /// act on the seat, shifts are those of the ball's centre.
@@ -96,7 +97,8 @@ class SeatContact {
 
   /// @param joint  a ball; its laws and friction are without influence
   /// @throws Error for pins, for a ball that is loaded through the back, for
-  ///   layers that are too thin, and for a grid out of range.
+  ///   layers that are too thin, for a grid out of range, and where
+  ///   SideFace::free has a backing that is held, or side faces that meet.
   SeatContact(const JointSpec& joint, const SeatZone& zone)
       : SeatContact(joint, zone, Grid()) {}
   SeatContact(const JointSpec& joint, const SeatZone& zone, const Grid& grid);
@@ -154,6 +156,7 @@ class SeatContact {
 
   // Whether a contact about a polar angle is that of the seat without rims.
   bool is_free(double direction, double half_angle) const;
+  void set_rim_warning(const LayeredPair& pair);
   bool has_free_side_face() const;
   const detail::SideFaceReach& reach() const;
   // The shift that free side faces add to that of one that is far from them.
@@ -169,6 +172,8 @@ class SeatContact {
   double unit_force() const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;
+  void add_side_face_notes(const SeatState& state, int rim,
+                           std::vector<std::string>& all) const;
   void add_rounding_notes(const SeatState& state, int rim,
                           std::vector<std::string>& all) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/text.hpp"
@@ -65,8 +66,10 @@ double corner_exponent(double corner) {
   return low - 1;
 }
 
-RimWarning::RimWarning(const LayeredPair& pair, const SeatZone& zone)
+RimWarning::RimWarning(const LayeredPair& pair, const SeatZone& zone,
+                       std::string cure)
     : zone_(zone),
+      cure_(std::move(cure)),
       is_known_(pair.inner().layers.empty() &&
                 pair.outer().layers.size() == 1 &&
                 pair.outer().backing.kind() == Backing::Kind::rigid &&
@@ -153,16 +156,16 @@ std::string RimWarning::sentence(int rim, bool is_reached, double direction,
                  rounded_up(most->pressure), rounded_up(most->approach))
            : std::string(
                  "pressures in the middle and the approach are larger as a "
-                 "rule, by how much is known of other seats alone "
+                 "rule, in other seats by up to 68 and 81 % "
                  "(docs/explanation/seats.md)");
   return message(
       "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
-      "deg to the seat, is free in truth: {}, pressures at the rim {}; "
-      "side_face = \"free\" of the [seat] computes it",
+      "deg to the seat, is free in truth: {}, pressures at the rim {}; {}",
       is_reached ? "is at" : "ends beside", rim == 0 ? "lower" : "upper",
       corner / degree, size,
       corner < acute ? "fall to 0, and the largest is not there"
-                     : "are smaller");
+                     : "are smaller",
+      cure_);
 }
 
 }  // namespace contact::detail

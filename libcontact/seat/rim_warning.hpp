@@ -26,7 +26,8 @@ class RimWarning {
     double approach;
   };
 
-  RimWarning(const LayeredPair& pair, const SeatZone& zone);
+  /// @param cure  how the side face is computed, or why it is not
+  RimWarning(const LayeredPair& pair, const SeatZone& zone, std::string cure);
 
   /// Distance from a rim within which contacts are warned of, rad.
   double reach(int rim) const;
@@ -51,6 +52,7 @@ class RimWarning {
   std::optional<Largest> of_ring(double direction, double corner) const;
 
   SeatZone zone_;
+  std::string cure_;
   bool is_known_;         // one layer on a rigid backing, under a bare ball
   double thickness_ = 0;  // of the layer, over the radius
   double poissons_ratio_;

@@ -91,22 +91,40 @@ struct Blocks {
   }
   std::vector<MatrixXd> diagonal, below, load;
 
-  // F^T K^-1 (F, P) of all loads (F, P), F the first ones.
+  // F^T K^-1 (F, P) of all loads (F, P), F the first ones. Loads come in the
+  // order of their blocks: those that have not begun are 0.
   MatrixXd products(int faces) {
-    MatrixXd sum = MatrixXd::Zero(faces, load.front().cols());
+    const Eigen::Index all = load.front().cols();
+    MatrixXd sum = MatrixXd::Zero(faces, all);
+    Eigen::Index f = 0, p = 0;
     for (std::size_t k = 0; k < diagonal.size(); ++k) {
       if (diagonal[k].size() == 0) continue;
-      MatrixXd& z = load[k];
+      f = begun(load[k].leftCols(faces), f);
+      p = begun(load[k].rightCols(all - faces), p);
+      auto of_faces = load[k].leftCols(f);
+      auto others = load[k].middleCols(faces, p);
       factor_positive(diagonal[k]);
-      solve_lower(diagonal[k], z);
-      sum.noalias() += z.leftCols(faces).transpose() * z;
+      solve_lower(diagonal[k], of_faces);
+      solve_lower(diagonal[k], others);
+      sum.topLeftCorner(f, f).noalias() += of_faces.transpose() * of_faces;
+      sum.block(0, faces, f, p).noalias() += of_faces.transpose() * others;
       if (k + 1 == diagonal.size() || below[k + 1].size() == 0) continue;
       MatrixXd w = below[k + 1].transpose();
       solve_lower(diagonal[k], w);
       diagonal[k + 1].noalias() -= w.transpose() * w;
-      load[k + 1].noalias() -= w.transpose() * z;
+      load[k + 1].leftCols(f).noalias() -= w.transpose() * of_faces;
+      load[k + 1].middleCols(faces, p).noalias() -= w.transpose() * others;
     }
     return sum;
+  }
+
+ private:
+  // Columns up to the last one that is not 0.
+  static Eigen::Index begun(const Eigen::Ref<const MatrixXd>& loads,
+                            Eigen::Index before) {
+    Eigen::Index count = loads.cols();
+    while (count > before && loads.col(count - 1).isZero(0)) --count;
+    return count;
   }
 };
 
@@ -211,13 +229,35 @@ SideFaceCompliance::SideFaceCompliance(const LayeredPair& pair,
   const int first = 2 * mesh.first(), count = 2 * mesh.last() + 3 - first;
   nodes_.resize(count);
   for (int i = 0; i < count; ++i) nodes_(i) = mesh.seat_angle(first + i);
-  for (int m = 0; m < order; m = std::max(m + 1, m * 4 / 3)) {
+  // The last step may be a fifth longer.
+  for (int m = 0; 6 * m < 5 * order; m = std::max(m + 1, m * 5 / 3)) {
     orders_.push_back(m);
   }
   orders_.push_back(order);
   for (const int m : orders_) {
     matrix_.push_back(difference(mesh, m, pair.surfaces().effective_modulus()) /
                       4);
+  }
+}
+
+// Of those between two orders that are solved: the cubic through four of these
+// over the logarithm of m + 1. Beside all orders of a cup, a ring and a liner
+// within 6e-3 of the largest.
+void SideFaceCompliance::for_parts(
+    int m, const std::function<void(double, std::size_t)>& take) const {
+  const auto at = std::lower_bound(orders_.begin(), orders_.end(), m);
+  const auto above = static_cast<std::size_t>(at - orders_.begin());
+  if (*at == m) return take(1, above);
+  const std::size_t first = above - std::min<std::size_t>(above, 2);
+  const std::size_t end = std::min(above + 2, orders_.size());
+  for (std::size_t k = first; k < end; ++k) {
+    double part = 1;
+    for (std::size_t l = first; l < end; ++l) {
+      if (l == k) continue;
+      part *= std::log((m + 1.0) / (orders_[l] + 1)) /
+              std::log((orders_[k] + 1.0) / (orders_[l] + 1));
+    }
+    take(part, k);
   }
 }
 
@@ -257,13 +297,10 @@ Eigen::VectorXd SideFaceCompliance::under(
           point.force * cosine(m, point) / pi * values.matrix();
     }
   }
-  for (std::size_t k = 0; k < orders_.size(); ++k) {
-    const int last = k == 0 ? -1 : orders_[k - 1];
-    for (int m = last + 1; m <= orders_[k]; ++m) {
-      const double part = double(m - last) / (orders_[k] - last);
-      more.col(m) = part * matrix_[k] * share.col(m);
-      if (part < 1) more.col(m) += (1 - part) * matrix_[k - 1] * share.col(m);
-    }
+  for (int m = 0; m <= order; ++m) {
+    for_parts(m, [&](double part, std::size_t k) {
+      more.col(m) += part * (matrix_[k] * share.col(m));
+    });
   }
   Eigen::VectorXd u = Eigen::VectorXd::Zero(points.size());
   for (std::size_t k = 0; k < points.size(); ++k) {
@@ -278,17 +315,15 @@ Eigen::VectorXd SideFaceCompliance::under(
 
 std::vector<MatrixXd> SideFaceCompliance::on(const SeatCells& cells) const {
   const MatrixXd share = shares(cells);
-  std::vector<MatrixXd> all;
-  MatrixXd last;
-  for (std::size_t k = 0; k < orders_.size(); ++k) {
-    const MatrixXd here = share.transpose() * matrix_[k] * share;
-    for (int m = static_cast<int>(all.size()); m < orders_[k]; ++m) {
-      const double part =
-          double(m - orders_[k - 1]) / (orders_[k] - orders_[k - 1]);
-      all.push_back((1 - part) * last + part * here);
-    }
-    all.push_back(here);
-    last = here;
+  std::vector<MatrixXd> solved;
+  for (const MatrixXd& by_nodes : matrix_) {
+    solved.push_back(share.transpose() * by_nodes * share);
+  }
+  std::vector<MatrixXd> all(orders_.back() + 1,
+                            MatrixXd::Zero(cells.size(), cells.size()));
+  for (int m = 0; m <= orders_.back(); ++m) {
+    for_parts(m,
+              [&](double part, std::size_t k) { all[m] += part * solved[k]; });
   }
   return all;
 }

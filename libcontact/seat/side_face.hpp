@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -23,14 +24,13 @@ namespace contact::detail {
 /// of eight nodes on one mesh for both parts, with walls, liners and backing as
 /// they are. Side faces are cones, SeatZone::side_angle() to the seat; they cut
 /// the layers, and of a body without layers all of it. An elastic backing
-/// behind layers goes on beside them.
+/// behind layers goes on beside them, or ends as SeatEdge::housing has it.
 ///
 /// Elements follow the rim down to a thousandth of the radius or a 15th of the
 /// surface layer. Measured: docs/explanation/seats.md, "Free side faces".
 class SideFaceCompliance {
  public:
-  /// @throws Error if the backing is held, or if a side face meets the axis or
-  ///   the other one inside the layers
+  /// Of a mesh without a SideFaceMesh::refusal().
   /// @param coarser  elements at the rim, times
   SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order,
                      double coarser = 1);
@@ -52,9 +52,11 @@ class SideFaceCompliance {
   using Node = std::pair<Eigen::Index, Eigen::Array3d>;
   Node node(double angle) const;
   Eigen::MatrixXd shares(const SeatCells& cells) const;
+  void for_parts(int m,
+                 const std::function<void(double, std::size_t)>& take) const;
 
-  Eigen::ArrayXd nodes_;     // polar angles on the seat
-  std::vector<int> orders_;  // those that are solved; linear between them
+  Eigen::ArrayXd nodes_;                 // polar angles on the seat
+  std::vector<int> orders_;              // those that are solved
   std::vector<Eigen::MatrixXd> matrix_;  // by nodes
 };
 

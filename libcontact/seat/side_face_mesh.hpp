@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <string>
 #include <vector>
 
 #include "libcontact/pair/layers.hpp"
@@ -15,9 +16,13 @@ namespace contact::detail {
 class SideFaceMesh {
  public:
   /// @param coarser  elements at the rim, times
-  /// @throws Error where SideFaceCompliance does
   SideFaceMesh(const LayeredPair& pair, const SeatZone& zone,
                double coarser = 1);
+
+  /// Why its elements cannot be solved, a sentence; "" if they can: a backing
+  /// that is held, side faces that meet the axis or each other in the layers, a
+  /// housing that there is none of.
+  std::string refusal() const;
 
   int columns() const { return static_cast<int>(angle_.size()) - 1; }
   int rows() const { return static_cast<int>(radius_.size()) - 1; }
@@ -40,12 +45,14 @@ class SideFaceMesh {
   double turn(int rim, double radius) const;
   void set_radii(const LayeredBody& body, double radius, double finest);
   void set_angles(const SeatZone& zone, double finest);
-  void check(const SeatZone& zone) const;
 
   std::vector<double> angle_;   // of the lines at the seat
   std::vector<double> radius_;  // of the rows' ends
   std::vector<Material> material_;
-  int cut_rows_ = 0;
+  bool is_held_ = false;
+  bool has_housing_ = false;
+  int cut_rows_ = 0;       // that the side faces cut at their angle
+  bool cuts_all_ = false;  // and what is behind them straight on
   int first_ = 0, last_ = 0;
   double from_, to_;
   std::array<double, 2> side_;  // angle of the side face; NaN without a rim

@@ -256,9 +256,16 @@ TEST(JointFile, SeatsThatEnd) {
   EXPECT_EQ(free.geometry.seat()->edge().side_face, SideFace::free);
   EXPECT_EQ(parse_joint(free.canonical_text(), "text"), free);
   EXPECT_EQ(seat("cup_rad = 1\nside_face = \"goes_on\""), SeatZone::cup(1));
+  const auto housed =
+      parsed(ball_file().edit("+", "[seat]\ncup_rad = 1\nhousing = \"free\""));
+  EXPECT_EQ(housed.geometry.seat()->edge().housing, SideFace::free);
+  EXPECT_EQ(parse_joint(housed.canonical_text(), "text"), housed);
   EXPECT_ERROR(seat("cup_deg = 80\nside_face = \"free\"\nrim_setback_deg = 2"),
                "j.toml:23: seat.side_face = \"free\" conflicts with "
                "seat.rim_setback_deg (line 24)");
+  EXPECT_ERROR(seat("cup_deg = 80\nhousing = \"ends\""),
+               "j.toml:23: seat.housing = \"ends\" must be \"goes_on\" or "
+               "\"free\"");
   const JointSpec turned =
       parsed(ball_file().edit("+",
                               "[seat]\ncup_rad = 1\nrim_setback_rad = 0.07\n"

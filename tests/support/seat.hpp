@@ -19,6 +19,12 @@ inline JointSpec joint_of(const ReferenceTable::Row& row) {
       .outer = bodies.outer};
 }
 
+inline SeatZone with_side_face(const SeatZone& zone, SideFace side_face) {
+  SeatEdge edge = zone.edge();
+  edge.side_face = side_face;
+  return zone.with_edge(edge);
+}
+
 inline SeatZone zone_of(const ReferenceTable::Row& row) {
   return {row.value("v1_deg") * degree, row.value("v2_deg") * degree};
 }

@@ -122,10 +122,12 @@ SeatEdge edge_from_table(const TomlTable& seat, double radius) {
   read("edge_radius", {0, radius, false, true}, edge.radius);
   read("edge_angle", {0, std::numbers::pi, true, true}, edge.angle);
   read("report_distance", {0, 1, true, true}, edge.report_distance);
-  if (const auto face =
-          seat.optional_choice("side_face", {"goes_on", "free"})) {
-    edge.side_face = static_cast<SideFace>(*face);
-  }
+  const auto face = [&](const char* key) {
+    return static_cast<SideFace>(
+        seat.optional_choice(key, {"goes_on", "free"}).value_or(0));
+  };
+  edge.side_face = face("side_face");
+  edge.housing = face("housing");
   if (edge.side_face == SideFace::free) {
     seat.refuse_both("side_face", "rim_setback");
     seat.refuse_both("side_face", "edge_radius");
@@ -303,6 +305,7 @@ KnownKeys geometry_keys() {
                              {"edge_radius", Dimension::length},
                              {"edge_angle", Dimension::angle},
                              {"side_face"},
+                             {"housing"},
                              {"report_distance", Dimension::angle},
                              {"axis"}}),
           table_key("relief", {{"kind"},
