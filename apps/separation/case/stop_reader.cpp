@@ -39,10 +39,9 @@ void read_side(const TomlTable& table, double start, HingeStop& stop) {
   const bool below = from ? *from == 0 : start < stop.angle;
   stop.side = below ? -1 : 1;
   if (stop.gap(start) < 0) {
-    table.must_be("angle", fmt::format("{:.6g} deg or {}: the body starts "
-                                       "there, from {}",
-                                       start / degree, below ? "more" : "less",
-                                       below ? "below" : "above"));
+    table.must_be("angle", fmt::format("{:.6g} deg or {}, so that the body "
+                                       "does not start beyond it",
+                                       start / degree, below ? "more" : "less"));
   }
 }
 
@@ -82,16 +81,15 @@ std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
     check_hinge(of, table, hinge, stop);
     read_side(of, begin, stop);
     for (const HingeStop& other : stops) {
-      const char* side = stop.side < 0 ? "above" : "below";
       if (other.side == stop.side) {
-        of.must_be("angle", fmt::format("{} the start, {:.6g} deg: the other "
-                                        "stop is on the same side",
-                                        stop.side < 0 ? "below" : "above",
+        of.must_be("angle", fmt::format("on the other side of the start, {:.6g} "
+                                        "deg, than the other stop",
                                         begin / degree));
       }
       if (!(other.gap(stop.angle) > 0)) {
         of.must_be("angle", fmt::format("{} that of the other stop, {:.6g} deg",
-                                        side, other.angle / degree));
+                                        stop.side < 0 ? "above" : "below",
+                                        other.angle / degree));
       }
     }
     stops.push_back(stop);
