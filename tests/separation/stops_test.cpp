@@ -25,9 +25,6 @@ using separation::Rows;
 using separation::run_case;
 using std::numbers::pi;
 
-const std::string fine = R"(
-relative_tolerance = 1e-12, absolute_tolerance = 1e-13 }
-)"_toml;
 // J = 15 kg m^2 on the ground, driven from -90 deg by 2 N m.
 // @param hinge  what else is said of its hinge
 std::string boom(const std::string& hinge = "",
@@ -45,8 +42,8 @@ std::string boom(const std::string& hinge = "",
 }
 
 std::string run_for(double end) {
-  return "name = \"stops\"\nrun = { end_time_s = " + std::to_string(end) + "," +
-         fine;
+  return "name = \"stops\"\n[run]\nend_time_s = " + std::to_string(end) +
+         "\nrelative_tolerance = 1e-12\nabsolute_tolerance = 1e-13\n";
 }
 std::string stop(const std::string& keys) {
   return "[[body.hinge.stop]]\n" + keys + "\n";
@@ -133,7 +130,7 @@ TEST(CaseStops, WithConstantFriction) {
 [body.hinge.thrust_face]; inner_radius_m = 0.1; outer_radius_m = 0.2; coefficient = 0.2
 )"_toml + pin + "0.1\n" + pin +
                          "-0.1\n");
-  text.insert(text.find("run ="), "gravity_m_per_s2 = [0, 0, -9.81]\n");
+  text.insert(text.find("[run]"), "gravity_m_per_s2 = [0, 0, -9.81]\n");
   const Outcome outcome = run_of(text);
   const double in = (2 - face) / 15, out = (2 + face) / 15;
   const auto hits = notes_of(outcome, "hits its stop");
