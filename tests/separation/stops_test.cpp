@@ -95,9 +95,10 @@ TEST(CaseStops, BoomOnTheGround) {
   EXPECT_NEAR(record.stop_loss, pi, 1e-9);
   EXPECT_NEAR(record.rest_on_stop, 13 - rests[0].time, 1e-12);
   EXPECT_EQ(record.rest_on_stop, record.rest_time);
-  // (1 + e) J w1 (1 + e + e^2 + ...)
+  // (1 + e) J w1 (1 + e + e^2 + ...), less bounces that are not followed: J (1
+  // + e)/(1 - e) sqrt(2 a 1e-11 rad) at most.
   EXPECT_NEAR(record.stop_impulses,
-              1.4 * 15 * std::sqrt(pi * 2 / 15) / (1 - 0.4), 1e-7);
+              1.4 * 15 * std::sqrt(pi * 2 / 15) / (1 - 0.4), 6e-5);
   EXPECT_EQ(last(outcome, "boom.stop_impulses_N_m_s"), record.stop_impulses);
 }
 
@@ -125,7 +126,7 @@ TEST(CaseStops, WithConstantFriction) {
   const std::string pin = "[[body.hinge.joint]]\nfile = \"" CONTACT_DATA_DIR
                           "/joints/pin_joint.toml\"\nposition_m = ";
   std::string text =
-      run_for(14) + boom(stop("angle_deg = 0\nrestitution = 0.6") +
+      run_for(18) + boom(stop("angle_deg = 0\nrestitution = 0.6") +
                          R"(
 [body.hinge.thrust_face]; inner_radius_m = 0.1; outer_radius_m = 0.2; coefficient = 0.2
 )"_toml + pin + "0.1\n" + pin +
@@ -364,7 +365,7 @@ TEST(CaseStops, SteepCompliantOnesAreRigid) {
 // A ball hinge has compliant ones: a spherical pendulum of no weight that turns
 // about x comes back with e times its rate.
 TEST(CaseStops, OnBallHinges) {
-  const Outcome outcome = run_of(run_for(4) + R"(
+  const Outcome outcome = run_of(run_for(6) + R"(
 [carrier]; name = "ground"; fixed = true
 direction = [{ name = "up", vector = [0, 0, 1] }]
 [[body]]; name = "ball"; mass_kg = 1; principal_inertia_kg_m2 = [2, 2, 2]

@@ -303,15 +303,24 @@ std::string Simulation::failure_text() const {
   return fmt::format("{} ({})", failure.reason, place);
 }
 
+// In the shortest steps rounding may have a body come to its stop twice.
+void Simulation::note_touch(int body, std::size_t stop) {
+  const double instant = 1e-12 * (1 + time());
+  for (auto it = impacts_.rbegin();
+       it != impacts_.rend() && it->time >= time() - instant; ++it) {
+    if (it->body == body) return;
+  }
+  const double rate = sample().hinge(body).relative_angular_velocity.norm();
+  history_.touches[body][stop] = rate;
+  impacts_.push_back({time(), body, false, rate, 0, 0});
+  renew_forces();
+}
+
 // The motion has stopped at an event of its own.
 void Simulation::note_motion_event() {
   const Meaning& meaning = meanings_[motion_.event()];
   if (meaning.body >= 0) {
-    const double rate =
-        sample().hinge(meaning.body).relative_angular_velocity.norm();
-    history_.touches[meaning.body][meaning.stop] = rate;
-    impacts_.push_back({time(), meaning.body, false, rate, 0, 0});
-    renew_forces();
+    note_touch(meaning.body, meaning.stop);
   } else if (meaning.force >= 0) {
     history_.spent[meaning.force] = true;
     end_pushes();

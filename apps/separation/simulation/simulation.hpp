@@ -123,6 +123,7 @@ class Simulation {
   void add_latches_here();
   void add_stops();
   void take_impacts();
+  void note_touch(int body, std::size_t stop);
   double next_time() const;
   void note_motion_event();
   bool end_pushes();
