@@ -170,7 +170,7 @@ struct Tables {
   }
 
   // A file that cannot be written costs the others nothing.
-  cli::ExitStatus write(const Outcome& outcome) {
+  cli::ExitStatus write(const Case& c, const Outcome& outcome) {
     cli::ExitStatus status = cli::all_good;
     const auto write = [&status](const auto& file) {
       try {
@@ -184,7 +184,7 @@ struct Tables {
     history.reset();  // and the part that it had room for
     if (events) {
       write([&] {
-        events->write(events_csv(outcome, style));
+        events->write(events_csv(c, outcome, style));
         events->commit();
       });
     }
@@ -214,7 +214,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   bool good = outcome.failure.empty() && run.no_checkpoint.empty();
   warn_of_run(c, outcome, warnings);
   if (!run.no_checkpoint.empty()) warnings.add(run.no_checkpoint);
-  good = tables.write(outcome) == cli::all_good && good;
+  good = tables.write(c, outcome) == cli::all_good && good;
   good = replays.write(c, {{"", &outcome}}, warnings) && good;
   if (o.output.format == cli::Format::report) {
     write_report(summary(c, outcome), output, o.output);

@@ -51,6 +51,25 @@ struct HingeJoint {
   const contact::JointContact& contact() const { return model.contact(); }
 };
 
+/// Where the turn of a hinge ends.
+struct HingeStop {
+  double angle = 0;        ///< rad
+  int side = 1;            ///< 1: the body is at larger angles, -1: at smaller
+  double restitution = 0;  ///< e
+  double stiffness = 0;    ///< of a compliant one, N m; 0: it is rigid
+  double damping = 0;      ///< X = a v0 of contact::HuntCrossley
+
+  bool is_rigid() const { return stiffness == 0; }
+  /// How far the body is from it, rad.
+  double gap(double at) const { return side * (at - angle); }
+};
+
+/// What the torque margin of a hinge is asked of.
+struct MarginPath {
+  double from, to;  ///< rad
+  double friction_factor = 1, other_factor = 1;
+};
+
 /// The upper node: what a body turns on.
 struct Hinge {
   std::string name;
@@ -72,6 +91,8 @@ struct Hinge {
   /// ball: the angle is that between these.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d parent_direction = Eigen::Vector3d::UnitX();
+  std::vector<HingeStop> stops;
+  std::optional<MarginPath> margin;
 };
 
 /// The lower node: holds a body until it breaks.
@@ -110,7 +131,7 @@ struct Force {
 struct Event {
   enum class Trigger { time, angle, reaction, after };
   enum class Node { hinge, lock };
-  enum class Action { break_lock, break_hinge };
+  enum class Action { break_lock, break_hinge, open_latch, latch };
   std::string name;
   Trigger trigger;
   double value;  ///< s, rad, N; after: delay, s
@@ -120,6 +141,8 @@ struct Event {
   int after = -1;  ///< the event that arms it, -1: armed from the beginning
   /// True: all its bodies when the first one meets the condition.
   bool together;
+  /// Latches engage at this rate of the hinge or below, rad/s.
+  double rate_below = std::numeric_limits<double>::infinity();
 };
 
 /// Friction of a run.
@@ -164,6 +187,22 @@ struct Case {
   bool is_tree() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return body.hinge.on > 0; });
+  }
+  /// An event latches the hinge of this body.
+  bool has_latch(int body) const {
+    return std::ranges::any_of(events, [body](const Event& event) {
+      return event.action == Event::Action::latch &&
+             std::ranges::count(event.bodies, body) > 0;
+    });
+  }
+  /// Stops or latches take energy.
+  bool has_impacts() const {
+    return std::ranges::any_of(
+               bodies,
+               [](const Body& body) { return !body.hinge.stops.empty(); }) ||
+           std::ranges::any_of(events, [](const Event& event) {
+             return event.action == Event::Action::latch;
+           });
   }
   /// With friction.
   bool has_joints() const {

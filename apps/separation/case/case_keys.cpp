@@ -3,6 +3,7 @@
 #include "libcontact/files/joint_tables.hpp"
 #include "separation/case/force_kind.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/stop_reader.hpp"
 
 namespace separation {
 namespace {
@@ -72,6 +73,8 @@ Keys hinge_keys() {
       {"carrier_point", Dimension::length},
       {"parent_point", Dimension::length},
       {"zero_rotation", Dimension::angle},
+      table_key("stop", stop_keys()),
+      table_key("torque_margin", margin_keys()),
       table_key("joint",
                 with(contact::joint_keys(),
                      {{.key = "file", .of_file = contact::joint_keys()},
@@ -104,6 +107,8 @@ Keys event_keys() {
   return {{"name"},
           {"bodies", Dimension::number, {}, {}, "loads"},
           {"breaks"},
+          {"locks"},
+          {"rate_below", Dimension::angular_velocity},
           {"after"},
           {"together"},
           {"node"},

@@ -55,6 +55,19 @@ void read_all_bodies(const TomlTable& file, const JointLaws& laws,
   }
 }
 
+// A latch that opens has to be there.
+void check_latches(const std::vector<TomlTable>& tables, const Case& c) {
+  for (std::size_t i = 0; i < tables.size(); ++i) {
+    if (c.events[i].action != Event::Action::open_latch) continue;
+    for (const int body : c.events[i].bodies) {
+      if (c.has_latch(body)) continue;
+      tables[i].needs("breaks",
+                      fmt::format("an event that locks the hinge of \"{}\"",
+                                  c.bodies[body].rigid.name));
+    }
+  }
+}
+
 void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   const auto tables = file.tables("event");
   for (const TomlTable& table : tables) {
@@ -68,6 +81,7 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
   for (const TomlTable& table : tables) {
     c.events.push_back(read_event(table, names));
   }
+  check_latches(tables, c);
   std::vector<int> after;
   for (const Event& event : c.events) after.push_back(event.after);
   for (std::size_t i = 0; i < tables.size(); ++i) {

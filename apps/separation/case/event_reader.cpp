@@ -48,14 +48,42 @@ void read_condition(const TomlTable& table, Event& event) {
   event.value = delay.value_or(0);
 }
 
+void read_action(const TomlTable& table, Event& event) {
+  table.refuse_both("locks", "breaks");
+  if (table.optional_choice("locks", {"hinge"})) {
+    event.action = Event::Action::latch;
+  } else if (table.has("breaks")) {
+    event.action = static_cast<Event::Action>(
+        table.choice("breaks", {"lock", "hinge", "latch"}));
+  } else {
+    table.needs("breaks or locks");
+  }
+}
+
+void read_latch(const TomlTable& table, Event& event) {
+  const auto rate = table.optional_number("rate_below", Interval::positive());
+  if (event.action != Event::Action::latch) {
+    if (rate) table.needs("rate_below", "locks");
+    return;
+  }
+  if (event.trigger == Event::Trigger::reaction) {
+    table.needs("reaction", "breaks");
+  }
+  if (!rate) return;
+  if (event.trigger != Event::Trigger::angle) table.needs("rate_below", "angle");
+  event.rate_below = *rate;
+}
+
 // The nodes that an event speaks of have to be there.
 void check_nodes(const TomlTable& table, const CaseNames& names,
                  const Event& event) {
   for (const int i : event.bodies) {
     const Body& body = names.of.bodies[i];
     const bool hinge = body.hinge.kind != multibody::HingeKind::none;
-    if (event.action == Event::Action::break_hinge ? !hinge : !body.lock) {
-      table.needs("breaks", fmt::format("one on body \"{}\"", body.rigid.name));
+    const bool lock = event.action == Event::Action::break_lock;
+    if (lock ? !body.lock : !hinge) {
+      table.needs(table.has("locks") ? "locks" : "breaks",
+                  fmt::format("one on body \"{}\"", body.rigid.name));
     }
     if (event.trigger == Event::Trigger::angle && !hinge) {
       table.needs("angle",
@@ -80,11 +108,11 @@ Event read_event(const TomlTable& table, const CaseNames& names) {
   event.name = table.text("name");
   if (names.of.bodies.empty()) table.needs("one or more [[body]]");
   event.bodies = names.bodies_of(table, "bodies");
-  event.action =
-      static_cast<Event::Action>(table.choice("breaks", {"lock", "hinge"}));
+  read_action(table, event);
   event.after = names.event_of(table, "after", event.name);
   event.together = table.flag("together");
   read_condition(table, event);
+  read_latch(table, event);
   event.node = static_cast<Event::Node>(
       table.optional_choice("node", {"hinge", "lock"}).value_or(0));
   if (table.has("node") && event.trigger != Event::Trigger::reaction) {

@@ -57,6 +57,11 @@ class ForceLaw {
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
   /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
+  /// It stores energy, as a torsion spring does: how much, J.
+  virtual bool stores() const { return false; }
+  virtual double stored([[maybe_unused]] const ForceInstant& at) const {
+    return 0;
+  }
   /// Used part of the stroke less its length, m, for a force that ends when its
   /// stroke is used up: when this rises to 0.
   virtual std::optional<double> overrun(

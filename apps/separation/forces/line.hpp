@@ -4,6 +4,7 @@
 #include <array>
 #include <span>
 
+#include "separation/case/force_kind.hpp"
 #include "separation/case/force_law.hpp"
 
 namespace separation {
@@ -62,5 +63,10 @@ struct LineForce {
     return line(at).span.norm() < 1e-12;
   }
 };
+
+/// The ends of a spring or a damper: `point` of its body, and `carrier_point`,
+/// or `other_point` of `other_body`. Copies of one body and of another are
+/// joined one by one.
+LineForce read_line(const ForceTable& from);
 
 }  // namespace separation

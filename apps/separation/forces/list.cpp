@@ -9,12 +9,14 @@ ForceKind spring();
 ForceKind damper();
 ForceKind pusher();
 ForceKind motor();
+ForceKind torsion();
 ForceKind aerodynamic();
 
 const std::vector<ForceKind>& force_kinds() {
   static const auto& kinds =
       *new std::vector<ForceKind>{applied(), thrust(), spring(),     damper(),
-                                  pusher(),  motor(),  aerodynamic()};
+                                  pusher(),  motor(),  torsion(),
+                                  aerodynamic()};
   return kinds;
 }
 

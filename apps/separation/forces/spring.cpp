@@ -6,13 +6,14 @@ namespace {
 
 constexpr std::string_view fault_texts[] = {
     "has no direction when it starts, t = {time:.6g} s: point on {body} and "
-    "carrier_point are in one place",
+    "its other end are in one place",
     "pulls {body} back after its release, from t = {time:.6g} s: it is longer "
     "than free_length; ends_at_event ends it, a pusher only pushes",
 };
 enum Fault { none, no_direction, pulls_back };
 
-/// A spring between a point of the body and one of the carrier.
+/// A spring between a point of the body and one of the carrier or of another
+/// body.
 struct Spring final : ForceLaw {
   LineForce ends;
   double stiffness;    ///< N/m
@@ -36,7 +37,7 @@ struct Spring final : ForceLaw {
     if (begins && ends.is_point(at) && free_length > 0) return no_direction;
     const Hinge& hinge = at.of.bodies[at.body - 1].hinge;
     const bool has_come_off =
-        released && hinge.kind != multibody::HingeKind::none;
+        released && ends.other == hinge.on && hinge.kind != multibody::HingeKind::none;
     // Longer than rounding of lengths and tolerances of steps make it.
     const bool pulls = ends.line(at).span.norm() > (1 + 1e-6) * free_length;
     return has_come_off && pulls ? pulls_back : none;
@@ -45,10 +46,9 @@ struct Spring final : ForceLaw {
 };
 
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
-  from.refuse_carrier();
   const TomlTable& table = from.table;
   auto law = std::make_shared<Spring>();
-  law->ends = {from.point(), 0, from.carrier_point()};
+  law->ends = read_line(from);
   law->stiffness = table.number("stiffness", Interval::non_negative());
   law->free_length = table.number("free_length", Interval::non_negative());
   law->damping =
@@ -64,6 +64,8 @@ ForceKind spring() {
   return {"spring",
           {{"point", Dimension::length},
            {"carrier_point", Dimension::length},
+           {"other_body"},
+           {"other_point", Dimension::length},
            {"stiffness", Dimension::line_force},
            {"free_length", Dimension::length},
            {"damping_N_s_per_m"}},

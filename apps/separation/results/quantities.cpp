@@ -42,11 +42,53 @@ constexpr Quantity<BodyRecord> of_lock[] = {
      [](const BodyRecord& b) { return b.peak_lock_time; }},
 };
 
+constexpr Quantity<BodyRecord> of_stop[] = {
+    {"peak_stop_moment", "", Dimension::moment, "largest moment of a stop",
+     [](const BodyRecord& b) { return b.peak_stop; }},
+    {"peak_stop_moment_time", "", Dimension::time, "when that was",
+     [](const BodyRecord& b) { return b.peak_stop_time; }},
+    {"impacts", "", Dimension::number, "impacts on stops",
+     [](const BodyRecord& b) { return b.impacts; }},
+    {"largest_stop_impulse", "largest_stop_impulse_N_m_s", Dimension::number,
+     "largest impulse of a rigid stop, N m s",
+     [](const BodyRecord& b) { return b.largest_impulse; }},
+    {"stop_impulses", "stop_impulses_N_m_s", Dimension::number,
+     "sum of the impulses of rigid stops, N m s",
+     [](const BodyRecord& b) { return b.stop_impulses; }},
+    {"energy_of_stops", "", Dimension::energy,
+     "energy that rigid stops have taken",
+     [](const BodyRecord& b) { return b.stop_loss; }},
+    {"rests_on_stop", "", Dimension::time,
+     "for which the body rested on a rigid stop",
+     [](const BodyRecord& b) { return b.rest_on_stop; }},
+};
+
+constexpr Quantity<BodyRecord> of_latch[] = {
+    {"peak_latch_moment", "", Dimension::moment, "largest moment of the latch",
+     [](const BodyRecord& b) { return b.peak_latch; }},
+    {"peak_latch_moment_time", "", Dimension::time, "when that was",
+     [](const BodyRecord& b) { return b.peak_latch_time; }},
+    {"latch_impulse", "latch_impulse_N_m_s", Dimension::number,
+     "largest impulse by which it latched, N m s",
+     [](const BodyRecord& b) { return b.latch_impulse; }},
+    {"energy_of_latches", "", Dimension::energy,
+     "energy that latches have taken",
+     [](const BodyRecord& b) { return b.latch_loss; }},
+};
+
 constexpr Quantity<BodyRecord> of_body[] = {
     {"work_of_friction", "", Dimension::energy, "work of the hinge's friction",
      [](const BodyRecord& b) { return b.work; }},
     {"time_at_rest", "", Dimension::time, "for which the hinge rested",
      [](const BodyRecord& b) { return b.rest_time; }},
+};
+
+constexpr Quantity<TorqueMargin> of_margin[] = {
+    {"torque_margin", "", Dimension::number,
+     "least driving over resisting moment on the hinge's way",
+     [](const TorqueMargin& m) { return m.ratio; }},
+    {"torque_margin_angle", "", Dimension::angle, "where that is",
+     [](const TorqueMargin& m) { return m.angle; }},
 };
 
 using Release = BodyRecord::Release;
@@ -70,7 +112,12 @@ constexpr Quantity<Release> of_release[] = {
 std::span<const Quantity<JointPeaks>> joint_quantities() { return of_joint; }
 std::span<const Quantity<BodyRecord>> hinge_quantities() { return of_hinge; }
 std::span<const Quantity<BodyRecord>> lock_quantities() { return of_lock; }
+std::span<const Quantity<BodyRecord>> stop_quantities() { return of_stop; }
+std::span<const Quantity<BodyRecord>> latch_quantities() { return of_latch; }
 std::span<const Quantity<BodyRecord>> body_quantities() { return of_body; }
+std::span<const Quantity<TorqueMargin>> margin_quantities() {
+  return of_margin;
+}
 std::span<const Quantity<Release>> release_quantities() { return of_release; }
 
 const contact::Unit& summary_unit(Dimension dimension) {

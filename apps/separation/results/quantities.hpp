@@ -4,6 +4,7 @@
 
 #include "libcontact/quantities/quantity.hpp"
 #include "separation/results/record.hpp"
+#include "separation/simulation/torque_margin.hpp"
 
 /// Quantities of a run, for its summary and the numbers of studies.
 namespace separation {
@@ -12,8 +13,13 @@ std::span<const contact::Quantity<JointPeaks>> joint_quantities();
 std::span<const contact::Quantity<BodyRecord>> hinge_quantities();
 /// Quantities of a body with a lock, after those of the hinge.
 std::span<const contact::Quantity<BodyRecord>> lock_quantities();
+/// Quantities of a body with stops, and of one that an event latches.
+std::span<const contact::Quantity<BodyRecord>> stop_quantities();
+std::span<const contact::Quantity<BodyRecord>> latch_quantities();
 std::span<const contact::Quantity<BodyRecord>> body_quantities();
 std::span<const contact::Quantity<BodyRecord::Release>> release_quantities();
+
+std::span<const contact::Quantity<TorqueMargin>> margin_quantities();
 
 /// Rates in degrees, as angles.
 const contact::Unit& summary_unit(contact::Dimension dimension);

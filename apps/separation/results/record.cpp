@@ -26,11 +26,26 @@ using multibody::MotionSample;
 
 constexpr const char* comes_to_rest = "comes to rest";
 constexpr const char* begins_to_slide = "begins to slide";
+constexpr const char* hits_stop = "hits its stop";
+constexpr const char* rests_on_stop = "rests on its stop";
+constexpr const char* leaves_stop = "leaves its stop";
 
-std::string break_text(const Event& event, const Body& body) {
-  const bool hinge = event.action == Event::Action::break_hinge;
-  return fmt::format("{}: {} breaks", event.name,
-                     hinge ? body.hinge.name : body.lock->name);
+std::string event_text(const Event& event, const Body& body,
+                       bool engages = true) {
+  const auto text = [&](const std::string& node, const char* what) {
+    return fmt::format("{}: {} {}", event.name, node, what);
+  };
+  switch (event.action) {
+    case Event::Action::break_lock:
+      return text(body.lock->name, "breaks");
+    case Event::Action::break_hinge:
+      return text(body.hinge.name, "breaks");
+    case Event::Action::open_latch:
+      return text("latch of " + body.hinge.name, "opens");
+    case Event::Action::latch:
+      break;
+  }
+  return text(body.hinge.name, engages ? "latches" : "does not engage");
 }
 
 // Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
@@ -65,6 +80,12 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
           {"reaction_x_N", "reaction_y_N", "reaction_z_N", "lock_reaction_x_N",
            "lock_reaction_y_N", "lock_reaction_z_N", "friction_moment_x_N_m",
            "friction_moment_y_N_m", "friction_moment_z_N_m"});
+      if (!c.bodies[i - 1].hinge.stops.empty()) {
+        add(body, {"stop_moment_N_m", "stop_impulses_N_m_s"});
+      }
+      if (c.has_latch(static_cast<int>(i) - 1)) {
+        add(body, {"latch_moment_N_m"});
+      }
     }
     add(body,
         {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
@@ -75,10 +96,13 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
       columns.push_back(clearance_column(c, pair) + "_m");
     }
   }
-  for (const char* name : {"kinetic_J", "gravity_J", "active_work_J",
-                           "dissipated_J", "balance_J"}) {
+  for (const char* name :
+       {"kinetic_J", "gravity_J", "active_work_J", "dissipated_J"}) {
     columns.push_back(std::string("energy.") + name);
   }
+  if (c.has_impacts()) columns.push_back("energy.impacts_J");
+  if (stores_energy(c)) columns.push_back("energy.springs_J");
+  columns.push_back("energy.balance_J");
   return columns;
 }
 
@@ -110,7 +134,14 @@ double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
 }
 
 bool is_held(HingeMode mode) {
-  return mode == HingeMode::locked || mode == HingeMode::resting;
+  return is_fixed(mode) || mode == HingeMode::resting;
+}
+
+bool is_on_stop(const Body& body, const MotionSample& sample, int i) {
+  return sample.mode(i) == HingeMode::resting &&
+         std::ranges::any_of(body.hinge.stops, [&](const HingeStop& stop) {
+           return stop.is_rigid() && stop.angle == sample.angle(i);
+         });
 }
 
 // Its derivative.
@@ -152,10 +183,16 @@ bool can_be_noted(const Note& note, const Case& c) {
       c.bodies, note.body, [](const Body& b) { return b.rigid.name; });
   if (body == c.bodies.end()) return false;
   if (note.what == comes_to_rest || note.what == begins_to_slide) return true;
+  if (!body->hinge.stops.empty() &&
+      (note.what == hits_stop || note.what == rests_on_stop ||
+       note.what == leaves_stop)) {
+    return true;
+  }
   const auto index = static_cast<int>(body - c.bodies.begin());
   return std::ranges::any_of(c.events, [&](const Event& event) {
     return std::ranges::count(event.bodies, index) > 0 &&
-           note.what == break_text(event, *body);
+           (note.what == event_text(event, *body) ||
+            note.what == event_text(event, *body, false));
   });
 }
 
@@ -180,6 +217,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
 
 void Recorder::go_on_with(const Simulation& simulation) {
   changes_seen_ = simulation.motion().changes().size();
+  impacts_seen_ = simulation.impacts().size();
   looks_.clear();
   fault_.clear();
   for (PairWay& way : ways_) way.forget();
@@ -194,7 +232,8 @@ void Recorder::add_motion(const BodyMotion& body) {
   for (const double x : w) add(x);
 }
 
-void Recorder::look_at_peaks(const MotionSample& sample, int i) {
+void Recorder::look_at_peaks(const Simulation& simulation,
+                             const MotionSample& sample, int i) {
   const Body& body = case_.bodies[i];
   BodyRecord& record = memory_.bodies[i];
   const double time = sample.time();
@@ -206,6 +245,16 @@ void Recorder::look_at_peaks(const MotionSample& sample, int i) {
   raise(record.peak_reaction, record.peak_reaction_time, force, time);
   raise(record.peak_lock, record.peak_lock_time, lock, time);
   seen_.insert(seen_.end(), {force, lock});
+  if (!body.hinge.stops.empty()) {
+    const double moment = simulation.stop_moment(sample, i);
+    raise(record.peak_stop, record.peak_stop_time, moment, time);
+    seen_.push_back(moment);
+  }
+  if (case_.has_latch(i)) {
+    const double moment = simulation.latch_moment(sample, i);
+    raise(record.peak_latch, record.peak_latch_time, moment, time);
+    seen_.push_back(moment);
+  }
   record.work = std::max(record.work, hinge.dissipated);
   for (std::size_t j = 0; j < record.joints.size(); ++j) {
     if (j >= hinge.joints.size()) {
@@ -241,6 +290,10 @@ std::vector<double> Recorder::known_peaks() const {
     if (case_.bodies[i].hinge.kind == HingeKind::none) continue;
     const BodyRecord& record = memory_.bodies[i];
     known.insert(known.end(), {record.peak_reaction, record.peak_lock});
+    if (!case_.bodies[i].hinge.stops.empty()) known.push_back(record.peak_stop);
+    if (case_.has_latch(static_cast<int>(i))) {
+      known.push_back(record.peak_latch);
+    }
     for (const JointPeaks& peaks : record.joints) {
       known.insert(known.end(), {peaks.reaction, peaks.pressure,
                                  peaks.half_angle, peaks.moment});
@@ -254,7 +307,7 @@ Look Recorder::look_back(const Simulation& simulation, double time) {
   seen_.clear();
   simulation.motion().look_back(time, [&](const MotionSample& sample) {
     for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
-      look_at_peaks(sample, i);
+      look_at_peaks(simulation, sample, i);
     }
   });
   return {time, seen_};
@@ -326,6 +379,13 @@ void Recorder::add_hinge(const Simulation& simulation, int i) {
        {reactions.hinge, reactions.lock, hinge.friction_moment}) {
     for (const double x : Vector3d(to_inertial * v)) add(x + 0.0);  // no -0
   }
+  if (!body.hinge.stops.empty()) {
+    add(simulation.stop_moment(simulation.sample(), i));
+    add(memory_.bodies[i].stop_impulses);
+  }
+  if (case_.has_latch(i)) {
+    add(simulation.latch_moment(simulation.sample(), i));
+  }
 }
 
 // Does not record a rest of zero duration, as where a body reverses.
@@ -340,8 +400,38 @@ void Recorder::note_change(const multibody::HingeChange& change) {
     memory_.notes.erase(std::next(same).base());
     return;
   }
-  memory_.notes.push_back(
-      {change.time, body, rests ? comes_to_rest : begins_to_slide});
+  const char* what = change.on_stop ? rests_on_stop : comes_to_rest;
+  if (!rests) {
+    const bool leaves =
+        same != memory_.notes.rend() && same->what == rests_on_stop;
+    what = leaves ? leaves_stop : begins_to_slide;
+  }
+  memory_.notes.push_back({change.time, body, what});
+}
+
+// A latch has its note already, by before().
+void Recorder::note_impact(const multibody::HingeImpact& impact) {
+  const auto& [time, body, latches, rate, impulse, loss] = impact;
+  const std::string& name = case_.bodies[body].rigid.name;
+  BodyRecord& record = memory_.bodies[body];
+  if (latches) {
+    record.latch_impulse = std::max(record.latch_impulse, impulse);
+    record.latch_loss += loss;
+    const auto note = std::ranges::find_if(
+        memory_.notes.rbegin(), memory_.notes.rend(), [&](const Note& n) {
+          return n.body == name && n.what.ends_with("latches");
+        });
+    if (note == memory_.notes.rend()) return;
+    note->rate = rate;
+    note->impulse = impulse;
+    note->loss = loss;
+    return;
+  }
+  record.impacts += 1;
+  record.stop_impulses += impulse;
+  record.largest_impulse = std::max(record.largest_impulse, impulse);
+  record.stop_loss += loss;
+  memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
 }
 
 // Sticking and sliding, with the time at rest and at rims.
@@ -358,26 +448,44 @@ void Recorder::look_at_changes(const Simulation& simulation) {
           static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
     }
     changes_seen_ = changes.size();
+    impacts_seen_ = simulation.impacts().size();
+    for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
+      memory_.bodies[i].on_stop = static_cast<int>(is_on_stop(
+          case_.bodies[i], simulation.sample(), static_cast<int>(i)));
+    }
     return;
   }
   std::vector<double> since(case_.bodies.size(), memory_.last_time);
+  const auto add_rest = [&](std::size_t body, double until) {
+    BodyRecord& record = memory_.bodies[body];
+    if (memory_.modes[body] != resting) return;
+    record.rest_time += until - since[body];
+    if (record.on_stop != 0) record.rest_on_stop += until - since[body];
+  };
+  const auto& impacts = simulation.impacts();
+  const auto note_impacts = [&](double until) {
+    for (; impacts_seen_ < impacts.size(); ++impacts_seen_) {
+      if (impacts[impacts_seen_].time > until) return;
+      note_impact(impacts[impacts_seen_]);
+    }
+  };
   for (; changes_seen_ < changes.size(); ++changes_seen_) {
     const auto& change = changes[changes_seen_];
-    if (memory_.modes[change.body] == resting) {
-      memory_.bodies[change.body].rest_time += change.time - since[change.body];
-    }
+    note_impacts(change.time);
+    add_rest(change.body, change.time);
     since[change.body] = change.time;
     memory_.modes[change.body] = static_cast<int>(change.to);
-    // Breaks are noted under the event's name.
-    if (change.to == HingeMode::released || change.from == HingeMode::locked) {
+    memory_.bodies[change.body].on_stop = static_cast<int>(change.on_stop);
+    // Breaks and latches are noted under the event's name.
+    if (change.to == HingeMode::released || is_fixed(change.to) ||
+        is_fixed(change.from)) {
       continue;
     }
     note_change(change);
   }
+  note_impacts(time);
   for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
-    if (memory_.modes[i] == resting) {
-      memory_.bodies[i].rest_time += time - since[i];
-    }
+    add_rest(i, time);
     const Body& body = case_.bodies[i];
     if (body.hinge.joints.empty() || body.hinge.joints[0].model.is_endless()) {
       continue;
@@ -468,15 +576,18 @@ void Recorder::look_at_energy(const Simulation& simulation, bool first) {
   if (first) memory_.first_balance = book.balance();
   const double drift = std::abs(book.balance() - memory_.first_balance);
   memory_.largest_drift = std::max(memory_.largest_drift, drift);
-  for (const double e :
-       {book.kinetic, book.gravity, book.active_work, book.dissipated}) {
+  for (const double e : {book.kinetic, book.gravity, book.active_work,
+                         book.dissipated, book.impacts}) {
     memory_.largest_energy = std::max(memory_.largest_energy, std::abs(e));
   }
   if (!keep_rows_) return;
-  for (const double e : {book.kinetic, book.gravity, book.active_work,
-                         book.dissipated, book.balance()}) {
+  for (const double e :
+       {book.kinetic, book.gravity, book.active_work, book.dissipated}) {
     add(e);
   }
+  if (case_.has_impacts()) add(book.impacts);
+  if (stores_energy(case_)) add(simulation.stored_energy());
+  add(book.balance());
 }
 
 void Recorder::look(const Simulation& simulation) {
@@ -489,7 +600,7 @@ void Recorder::look(const Simulation& simulation) {
     add_motion(sample.carrier());
   }
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
-    look_at_peaks(sample, i);
+    look_at_peaks(simulation, sample, i);
     if (!keep_rows_) continue;
     add_hinge(simulation, i);
     add_motion(sample.body(i));
@@ -504,14 +615,14 @@ void Recorder::look_between(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   seen_.clear();
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
-    look_at_peaks(sample, i);
+    look_at_peaks(simulation, sample, i);
   }
   look_at_distances(simulation, false);
   look_at_forces(simulation, memory_.forces);
   if (refine_) refine_peaks(simulation);
 }
 
-// Whether happenings[i] breaks anything: what is broken already, also by those
+// Whether happenings[i] changes anything: what is broken already, also by those
 // before it, does not break again, and a locked hinge does not break.
 bool Recorder::breaks(const Simulation& simulation,
                       const std::vector<Happening>& happenings,
@@ -528,6 +639,10 @@ bool Recorder::breaks(const Simulation& simulation,
   if (broken(action)) return false;
   const HingeMode mode = simulation.sample().mode(h.body);
   const bool locked = mode == HingeMode::locked;
+  if (action == Event::Action::open_latch) return mode == HingeMode::latched;
+  if (action == Event::Action::latch) {
+    return mode != HingeMode::released && !is_fixed(mode);
+  }
   if (action == Event::Action::break_lock) return locked;
   return mode != HingeMode::released &&
          (!locked || broken(Event::Action::break_lock));
@@ -543,8 +658,11 @@ void Recorder::before(const Simulation& simulation,
     const Event& event = case_.events[h.event];
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
-    memory_.notes.push_back(
-        {simulation.time(), body.rigid.name, break_text(event, body)});
+    const bool fails =
+        event.action == Event::Action::latch && !simulation.engages(h);
+    memory_.notes.push_back({simulation.time(), body.rigid.name,
+                             event_text(event, body, !fails),
+                             fails ? rate_of(body.hinge, sample, h.body) : 0});
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);

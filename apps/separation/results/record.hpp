@@ -66,6 +66,18 @@ struct BodyRecord {
   double peak_lock_time = 0;
   double work = 0;       ///< work of friction, J
   double rest_time = 0;  ///< s
+  double peak_stop = 0;  ///< moment of a stop, N m
+  double peak_stop_time = 0;
+  double impacts = 0;          ///< on stops
+  double stop_impulses = 0;    ///< sum of those of rigid stops, N m s
+  double largest_impulse = 0;  ///< the largest of them, N m s
+  double stop_loss = 0;        ///< energy that they took, J
+  double rest_on_stop = 0;     ///< s
+  int on_stop = 0;             ///< 1: rests on one at the last look
+  double peak_latch = 0;       ///< moment of a latch, N m
+  double peak_latch_time = 0;
+  double latch_impulse = 0;  ///< the largest, N m s
+  double latch_loss = 0;     ///< energy that latches took, J
   std::vector<JointPeaks> joints;
   /// At the release of the hinge; time infinite if there was none.
   struct Release {
@@ -84,6 +96,10 @@ struct Note {
   double time;
   std::string body;
   std::string what;
+  // Of an impact, else 0.
+  double rate = 0;     ///< of the hinge before it, on an axis with its sign
+  double impulse = 0;  ///< N m s; 0 too on a compliant stop
+  double loss = 0;     ///< of energy, J
 };
 
 /// Whether a run of the case may note that.
@@ -143,7 +159,8 @@ class Recorder {
   void go_on_with(const Simulation& simulation);
 
  private:
-  void look_at_peaks(const multibody::MotionSample& sample, int body);
+  void look_at_peaks(const Simulation& simulation,
+                     const multibody::MotionSample& sample, int body);
   Look look_back(const Simulation& simulation, double time);
   std::vector<double> known_peaks() const;
   void refine_peaks(const Simulation& simulation);
@@ -152,6 +169,7 @@ class Recorder {
   void add_hinge(const Simulation& simulation, int body);
   void look_at_changes(const Simulation& simulation);
   void note_change(const multibody::HingeChange& change);
+  void note_impact(const multibody::HingeImpact& impact);
   void look_at_distances(const Simulation& simulation, bool keep);
   void note_distance(std::size_t pair, double distance, double time);
   void search_distance(const Simulation& simulation, std::size_t pair);
@@ -169,6 +187,7 @@ class Recorder {
   std::vector<double> seen_;   ///< peaks that look_at_peaks() has seen
   std::vector<Look> looks_;    ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
+  std::size_t impacts_seen_ = 0;
   std::string fault_;
   Memory memory_;
 };

@@ -26,6 +26,10 @@ void check_size(double value, const char* what) {
   require(value >= 0, what, value, "0 or above");
 }
 
+void check_flag(int value, const char* what) {
+  require(value == 0 || value == 1, what, value, "0 or 1");
+}
+
 /// Times of what has happened.
 class Past {
  public:
@@ -51,12 +55,16 @@ bool has_as_many(const RunState& state, const Case& c) {
   const auto is_of_bodies = [&](const auto& all) {
     return all.size() == bodies;
   };
+  const auto same_stops = [](const auto& touches, const Body& body) {
+    return touches.size() == body.hinge.stops.size();
+  };
   const auto same_joints = [](const BodyRecord& record, const Body& body) {
     return record.joints.size() == body.hinge.joints.size();
   };
   return history.events.size() == c.events.size() &&
          std::ranges::all_of(history.events, is_of_bodies) &&
          history.spent.size() == c.forces.size() &&
+         std::ranges::equal(history.touches, c.bodies, same_stops) &&
          memory.forces.size() == c.forces.size() &&
          memory.pairs.size() == c.clearance.size() &&
          is_of_bodies(memory.modes) &&
@@ -70,6 +78,18 @@ void check_body(const BodyRecord& body, const Past& past) {
   past.check(body.peak_lock_time, "bodies.peak_lock_time");
   check_size(body.work, "bodies.work");
   check_size(body.rest_time, "bodies.rest_time");
+  check_size(body.peak_stop, "bodies.peak_stop");
+  past.check(body.peak_stop_time, "bodies.peak_stop_time");
+  check_size(body.impacts, "bodies.impacts");
+  check_size(body.stop_impulses, "bodies.stop_impulses");
+  check_size(body.largest_impulse, "bodies.largest_impulse");
+  check_size(body.stop_loss, "bodies.stop_loss");
+  check_size(body.rest_on_stop, "bodies.rest_on_stop");
+  check_flag(body.on_stop, "bodies.on_stop");
+  check_size(body.peak_latch, "bodies.peak_latch");
+  past.check(body.peak_latch_time, "bodies.peak_latch_time");
+  check_size(body.latch_impulse, "bodies.latch_impulse");
+  check_size(body.latch_loss, "bodies.latch_loss");
   for (const JointPeaks& joint : body.joints) {
     check_size(joint.reaction, "bodies.joints.reaction");
     past.check(joint.reaction_time, "bodies.joints.reaction_time");
@@ -105,7 +125,10 @@ void check_history(const History& history, const Past& past) {
     for (const double time : event) past.check_or_never(time, "events");
   }
   for (const char spent : history.spent) {
-    require(spent == 0 || spent == 1, "spent", spent, "0 or 1");
+    check_flag(spent, "spent");
+  }
+  for (const auto& touches : history.touches) {
+    for (const double rate : touches) check_size(rate, "touches");
   }
 }
 
@@ -149,6 +172,9 @@ void check_notes(const std::vector<Note>& notes, const Case& c,
     past.check(note.time, "notes.time");
     require(note.time >= before, "notes.time", note.time,
             "in the order of time");
+    require(std::isfinite(note.rate), "notes.rate", note.rate, "finite");
+    check_size(note.impulse, "notes.impulse");
+    check_size(note.loss, "notes.loss");
     before = note.time;
     if (can_be_noted(note, c)) continue;
     throw contact::Error(

@@ -31,7 +31,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
 
 namespace separation {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent, touches)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
                                    pressure, hidden, half_angle, moment,
@@ -40,9 +40,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord::Release, time, angle, rate,
                                    rates, velocity)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
                                    peak_reaction_time, peak_lock,
-                                   peak_lock_time, work, rest_time, joints,
-                                   release)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what)
+                                   peak_lock_time, work, rest_time, peak_stop,
+                                   peak_stop_time, impacts, stop_impulses,
+                                   largest_impulse, stop_loss, rest_on_stop,
+                                   on_stop, peak_latch, peak_latch_time,
+                                   latch_impulse, latch_loss, joints, release)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
                                    overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)

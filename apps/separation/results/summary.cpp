@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/units.hpp"
 #include "separation/results/quantities.hpp"
 
 namespace separation {
@@ -50,18 +51,34 @@ ordered_json release_json(const BodyRecord::Release& release) {
   return j;
 }
 
-ordered_json body_json(const Body& body, const BodyRecord& record,
-                       multibody::HingeMode mode) {
+ordered_json note_json(const Note& note) {
+  ordered_json j = {
+      {"time_s", note.time}, {"body", note.body}, {"what", note.what}};
+  if (note.rate != 0) j["rate_deg_per_s"] = note.rate / contact::degree;
+  if (note.impulse == 0) return j;
+  j["impulse_N_m_s"] = note.impulse;
+  j["energy_J"] = note.loss;
+  return j;
+}
+
+ordered_json body_json(const Case& c, const Outcome& outcome, int number) {
+  const Body& body = c.bodies[number];
+  const BodyRecord& record = outcome.memory.bodies[number];
   ordered_json j = {{"name", body.rigid.name}};
   if (body.hinge.kind == multibody::HingeKind::none) return j;
   j["hinge"] = body.hinge.name;
-  j["mode_at_end"] = multibody::to_string(mode);
+  j["mode_at_end"] = multibody::to_string(outcome.modes[number]);
   add(hinge_quantities(), record, j);
   if (body.lock) {
     j["lock"] = body.lock->name;
     add(lock_quantities(), record, j);
   }
+  if (!body.hinge.stops.empty()) add(stop_quantities(), record, j);
+  if (c.has_latch(number)) add(latch_quantities(), record, j);
   add(body_quantities(), record, j);
+  if (body.hinge.margin) {
+    add(margin_quantities(), torque_margin(c, number, outcome.friction), j);
+  }
   j["at_release"] = release_json(record.release);
   j["joints"] = ordered_json::array();
   for (std::size_t i = 0; i < record.joints.size(); ++i) {
@@ -111,8 +128,7 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   if (!outcome.failure.empty()) j["failure"] = outcome.failure;
   j["events"] = ordered_json::array();
   for (const Note& note : memory.notes) {
-    j["events"].push_back(
-        {{"time_s", note.time}, {"body", note.body}, {"what", note.what}});
+    j["events"].push_back(note_json(note));
   }
   j["missed_events"] = ordered_json::array();
   for (const Missed& missed : missed_events(c, outcome)) {
@@ -121,8 +137,7 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   }
   j["bodies"] = ordered_json::array();
   for (std::size_t i = 0; i < c.bodies.size(); ++i) {
-    j["bodies"].push_back(
-        body_json(c.bodies[i], memory.bodies[i], outcome.modes[i]));
+    j["bodies"].push_back(body_json(c, outcome, static_cast<int>(i)));
   }
   j["clearance"] = clearance_json(c, outcome);
   // A given motion of the carrier does work that no book shows.

@@ -30,7 +30,8 @@ double History::release_of(int body, const Case& c) const {
   return first;
 }
 
-CaseForces::CaseForces(const Case& c, const History& history) : case_(c) {
+CaseForces::CaseForces(const Case& c, const History& history)
+    : case_(c), stops_(c, history) {
   for (std::size_t i = 0; i < c.forces.size(); ++i) {
     const Force& force = c.forces[i];
     if (history.spent[i]) continue;
@@ -62,6 +63,7 @@ void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
     if (!active.is_on(time)) continue;
     active.force->law->add(instant(active, time, bodies), forces);
   }
+  stops_.add_forces(bodies, forces);
 }
 
 void CaseForces::add_kinks(double during, std::span<const BodyMotion> bodies,
@@ -70,6 +72,7 @@ void CaseForces::add_kinks(double during, std::span<const BodyMotion> bodies,
     if (!active.is_on(during)) continue;
     active.force->law->add_kinks(instant(active, during, bodies), to);
   }
+  stops_.add_kinks(bodies, to);
 }
 
 std::optional<BodyForce> CaseForces::of(
@@ -82,6 +85,21 @@ std::optional<BodyForce> CaseForces::of(
   std::vector<BodyForce> forces(bodies.size());
   wanted->law->add(instant(*active, time, bodies), forces);
   return forces[wanted->body];
+}
+
+bool stores_energy(const Case& c) {
+  return std::ranges::any_of(
+      c.forces, [](const Force& force) { return force.law->stores(); });
+}
+
+double CaseForces::stored_energy(double time,
+                                 std::span<const BodyMotion> bodies) const {
+  double sum = 0;
+  for (const Active& active : active_) {
+    if (!active.is_on(time)) continue;
+    sum += active.force->law->stored(instant(active, time, bodies));
+  }
+  return sum;
 }
 
 double CaseForces::next_break(double time) const {

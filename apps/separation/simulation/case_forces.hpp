@@ -5,6 +5,7 @@
 
 #include "multibody/system/force_model.hpp"
 #include "separation/case/case.hpp"
+#include "separation/simulation/compliant_stops.hpp"
 
 namespace separation {
 
@@ -17,11 +18,17 @@ struct History {
   std::vector<std::vector<double>> events;
   /// One flag per force: its stroke is used up, and it acts no more.
   std::vector<char> spent;
+  /// Rate of the last touch of each compliant stop, rad/s: touches[body][stop].
+  std::vector<std::vector<double>> touches;
 
   History() = default;
   explicit History(const Case& c)
       : events(c.events.size(), std::vector<double>(c.bodies.size(), not_yet)),
-        spent(c.forces.size(), false) {}
+        spent(c.forces.size(), false) {
+    for (const Body& body : c.bodies) {
+      touches.emplace_back(body.hinge.stops.size());
+    }
+  }
 
   /// When a clock strikes for a body: of an event that is not about the body
   /// the first time counts. not_yet if that is not known.
@@ -29,6 +36,9 @@ struct History {
   /// When the hinge of a body (1 +) broke; not_yet.
   double release_of(int body, const Case& c) const;
 };
+
+/// Whether a force of the case stores energy.
+bool stores_energy(const Case& c);
 
 /// The forces of a case from one event to the next.
 class CaseForces final : public multibody::ForceModel {
@@ -46,6 +56,14 @@ class CaseForces final : public multibody::ForceModel {
   std::optional<multibody::BodyForce> of(
       int force, double time,
       std::span<const multibody::BodyMotion> bodies) const;
+  /// Energy that forces store, J.
+  double stored_energy(double time,
+                       std::span<const multibody::BodyMotion> bodies) const;
+  /// As CompliantStops has it.
+  double stop_moment(int body,
+                     std::span<const multibody::BodyMotion> bodies) const {
+    return stops_.moment(body, bodies);
+  }
 
  private:
   struct Active {
@@ -60,6 +78,7 @@ class CaseForces final : public multibody::ForceModel {
   const Case& case_;
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing
+  CompliantStops stops_;
 };
 
 }  // namespace separation

@@ -36,6 +36,22 @@ std::vector<multibody::HingeFriction> friction_of(const Case& c,
   return friction;
 }
 
+multibody::MotionOptions options_of(const Case& c) {
+  multibody::MotionOptions options = c.options;
+  for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
+    for (const HingeStop& stop : c.bodies[i].hinge.stops) {
+      if (!stop.is_rigid()) continue;
+      options.stops.push_back({i, stop.angle, stop.side, stop.restitution});
+    }
+  }
+  return options;
+}
+
+// Rounding of what is at an angle, rad.
+bool is_at(double angle, double value) {
+  return std::abs(angle - value) <= 1e-12 * std::max(1.0, std::abs(value));
+}
+
 }  // namespace
 
 NodeReactions node_reactions(const Body& body,
@@ -53,8 +69,9 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
       history_(c),
       forces_(std::make_shared<CaseForces>(c, history_)),
       motion_(system_of(c), friction_of(c, friction), forces_, start_of(c),
-              c.options) {
+              options_of(c)) {
   add_events();
+  add_stops();
   if (end_pushes()) renew_forces();
 }
 
@@ -95,7 +112,19 @@ void Simulation::add_events() {
                                       : condition(sample, h);
                          },
                          multibody::MotionEvent::Crossing::rising});
-      meanings_.push_back({h, -1});
+      meanings_.push_back({h});
+      // What comes to rest at its angle, faster than it takes, is caught there.
+      if (std::isinf(event.rate_below)) continue;
+      motion_.add_event({[this, h](const MotionSample& sample) {
+                           return !has_happened(h) && is_armed(h) &&
+                                          is_at_latch(sample, h) &&
+                                          sample.mode(h.body) ==
+                                              HingeMode::resting
+                                      ? 1.0
+                                      : -1.0;
+                         },
+                         multibody::MotionEvent::Crossing::rising});
+      meanings_.push_back({h});
     }
   }
   for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
@@ -114,6 +143,53 @@ void Simulation::add_events() {
          multibody::MotionEvent::Crossing::rising});
     meanings_.push_back({{-1, -1}, f});
   }
+}
+
+// Every touch of a compliant stop becomes a function of the motion.
+void Simulation::add_stops() {
+  for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
+    const auto& stops = case_.bodies[i].hinge.stops;
+    for (std::size_t k = 0; k < stops.size(); ++k) {
+      if (stops[k].is_rigid()) continue;
+      motion_.add_event({[this, i, &stop = stops[k]](const MotionSample& s) {
+                           return s.mode(i) == HingeMode::released
+                                      ? 1.0
+                                      : stop.gap(angle(s, i));
+                         },
+                         multibody::MotionEvent::Crossing::falling});
+      meanings_.push_back({{-1, -1}, -1, i, k});
+    }
+  }
+}
+
+void Simulation::take_impacts() {
+  const auto& all = motion_.impacts();
+  for (; impacts_taken_ < all.size(); ++impacts_taken_) {
+    impacts_.push_back(all[impacts_taken_]);
+  }
+}
+
+double Simulation::stop_moment(const MotionSample& sample, int body) const {
+  return sample.hinge(body).stop_moment +
+         forces_->stop_moment(body, sample.motions());
+}
+
+double Simulation::latch_moment(const MotionSample& sample, int body) const {
+  if (sample.mode(body) != HingeMode::latched) return 0;
+  const Vector3d held = sample.hinge(body).reaction_moment;
+  const Hinge& hinge = case_.bodies[body].hinge;
+  if (hinge.kind != HingeKind::axis) return held.norm();
+  return std::abs(held.dot(hinge.zero_rotation.transpose() * hinge.axis));
+}
+
+bool Simulation::engages(const Happening& h) const {
+  const double rate = sample().hinge(h.body).relative_angular_velocity.norm();
+  return !(rate > case_.events[h.event].rate_below);
+}
+
+bool Simulation::is_at_latch(const MotionSample& sample,
+                             const Happening& h) const {
+  return is_at(angle(sample, h.body), case_.events[h.event].value);
 }
 
 bool Simulation::has_happened(const Happening& h) const {
@@ -163,8 +239,13 @@ void Simulation::find_due() {
       if (has_happened(h) || !is_armed(h)) continue;
       const bool timed = event.trigger == Event::Trigger::time ||
                          event.trigger == Event::Trigger::after;
-      if (timed ? due_time(h) <= time()
-                : changed && condition(sample(), h) >= 0) {
+      // A latch catches what passes its angle, not what is beyond it.
+      const auto is_met = [&] {
+        return event.action == Event::Action::latch
+                   ? is_at_latch(sample(), h) && engages(h)
+                   : condition(sample(), h) >= 0;
+      };
+      if (timed ? due_time(h) <= time() : changed && is_met()) {
         due_.push_back(h);
       }
     }
@@ -222,10 +303,25 @@ std::string Simulation::failure_text() const {
   return fmt::format("{} ({})", failure.reason, place);
 }
 
+// In the shortest steps rounding may have a body come to its stop twice.
+void Simulation::note_touch(int body, std::size_t stop) {
+  const double instant = 1e-12 * (1 + time());
+  for (auto it = impacts_.rbegin();
+       it != impacts_.rend() && it->time >= time() - instant; ++it) {
+    if (it->body == body) return;
+  }
+  const double rate = sample().hinge(body).relative_angular_velocity.norm();
+  history_.touches[body][stop] = rate;
+  impacts_.push_back({time(), body, false, rate, 0, 0});
+  renew_forces();
+}
+
 // The motion has stopped at an event of its own.
 void Simulation::note_motion_event() {
   const Meaning& meaning = meanings_[motion_.event()];
-  if (meaning.force >= 0) {
+  if (meaning.body >= 0) {
+    note_touch(meaning.body, meaning.stop);
+  } else if (meaning.force >= 0) {
     history_.spent[meaning.force] = true;
     end_pushes();
     renew_forces();
@@ -238,7 +334,9 @@ Simulation::Stop Simulation::advance_to(double end) {
   due_.clear();
   find_due();
   while (due_.empty() && time() < end) {
-    switch (motion_.advance_to(std::min(end, next_time()))) {
+    const auto stop = motion_.advance_to(std::min(end, next_time()));
+    take_impacts();
+    switch (stop) {
       case multibody::Stop::failed:
         message_ = failure_text();
         return Stop::failed;
@@ -253,6 +351,7 @@ Simulation::Stop Simulation::advance_to(double end) {
     }
   }
   if (due_.empty()) return Stop::time;
+  add_latches_here();
   // Together: all bodies of an event when it comes for one.
   const auto own = due_;
   for (const Happening& h : own) {
@@ -275,15 +374,52 @@ Simulation::Stop Simulation::advance_to(double end) {
   return Stop::event;
 }
 
+// Others that catch their bodies at this instant: one impulse is for all.
+void Simulation::add_latches_here() {
+  const auto latches = [&](const Happening& h) {
+    return case_.events[h.event].action == Event::Action::latch;
+  };
+  if (std::ranges::none_of(due_, latches)) return;
+  for (int e = 0; e < static_cast<int>(case_.events.size()); ++e) {
+    const Event& event = case_.events[e];
+    if (!latches({e, 0}) || event.trigger != Event::Trigger::angle) continue;
+    for (const int body : event.bodies) {
+      const Happening h{e, body};
+      const bool is_due = std::ranges::any_of(due_, [&](const Happening& other) {
+        return other.event == e && other.body == body;
+      });
+      if (is_due || has_happened(h) || !is_armed(h)) continue;
+      constexpr double instant = 1e-11;  // s
+      const double rate =
+          sample().hinge(body).relative_angular_velocity.norm();
+      const double away = std::abs(angle(body) - event.value);
+      if (away <= rate * instant * (1 + time()) && engages(h)) {
+        due_.push_back(h);
+      }
+    }
+  }
+}
+
 // Adds to what an event breaks. What is broken already does not break again.
 bool Simulation::perform(const Happening& h, multibody::MotionChange& breaks) {
   const Event& event = case_.events[h.event];
+  const HingeMode mode = sample().mode(h.body);
+  if (event.action == Event::Action::latch && !engages(h)) return true;
   history_.events[h.event][h.body] = time();
-  if (event.action == Event::Action::break_lock) {
-    breaks.unlocked.push_back(h.body);
-    return true;
+  switch (event.action) {
+    case Event::Action::latch:
+      breaks.latched.push_back(h.body);
+      return true;
+    case Event::Action::break_lock:
+      if (mode == HingeMode::locked) breaks.unlocked.push_back(h.body);
+      return true;
+    case Event::Action::open_latch:
+      if (mode == HingeMode::latched) breaks.unlocked.push_back(h.body);
+      return true;
+    case Event::Action::break_hinge:
+      break;
   }
-  if (sample().mode(h.body) == HingeMode::locked &&
+  if (mode == HingeMode::locked &&
       std::ranges::find(breaks.unlocked, h.body) == breaks.unlocked.end()) {
     message_ = fmt::format(
         "t = {:.6g} s: event \"{}\": the hinge of \"{}\" breaks while its lock "
@@ -305,6 +441,7 @@ bool Simulation::apply() {
   forces_ = std::make_shared<CaseForces>(case_, history_);
   breaks.forces = forces_;
   motion_.change(breaks);
+  take_impacts();
   if (motion_.failure()) {
     message_ = failure_text();
     return false;

@@ -60,6 +60,21 @@ class Simulation {
     return forces_->of(force, sample().time(), bodies);
   }
 
+  /// Energy that torsion springs store, J.
+  double stored_energy() const {
+    return forces_->stored_energy(time(), sample().motions());
+  }
+
+  /// Moment by which a stop pushes a body, as far as friction does not have to,
+  /// and by which a latch holds one (on an axis about it), N m.
+  double stop_moment(const multibody::MotionSample& sample, int body) const;
+  double latch_moment(const multibody::MotionSample& sample, int body) const;
+  /// Impacts on stops and by latches so far, in order; without impulse and loss
+  /// on compliant stops, which take time.
+  const std::vector<multibody::HingeImpact>& impacts() const {
+    return impacts_;
+  }
+
   /// As Motion::watch_steps().
   void watch_steps(std::function<void(const multibody::MotionSample&)> look) {
     motion_.watch_steps(std::move(look));
@@ -81,6 +96,8 @@ class Simulation {
   /// Breaks what the events that are due break.
   /// @return false if that cannot be: message() says why
   bool apply();
+  /// A latch that is due engages: not where the hinge turns too fast for it.
+  bool engages(const Happening& h) const;
   const std::string& message() const { return message_; }
 
   /// Angle of a body's hinge, also after its release: hinge_angle(). NaN
@@ -100,7 +117,13 @@ class Simulation {
   double due_time(const Happening& h) const;
   double condition(const multibody::MotionSample& sample,
                    const Happening& h) const;
+  bool is_at_latch(const multibody::MotionSample& sample,
+                   const Happening& h) const;
   void find_due();
+  void add_latches_here();
+  void add_stops();
+  void take_impacts();
+  void note_touch(int body, std::size_t stop);
   double next_time() const;
   void note_motion_event();
   bool end_pushes();
@@ -114,13 +137,18 @@ class Simulation {
   multibody::Motion motion_;
   /// +1: an angle event of a body waits for larger angles; [event][body].
   std::vector<std::vector<double>> sense_;
-  /// Meaning of a motion event: the happening, or the force whose stroke ends.
+  /// Meaning of a motion event: the happening, the force whose stroke ends, or
+  /// the body that touches a compliant stop.
   struct Meaning {
     Happening happening;
-    int force;
+    int force = -1;
+    int body = -1;
+    std::size_t stop = 0;
   };
   std::vector<Meaning> meanings_;
   std::vector<Happening> due_;
+  std::vector<multibody::HingeImpact> impacts_;
+  std::size_t impacts_taken_ = 0;  ///< of the motion's
   /// Begun, gone on from a checkpoint, or broken something at time().
   bool changed_ = true;
   std::string message_;

@@ -71,13 +71,25 @@ void add(std::span<const contact::Quantity<T>> quantities, const T& of,
   }
 }
 
-void add_body(const separation::Body& body,
-              const separation::BodyRecord& record, Numbers& to) {
+void add_body(const Case& c, const separation::Outcome& outcome, int number,
+              Numbers& to) {
+  const separation::Body& body = c.bodies[number];
+  const separation::BodyRecord& record = outcome.memory.bodies[number];
   if (body.hinge.kind == multibody::HingeKind::none) return;
   const std::string name = column_name(body.rigid.name);
   add(separation::hinge_quantities(), record, name, to);
   if (body.lock) add(separation::lock_quantities(), record, name, to);
+  if (!body.hinge.stops.empty()) {
+    add(separation::stop_quantities(), record, name, to);
+  }
+  if (c.has_latch(number)) {
+    add(separation::latch_quantities(), record, name, to);
+  }
   add(separation::body_quantities(), record, name, to);
+  if (body.hinge.margin) {
+    add(separation::margin_quantities(),
+        torque_margin(c, number, outcome.friction), name, to);
+  }
   if (record.release.time != separation::History::not_yet) {
     add(separation::release_quantities(), record.release, name + ".at_release",
         to);
@@ -169,7 +181,7 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
     numbers.emplace(over_limit, *share);
   }
   for (std::size_t i = 0; i < c.bodies.size(); ++i) {
-    add_body(c.bodies[i], memory.bodies[i], numbers);
+    add_body(c, outcome, static_cast<int>(i), numbers);
   }
   add_events(c, outcome, numbers);
   add_clearance(c, outcome, numbers);

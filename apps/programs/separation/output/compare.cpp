@@ -6,7 +6,7 @@
 
 #include "cli/stream/report.hpp"
 #include "libcontact/base/units.hpp"
-#include "separation/results/summary.hpp"
+#include "separation/results/quantities.hpp"
 
 namespace separation {
 namespace {
@@ -15,7 +15,7 @@ using contact::degree;
 
 // A value of one body in one run; NaN where there is none.
 struct Quantity {
-  const char* name;
+  std::string name;
   std::function<double(const Outcome&, int body)> value;
 };
 
@@ -35,7 +35,8 @@ double number_in_row(const Case& c, const Outcome& o, int body,
   return NAN;
 }
 
-std::vector<Quantity> quantities(const Case& c) {
+// @param of  the body
+std::vector<Quantity> quantities(const Case& c, int of) {
   const auto record = [](const Outcome& o, int body) -> const BodyRecord& {
     return o.memory.bodies[body];
   };
@@ -55,7 +56,7 @@ std::vector<Quantity> quantities(const Case& c) {
       return release.time == History::not_yet ? NAN : release.*what / unit;
     };
   };
-  return {
+  std::vector<Quantity> all = {
       {"acceleration_at_start_deg_per_s2",
        [&c](const Outcome& o, int body) {
          return number_in_row(c, o, body, ".acceleration_deg_per_s2", true);
@@ -89,6 +90,17 @@ std::vector<Quantity> quantities(const Case& c) {
          return half_angle(o, body) / degree;
        }},
   };
+  const auto add = [&](std::span<const contact::Quantity<BodyRecord>> more) {
+    for (const auto& q : more) {
+      all.push_back({summary_name(q), [record, &q](const Outcome& o, int body) {
+                       return summary_unit(q.dimension)
+                           .from_si(number_of(q, record(o, body)));
+                     }});
+    }
+  };
+  if (!c.bodies[of].hinge.stops.empty()) add(stop_quantities());
+  if (c.has_latch(of)) add(latch_quantities());
+  return all;
 }
 
 }  // namespace
@@ -99,11 +111,10 @@ void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
   for (const Outcome& outcome : outcomes) {
     columns.emplace_back(to_string(outcome.friction));
   }
-  const auto all = quantities(c);
   cli::write_table(options, columns, [&](cli::RowWriter& row) {
     for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
       if (c.bodies[body].hinge.kind == multibody::HingeKind::none) continue;
-      for (const Quantity& quantity : all) {
+      for (const Quantity& quantity : quantities(c, body)) {
         row.text(c.bodies[body].rigid.name);
         row.text(quantity.name);
         for (const Outcome& outcome : outcomes) {

@@ -8,6 +8,8 @@
 namespace separation {
 
 /// Events as a CSV table: time_s, body, what; all of them in any style.
-std::string events_csv(const Outcome& outcome, cli::TableStyle style);
+/// With the rates, impulses and losses of impacts where the case has such.
+std::string events_csv(const Case& c, const Outcome& outcome,
+                       cli::TableStyle style);
 
 }  // namespace separation

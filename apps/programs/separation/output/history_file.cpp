@@ -48,8 +48,8 @@ struct Place {
 };
 Place place_of(std::string column) {
   static constexpr std::string_view endings[] = {
-      "_deg_per_s2", "_deg_per_s", "_rad_per_s", "_m_per_s", "_N_m", "_deg",
-      "_Pa",         "_N",         "_J",         "_m",       "_s"};
+      "_deg_per_s2", "_deg_per_s", "_rad_per_s", "_m_per_s", "_N_m_s", "_N_m",
+      "_deg",        "_Pa",        "_N",         "_J",       "_m",     "_s"};
   const auto* const ending = std::ranges::find_if(
       endings, [&](std::string_view end) { return column.ends_with(end); });
   std::string unit = ending == std::end(endings)

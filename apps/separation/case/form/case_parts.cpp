@@ -13,6 +13,7 @@
 #include "separation/case/hinge_reader.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
+#include "separation/case/stop_reader.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
@@ -205,6 +206,10 @@ Body read_body(const TomlTable& table, const RigidBody& parent,
   body.lock = read_lock(table, body.rigid.com, body.hinge);
   const auto start = table.optional_table("start");
   body.start = read_body_start(start, body.hinge);
+  if (const auto hinge = table.optional_table("hinge")) {
+    body.hinge.stops = read_stops(*hinge, body.hinge, body.start);
+    body.hinge.margin = read_margin(*hinge, body.hinge, body.start);
+  }
   body.start.locked = body.lock.has_value();
   if (body.lock && (body.start.angle_rate != 0 ||
                     body.start.relative_angular_velocity.norm() > 0)) {

@@ -1,0 +1,126 @@
+#include "separation/case/stop_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <numbers>
+
+#include "libcontact/base/units.hpp"
+#include "libcontact/play/hunt_crossley.hpp"
+#include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/system_of.hpp"
+
+namespace separation {
+namespace {
+
+using contact::degree;
+using contact::Interval;
+using contact::TomlTable;
+
+// Whether its angle is one between named directions, or a turn about an axis.
+void check_hinge(const TomlTable& table, const TomlTable& of,
+                 const Hinge& hinge, const HingeStop& stop) {
+  if (hinge.kind == multibody::HingeKind::axis) return;
+  if (!of.has("body_direction")) {
+    table.needs("directions of the ball hinge: body_direction and " +
+                parent_key(of, "direction"));
+  }
+  check_angles(table, hinge, stop.angle, stop.angle, "a ball hinge");
+  if (stop.is_rigid()) {
+    table.needs("stiffness_N_m_per_rad on a ball hinge: rigid stops are on "
+                "axes");
+  }
+}
+
+void read_side(const TomlTable& table, double start, HingeStop& stop) {
+  const auto from = table.optional_choice("from", {"below", "above"});
+  if (!from && start == stop.angle) {
+    table.needs("angle", "from: the body starts there");
+  }
+  const bool below = from ? *from == 0 : start < stop.angle;
+  stop.side = below ? -1 : 1;
+  if (stop.gap(start) < 0) {
+    table.must_be("angle", fmt::format("{:.6g} deg or {}, so that the body "
+                                       "does not start beyond it",
+                                       start / degree, below ? "more" : "less"));
+  }
+}
+
+HingeStop read_stop(const TomlTable& table) {
+  constexpr double most = 100 * std::numbers::pi;
+  HingeStop stop;
+  stop.angle = table.number("angle", {-most, most});
+  stop.stiffness =
+      table.optional_number("stiffness_N_m_per_rad", Interval::positive())
+          .value_or(0);
+  stop.restitution =
+      table.number("restitution", {0, 1, !stop.is_rigid(), false});
+  if (!stop.is_rigid()) {
+    stop.damping =
+        contact::HuntCrossley::from_restitution(stop.restitution, 1).damping();
+  }
+  return stop;
+}
+
+}  // namespace
+
+contact::KnownKeys stop_keys() {
+  return {{"angle", contact::Dimension::angle},
+          {"from"},
+          {"restitution"},
+          {"stiffness_N_m_per_rad"}};
+}
+
+std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
+                                  const multibody::BodyStart& start) {
+  const double begin = hinge.kind == multibody::HingeKind::axis
+                           ? start.angle
+                           : hinge_angle(hinge, start.rotation);
+  std::vector<HingeStop> stops;
+  for (const TomlTable& of : table.tables("stop")) {
+    HingeStop stop = read_stop(of);
+    check_hinge(of, table, hinge, stop);
+    read_side(of, begin, stop);
+    for (const HingeStop& other : stops) {
+      if (other.side == stop.side) {
+        of.must_be("angle", fmt::format("on the other side of the start, {:.6g} "
+                                        "deg, than the other stop",
+                                        begin / degree));
+      }
+      if (!(other.gap(stop.angle) > 0)) {
+        of.must_be("angle", fmt::format("{} that of the other stop, {:.6g} deg",
+                                        stop.side < 0 ? "above" : "below",
+                                        other.angle / degree));
+      }
+    }
+    stops.push_back(stop);
+  }
+  return stops;
+}
+
+contact::KnownKeys margin_keys() {
+  return {{"from", contact::Dimension::angle},
+          {"to", contact::Dimension::angle},
+          {"friction_factor"},
+          {"other_factor"}};
+}
+
+std::optional<MarginPath> read_margin(const TomlTable& table,
+                                      const Hinge& hinge,
+                                      const multibody::BodyStart& start) {
+  const auto of = table.optional_table("torque_margin");
+  if (!of) return {};
+  if (hinge.kind != multibody::HingeKind::axis) {
+    table.needs("torque_margin", "kind = \"axis\"");
+  }
+  MarginPath path{of->optional_number("from", Interval::any())
+                      .value_or(start.angle),
+                  of->number("to", Interval::any())};
+  if (path.to == path.from) of->must_be("to", "another angle than from");
+  const Interval factor{1, 100};
+  path.friction_factor =
+      of->optional_number("friction_factor", factor).value_or(1);
+  path.other_factor = of->optional_number("other_factor", factor).value_or(1);
+  return path;
+}
+
+}  // namespace separation

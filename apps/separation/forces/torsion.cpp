@@ -1,0 +1,114 @@
+#include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/system_of.hpp"
+#include "separation/forces/tables.hpp"
+
+namespace separation {
+namespace {
+
+/// A torsion spring on an axis, with a damper: a moment on the body, the
+/// opposite one on its parent, as long as the hinge holds,
+///
+///     M = M0 + k (free - phi) - c phi',
+///
+/// or that of a table over the angle in the place of the first two. Its energy is
+/// counted from `free_angle`, or from the table's first row.
+struct Torsion final : ForceLaw {
+  double stiffness = 0;   ///< k, N m
+  double free_angle = 0;  ///< rad
+  double preload = 0;     ///< M0, N m
+  double damping = 0;     ///< c, N m s
+  Table<double> table;    ///< N m, empty: none
+
+  double moment(double angle) const {
+    return table.at.empty() ? preload + stiffness * (free_angle - angle)
+                            : table(angle);
+  }
+
+  void add(const ForceInstant& at,
+           std::span<multibody::BodyForce> forces) const override {
+    const Hinge& hinge = at.hinge();
+    const Eigen::Vector3d axis = at.parent().rotation * hinge.axis;
+    const double rate =
+        axis.dot(at.on().angular_velocity - at.parent().angular_velocity);
+    const Eigen::Vector3d m =
+        (moment(hinge_angle(hinge, at.parent(), at.on())) - damping * rate) *
+        axis;
+    forces[at.body].moment += m;
+    forces[hinge.on].moment -= m;
+  }
+  ForceEnds where(const Case& of, int body) const override {
+    return {of.bodies[body - 1].hinge.body_point};
+  }
+  void add_kinks(const ForceInstant& at,
+                 std::vector<multibody::KinkedVariable>& to) const override {
+    if (!table.at.empty()) {
+      separation::add_kinks(Variable::angle, table.at, at, to);
+    }
+  }
+  bool ends_with_hinge() const override { return true; }
+
+  bool stores() const override { return true; }
+  double stored(const ForceInstant& at) const override {
+    const double angle = hinge_angle(at.hinge(), at.parent(), at.on());
+    return table.at.empty() ? work_to(free_angle - angle) : -table_work(angle);
+  }
+
+ private:
+  double work_to(double turn) const {
+    return turn * (preload + stiffness * turn / 2);
+  }
+  // From the first row to an angle.
+  double table_work(double angle) const {
+    const auto& [at, values] = table;
+    if (angle <= at.front()) return (angle - at.front()) * values.front();
+    double sum = 0;
+    for (std::size_t i = 1; i < at.size(); ++i) {
+      const double end = std::min(angle, at[i]);
+      sum += (end - at[i - 1]) * (values[i - 1] + table(end)) / 2;
+      if (end == angle) return sum;
+    }
+    return sum + (angle - at.back()) * values.back();
+  }
+};
+
+std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+  const TomlTable& table = from.table;
+  if (from.hinge() != multibody::HingeKind::axis) {
+    table.must_be("body", "a body on an axis");
+  }
+  auto law = std::make_shared<Torsion>();
+  law->damping =
+      table.optional_number("damping_N_m_s_per_rad", Interval::non_negative())
+          .value_or(0);
+  if (table.has("angle")) {
+    for (const char* key : {"stiffness_N_m_per_rad", "free_angle", "preload"}) {
+      table.refuse_both(key, "angle");
+    }
+    const auto at = increasing(table, "angle");
+    law->table = {at, table.numbers("moment", {at.size()}, Interval::any())};
+    return law;
+  }
+  if (table.has("moment")) table.needs("moment", "angle");
+  law->stiffness =
+      table.number("stiffness_N_m_per_rad", Interval::non_negative());
+  law->free_angle =
+      table.optional_number("free_angle", Interval::any()).value_or(0);
+  law->preload = table.optional_number("preload", Interval::any()).value_or(0);
+  return law;
+}
+
+}  // namespace
+
+ForceKind torsion() {
+  using contact::Dimension;
+  return {"torsion",
+          {{"stiffness_N_m_per_rad"},
+           {"free_angle", Dimension::angle},
+           {"preload", Dimension::moment},
+           {"damping_N_m_s_per_rad"},
+           {"angle", Dimension::angle},
+           {"moment", Dimension::moment}},
+          read};
+}
+
+}  // namespace separation

@@ -1,0 +1,192 @@
+#include "separation/simulation/torque_margin.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <boost/math/tools/minima.hpp>
+#include <cmath>
+#include <memory>
+#include <vector>
+
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
+#include "multibody/friction/hinge_solver.hpp"
+#include "multibody/motion/motion.hpp"
+#include "multibody/system/eigen_conversion.hpp"
+#include "separation/case/force_law.hpp"
+#include "separation/case/hinge_reader.hpp"
+#include "separation/case/system_of.hpp"
+
+namespace separation {
+namespace {
+
+using Eigen::Vector3d;
+using multibody::BodyForce;
+using multibody::BodyMotion;
+
+constexpr double never_struck = std::numeric_limits<double>::infinity();
+
+ForceInstant at_start(const Case& c, const Force& force,
+                      std::span<const BodyMotion> bodies) {
+  return {c, force.body, bodies, 0, 0, never_struck};
+}
+
+// Those at 0 s but for what acts through hinges, which the held hinges take
+// without a force.
+class Others : public multibody::ForceModel {
+ public:
+  explicit Others(const Case& c) : case_(c) {}
+  void add_forces(double, std::span<const BodyMotion> bodies,
+                  std::span<BodyForce> forces) const override {
+    for (const Force& force : case_.forces) {
+      const bool on = force.begin.event < 0 && !(force.begin.time > 0);
+      if (!on || force.law->ends_with_hinge()) continue;
+      force.law->add(at_start(case_, force, bodies), forces);
+    }
+  }
+
+ private:
+  const Case& case_;
+};
+
+class Sweep {
+ public:
+  Sweep(const Case& c, int body, FrictionChoice friction)
+      : case_(c),
+        body_(body),
+        hinge_(c.bodies[body].hinge),
+        system_(system_of(c)),
+        others_(std::make_shared<Others>(c)),
+        solver_(make_friction(hinge_, friction), system_.links()[body], body),
+        memory_(solver_.make_memory()),
+        sense_(hinge_.margin->to > hinge_.margin->from ? 1 : -1) {
+    for (const Force& force : c.forces) {
+      if (force.body == body + 1 && force.law->ends_with_hinge()) {
+        own_.push_back(&force);
+      }
+    }
+  }
+
+  double ratio(double angle) {
+    const multibody::Motion motion = still(angle);
+    const multibody::MotionSample& sample = motion.sample();
+    const multibody::HingeSample held = sample.hinge(body_);
+    const Vector3d axis = hinge_.zero_rotation.transpose() * hinge_.axis;
+    double driving = 0, resisting = 0;
+    const auto count = [&](double moment) {
+      (moment > 0 ? driving : resisting) += std::abs(moment);
+    };
+    count(-sense_ * held.reaction_moment.dot(axis));
+    for (const Force* force : own_) {
+      std::vector<BodyForce> forces(sample.motions().size());
+      force->law->add(at_start(case_, *force, sample.motions()), forces);
+      count(sense_ *
+            forces[1 + body_].moment.dot(sample.body(body_).rotation * axis));
+    }
+    resisting = hinge_.margin->other_factor * resisting +
+                hinge_.margin->friction_factor * friction(angle, held);
+    return driving / resisting;
+  }
+
+  // Nodes that no kink is between.
+  std::vector<double> nodes() {
+    const auto [from, to] = std::minmax(hinge_.margin->from, hinge_.margin->to);
+    constexpr int parts = 48;
+    std::vector<double> nodes;
+    for (int i = 0; i <= parts; ++i) {
+      nodes.push_back(i == parts ? to : from + i * (to - from) / parts);
+    }
+    const multibody::Motion motion = still(from);
+    for (const Force* force : own_) {
+      std::vector<multibody::KinkedVariable> kinks;
+      force->law->add_kinks(at_start(case_, *force, motion.sample().motions()),
+                            kinks);
+      for (const auto& variable : kinks) {
+        for (const double kink : variable.kinks) {
+          if (kink > from && kink < to) nodes.push_back(kink);
+        }
+      }
+    }
+    std::ranges::sort(nodes);
+    return nodes;
+  }
+
+ private:
+  // All held, the hinge at an angle.
+  multibody::Motion still(double angle) const {
+    multibody::MotionStart start;
+    start.carrier = case_.carrier_start;
+    start.carrier.velocity.setZero();
+    start.carrier.angular_velocity.setZero();
+    for (const Body& body : case_.bodies) {
+      start.bodies.push_back(body.start);
+      multibody::BodyStart& of = start.bodies.back();
+      of.locked = body.hinge.kind != multibody::HingeKind::none;
+      of.angle_rate = 0;
+      of.relative_angular_velocity.setZero();
+      of.body.velocity.setZero();
+      of.body.angular_velocity.setZero();
+    }
+    start.bodies[body_].angle = angle;
+    return {system_, {}, others_, start, case_.options};
+  }
+
+  double friction(double angle, const multibody::HingeSample& held) {
+    if (!solver_.has_friction()) return 0;
+    const Eigen::Matrix3d axes = system_.links()[body_].axes.transpose();
+    // Slower than any viscous friction shows.
+    constexpr double slow = 1e-9;  // rad/s
+    const double moment =
+        solver_
+            .slide({multibody::vec3(Vector3d(axes * held.reaction_force)),
+                    multibody::vec3(Vector3d(axes * held.reaction_moment))},
+                   {0, 0, sense_ * slow}, memory_)
+            .z();
+    if (std::isnan(moment)) {
+      throw contact::Error(fmt::format(
+          "torque_margin of \"{}\": the joints have no friction moment at "
+          "{:.6g} deg",
+          case_.bodies[body_].rigid.name, angle / contact::degree));
+    }
+    return std::abs(moment);
+  }
+
+  const Case& case_;
+  int body_;
+  const Hinge& hinge_;
+  multibody::System system_;
+  std::shared_ptr<const Others> others_;
+  multibody::HingeSolver solver_;
+  multibody::HingeSolver::Memory memory_;
+  double sense_;
+  std::vector<const Force*> own_;
+};
+
+}  // namespace
+
+TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
+  Sweep sweep(c, body, friction);
+  const std::vector<double> nodes = sweep.nodes();
+  std::vector<double> ratios;
+  for (const double angle : nodes) ratios.push_back(sweep.ratio(angle));
+  TorqueMargin least;
+  const auto note = [&](double ratio, double angle) {
+    if (ratio < least.ratio) least = {ratio, angle};
+  };
+  for (std::size_t i = 0; i < nodes.size(); ++i) note(ratios[i], nodes[i]);
+  // Between the neighbours of what is lower than both.
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    const double before = i > 0 ? ratios[i - 1] : ratios[i];
+    const double after =
+        i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
+    if (ratios[i] > before || ratios[i + 1] > after) continue;
+    constexpr int bits = 26;  // of the angle: ratios there differ by 1e-15
+    const auto [angle, ratio] = boost::math::tools::brent_find_minima(
+        [&](double at) { return sweep.ratio(at); }, nodes[i], nodes[i + 1],
+        bits);
+    note(ratio, angle);
+  }
+  return least;
+}
+
+}  // namespace separation
