@@ -47,9 +47,12 @@ check_format() {
     xargs -0 clang-format --dry-run --Werror
 }
 
+# Tests that use every() of tests/support/long_run.hpp.
+long_tests=(Quarter/EllipticForm Seat\\. WalledExactLaw.ApproachOf
+  SideFace MotionFriction.RestingHinge)
 check_long() {
   CONTACT_LONG=1 ctest --test-dir "${CONTACT_BUILD:-build}" \
-    --output-on-failure -R '^(Quarter/EllipticForm|Seat\.)'
+    --output-on-failure -R "^($(IFS='|'; echo "${long_tests[*]}"))"
 }
 
 # In $PYTHON, which has numpy; those of CalculiX by one mesh each.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
 #include <string>
 #include <thread>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/elastic_cases.hpp"
 #include "support/error_message.hpp"
+#include "support/long_run.hpp"
 #include "support/numbers.hpp"
 #include "support/wall.hpp"
 
@@ -357,11 +359,23 @@ TEST(WalledExactLaw, IsTheSolverOfBalls) {
 
 TEST(WalledExactLaw, IsTheSolverOfPins) { compare<PinContact>(JointKind::pin); }
 
+// Which layers there are, and what ends them: eleven kinds in sixty rows.
+std::string kind_of_walls(const ReferenceTable::Row& row) {
+  std::string kind = row.text("end");
+  for (const char* column : {"E1", "coat_E", "La_E", "Lb_E"}) {
+    kind += row.given(column) ? '+' : '-';
+  }
+  return kind;
+}
+
 void compare_approach(const std::string& file, JointKind kind) {
   const ReferenceTable table(file);
   AccuracyReport approach("approach", 1e-6);
   AccuracyReport stiffness("stiffness", 1e-6);
+  std::set<std::string> seen;
   for (const ReferenceTable::Row row : table) {
+    // Each row makes a law of its own.
+    if (!seen.insert(kind_of_walls(row)).second && !is_long_run()) continue;
     const std::string label = to_string(kind) + ", " + row.label();
     const LayeredPair pair = reference_pair(row);
     const ContactApproach a =

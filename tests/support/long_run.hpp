@@ -4,8 +4,10 @@
 
 namespace contact::test {
 
-/// Tests of many rows that are alike, seconds each, take every n-th of them;
-/// with CONTACT_LONG in the environment (scripts/check.sh long) all.
-inline int every(int n) { return std::getenv("CONTACT_LONG") ? 1 : n; }
+/// Tests of many rows that are alike, seconds each, take every n-th of them, or
+/// one of a kind; with CONTACT_LONG in the environment (scripts/check.sh long)
+/// all.
+inline bool is_long_run() { return std::getenv("CONTACT_LONG") != nullptr; }
+inline int every(int n) { return is_long_run() ? 1 : n; }
 
 }  // namespace contact::test
