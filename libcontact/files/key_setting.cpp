@@ -13,6 +13,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/unknown_key.hpp"
 
 namespace contact::detail {
 namespace {
@@ -83,6 +84,16 @@ Inner table_at(toml::table& from, const Step& step) {
   return {found == nullptr ? nullptr : found->as_table(), place};
 }
 
+// Throws of a key that the table does not know.
+void refuse_unknown(const toml::table& table, const KnownKeys* keys,
+                    std::string_view name, std::string place,
+                    const std::string& setting) {
+  if (keys == nullptr || known(keys, name) != nullptr) return;
+  if (!place.empty()) place.pop_back();  // its point
+  throw Error(setting + ": " +
+              unknown_key(std::string(name), table, *keys, place));
+}
+
 // Throws, listing the names of the tables, if the array has none called
 // `step.which`.
 void refuse_stranger(const toml::table& from, const Step& step,
@@ -98,6 +109,10 @@ void refuse_stranger(const toml::table& from, const Step& step,
     }
   }
   if (names.empty()) return;
+  if (step.which.empty()) {
+    throw Error(must_be(setting, message("of one {}, as {}[{}]", step.name,
+                                         step.name, names.front())));
+  }
   throw Error(setting + ": " + unknown(step.name, step.which, names));
 }
 
@@ -249,6 +264,7 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
     if (next != nullptr && next->inside.empty()) refuse();
     const Inner inner = table_at(*table, step);
     if (inner.table == nullptr) {
+      refuse_unknown(*table, in, step.name, place, text);
       refuse_stranger(*table, step, text);
       refuse();
     }
@@ -265,6 +281,9 @@ KeyPlace set_key(toml::table& file, const KnownKeys& keys,
     refuse();
   }
   const Step leaf = step_of(rest);
+  if (factor_of(setting.value)) {
+    refuse_unknown(*table, in, leaf.name, place, text);
+  }
   std::string key = put(*table, leaf, in, setting.value, text);
   if (key.empty()) refuse();
   if (!leaf.which.empty()) key += message("[{}]", leaf.which);

@@ -7,6 +7,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/unknown_key.hpp"
 
 namespace contact::detail {
 namespace {
@@ -46,6 +47,8 @@ std::string key_of_symbol(const std::string& key,
 std::string meant_by(const std::string& key, const toml::table& table,
                      const std::vector<const KnownKey*>& known) {
   std::vector<std::string> likely;
+  // What is set is not there, and is meant for one that is.
+  const bool is_free = !table.contains(key) || table[key].is_table();
   for (const KnownKey* other : known) {
     if (is_gone(*other)) continue;
     const auto now = spellings(other->key, other->dimension);
@@ -55,7 +58,7 @@ std::string meant_by(const std::string& key, const toml::table& table,
       return now[renamed];
     }
     for (const std::string& spelling : now) {
-      if (table.get(key)->is_table() || !table.contains(spelling)) {
+      if (is_free || !table.contains(spelling)) {
         likely.push_back(spelling);
       }
     }
@@ -66,6 +69,15 @@ std::string meant_by(const std::string& key, const toml::table& table,
   for (const std::string& other : likely) {
     if (key.starts_with(other + '_') && other.size() > meant.size()) {
       meant = other;
+    }
+  }
+  if (!meant.empty()) return meant;
+  for (const KnownKey* k : known) {
+    if (!table[k->key].is_table()) continue;
+    for (const KnownKey& inner : k->inside) {
+      if (unit_in(key, inner.key, inner.dimension) != nullptr) {
+        return joined(std::string(k->key), key);
+      }
     }
   }
   return meant;
@@ -113,6 +125,20 @@ const KnownKey* known_key(const toml::table& table, const KnownKeys& keys,
   return other == nullptr || std::ranges::any_of(keys, fits) ? nullptr : other;
 }
 
+std::string unknown_key(const std::string& key, const toml::table& table,
+                        const KnownKeys& keys, const std::string& path) {
+  const auto known = of_kind(table, keys);
+  std::vector<std::string> names;
+  for (const KnownKey* k : known) {
+    // Keys of several kinds are there once for each.
+    if (!is_gone(*k) && std::ranges::find(names, k->key) == names.end()) {
+      names.emplace_back(k->key);
+    }
+  }
+  return unknown("key", joined(path, printable(key)),
+                 meant_by(key, table, known), names);
+}
+
 void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
                         const std::string& path) {
   if (const toml::array* array = in.as_array()) {
@@ -130,15 +156,7 @@ void Stranger::look_for(const toml::node& in, const KnownKeys& keys,
       return unit_in(key, k->key, k->dimension) != nullptr;
     });
     if (found == known.end()) {
-      std::vector<std::string> names;
-      for (const KnownKey* k : known) {
-        // Keys of several kinds are there once for each.
-        if (!is_gone(*k) && std::ranges::find(names, k->key) == names.end()) {
-          names.emplace_back(k->key);
-        }
-      }
-      note(value, unknown("key", joined(path, printable(key)),
-                          meant_by(key, *table, known), names));
+      note(value, unknown_key(key, *table, keys, path));
     } else if (read != nullptr && !read->contains(&value)) {
       note(value, must_be(named(joined(path, key), value),
                           "left out: it has no effect here"));

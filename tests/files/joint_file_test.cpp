@@ -670,8 +670,11 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
                "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
   // The factor works in every unit.
   EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3}, any)[0], 0.002);
-  EXPECT_ERROR(with("x", "*2"),
-               "x = *2 requires a number, or numbers, to multiply");
+  EXPECT_ERROR(with("colour", "*2"),
+               "colour = *2: unknown key \"colour\" (v, m, n)");
+  EXPECT_ERROR(TomlTable::from_text("w = 1", "t.toml", {{"w"}, {"u"}}, {},
+                                    {{"u", "*2"}}),
+               "u = *2 requires a number, or numbers, to multiply");
 }
 
 // The later of two settings of one key would do what the earlier is said to.

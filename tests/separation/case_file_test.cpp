@@ -249,6 +249,16 @@ TEST(CaseFile, SettingsThatAreWrongAreNamed) {
   EXPECT_EQ(message("body[9].mass_kg", "1"),
             "body[9].mass_kg = 1 must be a key of the file: TABLE.KEY, "
             "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
+  EXPECT_EQ(message("body.mass_kg", "1"),
+            "body.mass_kg = 1 must be of one body, as body[wheel x]");
+  EXPECT_THAT(
+      message("body[wheel x].hinges[1].axis", "1"),
+      testing::StartsWith("body[wheel x].hinges[1].axis = 1: unknown key "
+                          "\"body[1].hinges\": did you mean \"hinge\"?"));
+  EXPECT_THAT(message("body[1].mas_kg", "*2"),
+              testing::StartsWith("body[1].mas_kg = *2: unknown key "
+                                  "\"body[1].mas_kg\": did you mean "
+                                  "\"mass"));
   const std::string joint = "body[1].hinge.joint[1].";
   const std::string in_case =
       "cases/flywheels.toml:44: body[1].hinge.joint[1].file = "
