@@ -204,17 +204,19 @@ TEST(HostSimbody, EnergyBookIsClosed) {
   EXPECT_NEAR(w.system.calcEnergy(w.state) - first, work, 1e-7 * kinetic);
 }
 
-/// Angles of the three bodies at a time by hinge-separation's run, rad.
-std::vector<double> separated(double time) {
-  const std::string command =
-      CONTACT_STAR_RUN " " + folder + "star.toml " + std::to_string(time);
+/// Columns of a case at several times by hinge-separation's run.
+std::vector<double> separated(const std::string& file,
+                              const std::vector<std::string>& columns,
+                              const std::vector<double>& times) {
+  std::string command = CONTACT_STAR_RUN " " + folder + file + " ";
+  for (const std::string& column : columns) command += column + ",";
+  for (const double time : times) command += " " + std::to_string(time);
   std::FILE* const said = popen(command.c_str(), "r");
-  std::vector<double> found(3, 0.0);
-  const int read =
-      std::fscanf(said, "%lf %lf %lf", &found[0], &found[1], &found[2]);
+  std::vector<double> found(columns.size() * times.size(), 0.0);
+  std::size_t read = 0;
+  for (double& value : found) read += std::fscanf(said, "%lf", &value) == 1;
   pclose(said);
-  EXPECT_EQ(read, 3);
-  for (double& angle : found) angle *= Pi / 180;
+  EXPECT_EQ(read, found.size());
   return found;
 }
 
@@ -263,11 +265,83 @@ TEST(HostSimbody, StarMovesAsHingeSeparationHasIt) {
   add_star(w);
   for (const double time : {0.5, 1.0, 2.0, 4.0, 8.0}) {
     w.run(time, 1e-10);
-    const std::vector<double> wanted = separated(time);
+    const std::vector<double> wanted = separated(
+        "star.toml", {"a.angle_deg", "b.angle_deg", "c.angle_deg"}, {time});
     for (int i = 0; i < 3; ++i) {
-      EXPECT_NEAR(angle_of(w, i), wanted[i], 1e-8) << time;
+      EXPECT_NEAR(angle_of(w, i), wanted[i] * Pi / 180, 1e-8) << time;
     }
   }
+}
+
+/// Columns of the links of chain.toml.
+std::vector<std::string> of_links(const std::vector<std::string>& columns) {
+  std::vector<std::string> all;
+  for (const std::string link : {"a", "b", "c", "d", "e"}) {
+    for (const std::string& column : columns)
+      all.push_back(link + '.' + column);
+  }
+  return all;
+}
+
+/// That chain as hinge-separation has it, quaternions of its links first.
+/// @param stride  numbers of a link
+void set_chain(World& w, const double* links, int stride) {
+  Rotation parent;
+  Vec3 rate(0);
+  for (MobilizedBody& body : w.bodies) {
+    const Rotation own(Quaternion(links[0], links[1], links[2], links[3]));
+    const Vec3 spin = own * Vec3(links[4], links[5], links[6]);
+    body.setQToFitRotation(w.state, Rotation(~parent * own));
+    body.setUToFitAngularVelocity(w.state, ~parent * (spin - rate));
+    parent = own;
+    rate = spin;
+    links += stride;
+  }
+}
+
+// Five balls in a row at 200 instants of their motion: the same friction and
+// the same reactions by elimination through the tree and by Simbody's
+// accelerations repeated.
+TEST(HostSimbody, ChainHasTheFrictionOfHingeSeparation) {
+  const std::vector<std::string> columns =
+      of_links({"qw", "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s",
+                "wz_rad_per_s", "friction_moment_N_m", "reaction_N"});
+  constexpr int stride = 9;
+  std::vector<double> times;
+  for (int i = 0; i < 200; ++i) times.push_back(0.001 * i);
+  const std::vector<double> all = separated("chain.toml", columns, times);
+  World w({Fit::converged, 1e-13, 1e-7});
+  w.weigh(down);
+  add_chain(w, 5, true);
+  w.begin();
+  double moment_off = 0;
+  double force_off = 0;
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const double* const links = &all[k * columns.size()];
+    set_chain(w, links, stride);
+    if (k == 0) w.friction.settle(w.state);
+    w.system.realize(w.state, Stage::Acceleration);
+    double largest_moment = 0;
+    double largest_force = 0;
+    double moment = 0;
+    double force = 0;
+    for (int i = 0; i < 5; ++i) {
+      const double* const link = links + stride * i;
+      const double* const m = w.friction.hinge(i).friction_moment;
+      const Vec3 reaction =
+          w.bodies[i].findMobilizerReactionOnBodyAtMInGround(w.state)[1];
+      largest_moment = std::max(largest_moment, link[7]);
+      largest_force = std::max(largest_force, link[8]);
+      moment =
+          std::max(moment, std::abs(Vec3(m[0], m[1], m[2]).norm() - link[7]));
+      force = std::max(force, std::abs(reaction.norm() - link[8]));
+    }
+    moment_off = std::max(moment_off, moment / largest_moment);
+    force_off = std::max(force_off, force / largest_force);
+  }
+  std::printf("moments off by %.1e, forces by %.1e\n", moment_off, force_off);
+  EXPECT_LE(moment_off, 1e-9);
+  EXPECT_LE(force_off, 1e-9);
 }
 
 // A folding arm: two links and a bar, whose end slides on a straight guide.

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "libcontact/base/error.hpp"
+#include "multibody/system/eigen_conversion.hpp"
 
 namespace {
 
@@ -26,6 +27,8 @@ using multibody::ForestBody;
 using multibody::ForestMotion;
 using multibody::ForestState;
 using multibody::HingeKind;
+using multibody::mat3;
+using multibody::vec3;
 using nlohmann::json;
 
 Vector3d vector_of(const json& j) {
@@ -35,6 +38,12 @@ Vector3d vector_of(const json& j) {
 Matrix3d matrix_of(const json& j) {
   Matrix3d m;
   for (int i = 0; i < 3; ++i) m.row(i) = vector_of(j[i]);
+  return m;
+}
+
+Matrix3d turn_of(const ForestState& state) {
+  Matrix3d m;
+  m << vec3(state.rotation.x), vec3(state.rotation.y), vec3(state.rotation.z);
   return m;
 }
 
@@ -61,10 +70,12 @@ Tree read_tree(const std::filesystem::path& file) {
     carrier.inertia = matrix_of(c["inertia_com"]);
   }
   tree.bodies.push_back(carrier);
-  tree.state.push_back({.rotation = matrix_of(c["rotation_to_inertial"]),
-                        .angular_velocity = vector_of(c["angular_velocity"]),
-                        .force = vector_of(c["active_force"]),
-                        .moment = vector_of(c["active_moment_com"])});
+  const auto vec = [](const json& j) { return vec3(vector_of(j)); };
+  const auto mat = [](const json& j) { return mat3(matrix_of(j)); };
+  tree.state.push_back({.rotation = mat(c["rotation_to_inertial"]),
+                        .angular_velocity = vec(c["angular_velocity"]),
+                        .force = vec(c["active_force"]),
+                        .moment = vec(c["active_moment_com"])});
   for (const json& b : all["bodies"]) {
     const bool axis = b["kind"] == "axis";
     ForestBody body{
@@ -84,11 +95,11 @@ Tree read_tree(const std::filesystem::path& file) {
     if (body.held) friction.setZero();
     tree.bodies.push_back(body);
     tree.state.push_back(
-        {.rotation = matrix_of(b["rotation_to_parent"]),
-         .angular_velocity = vector_of(b["relative_angular_velocity"]),
-         .force = vector_of(b["active_force"]),
-         .moment = vector_of(b["active_moment_com"]),
-         .hinge_moment = friction});
+        {.rotation = mat(b["rotation_to_parent"]),
+         .angular_velocity = vec(b["relative_angular_velocity"]),
+         .force = vec(b["active_force"]),
+         .moment = vec(b["active_moment_com"]),
+         .hinge_moment = vec3(friction)});
   }
   return tree;
 }
@@ -144,7 +155,7 @@ TEST(Forest, OtherProgram) {
       linear.add(m.acceleration, vector_of(e["acceleration_com"]));
       angular.add(m.angular_acceleration, vector_of(e["angular_acceleration"]));
       force.add(m.reaction, vector_of(e["reaction_force"]));
-      Vector3d given = t.state[i].hinge_moment;
+      const Vector3d given = vec3(t.state[i].hinge_moment);
       moment.add(m.reaction_moment - given, vector_of(e["reaction_moment"]));
       if (e.contains("relative_angular_acceleration")) {
         relative.add(m.relative_acceleration,
@@ -206,7 +217,7 @@ TEST(Forest, HeldIsARigidBody) {
       ForestBody& b = t.bodies[i];
       if (i > 0) {
         b.held = true;
-        turn[i] = turn[b.parent] * t.state[i].rotation;
+        turn[i] = turn[b.parent] * turn_of(t.state[i]);
         at[i] = at[b.parent] + turn[b.parent] * b.hinge_from_parent_com -
                 turn[i] * b.hinge_from_com;
       }
@@ -222,13 +233,13 @@ TEST(Forest, HeldIsARigidBody) {
       inertia += turn[i] * t.bodies[i].inertia * turn[i].transpose() +
                  t.bodies[i].mass * (d.squaredNorm() * Matrix3d::Identity() -
                                      d * d.transpose());
-      const Vector3d f = turn[i] * t.state[i].force;
+      const Vector3d f = turn[i] * vec3(t.state[i].force);
       force += f;
-      moment += turn[i] * t.state[i].moment + d.cross(f);
+      moment += turn[i] * vec3(t.state[i].moment) + d.cross(f);
     }
-    const Vector3d w = t.state[0].angular_velocity;
+    const Vector3d w = vec3(t.state[0].angular_velocity);
     const Vector3d w_dot = inertia.ldlt().solve(moment - w.cross(inertia * w));
-    const Vector3d g = t.state[0].rotation.transpose() * t.gravity;
+    const Vector3d g = turn_of(t.state[0]).transpose() * t.gravity;
     const auto m = Forest(t.bodies).solve(t.state, t.gravity);
     Difference linear, angular;
     for (std::size_t i = 0; i < n; ++i) {
@@ -253,11 +264,39 @@ TEST(Forest, MomentsThatFollowReactions) {
     const auto given = forest.solve(t.state, t.gravity);
     for (std::size_t i = 1; i < t.bodies.size(); ++i) {
       // Some centimetres: a journal with much friction.
-      t.state[i].slope = 0.02 / double(i) * slope;
-      t.state[i].hinge_moment -= t.state[i].slope * given[i].reaction;
+      const Matrix3d own = 0.02 / double(i) * slope;
+      t.state[i].slope = mat3(own);
+      t.state[i].hinge_moment -= vec3(Vector3d(own * given[i].reaction));
     }
     EXPECT_LE(difference(forest.solve(t.state, t.gravity), given), 1e-10)
         << t.name;
+  }
+}
+
+// The lanes of every instruction set, with and without slopes.
+TEST(Forest, SetsAgree) {
+  for (const Tree& t : trees()) {
+    const auto all = [&](contact::InstructionSet set, bool sloped) {
+      const Forest forest(t.bodies, set);
+      multibody::ForestWork work;
+      forest.prepare(t.state, sloped, work);
+      forest.respond(t.state, work);
+      std::vector<ForestMotion> to;
+      for (std::size_t i = 0; i < t.bodies.size(); ++i) {
+        to.push_back(work.motion(static_cast<int>(i)));
+      }
+      return to;
+    };
+    const auto plain = all(contact::InstructionSet::baseline, false);
+    for (const auto set :
+         {contact::InstructionSet::baseline, contact::InstructionSet::avx2,
+          contact::InstructionSet::avx512}) {
+      if (!contact::is_supported(set)) continue;
+      // Roundings, which light links multiply.
+      for (const bool sloped : {false, true}) {
+        EXPECT_LE(difference(all(set, sloped), plain), 1e-10) << t.name;
+      }
+    }
   }
 }
 

@@ -19,7 +19,7 @@ Dynamics::Dynamics(const System& system, contact::InstructionSet set)
     kernel_ =
         detail::make_dynamics_kernel(*constants_, useful(set, *constants_));
   } else {
-    auto tree = std::make_unique<detail::TreeKernel>(system);
+    auto tree = std::make_unique<detail::TreeKernel>(system, set);
     tree_ = tree.get();
     kernel_ = std::move(tree);
   }

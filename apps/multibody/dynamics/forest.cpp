@@ -9,46 +9,82 @@
 #include <utility>
 
 #include "libcontact/base/error.hpp"
+#include "multibody/system/eigen_conversion.hpp"
 #include "multibody/system/tree_order.hpp"
 
 namespace multibody {
 namespace {
 
 using detail::ForestPart;
+using detail::ForestTurn;
+using detail::Padded;
+using detail::PaddedMatrix;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
+using Pivoted = Eigen::PartialPivLU<Matrix6>;
 
-ForestPart::Turn turn_of(const ForestBody& body) {
-  if (body.held) return ForestPart::Turn::none;
-  return body.kind == HingeKind::axis ? ForestPart::Turn::axis
-                                      : ForestPart::Turn::ball;
+Padded padded(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vector3d vector(const Padded& v) { return {v.x, v.y, v.z}; }
+Matrix3d matrix(const PaddedMatrix& m) {
+  Matrix3d to;
+  to << vector(m.x), vector(m.y), vector(m.z);
+  return to;
 }
 
-void set_motion(const ForestBody& body, const ForestState& state,
-                const ForestPart& parent, ForestPart& p) {
-  const auto to_body = state.rotation.transpose();
-  p.turn = turn_of(body);
-  p.axis = body.axis;
-  p.rotation = state.rotation;
-  p.from_parent = body.hinge_from_parent_com - parent.r;
-  p.r = body.hinge_from_com;
-  Vector3d relative = state.angular_velocity;
-  if (body.held) relative.setZero();
-  if (p.turn == ForestPart::Turn::axis) {
-    relative = body.axis * body.axis.dot(relative);
-  }
-  const Vector3d w = to_body * parent.w;
-  p.w = w + relative;
-  p.linear_bias = to_body * parent.w.cross(parent.w.cross(p.from_parent));
-  p.angular_bias = w.cross(relative);
+ForestTurn turn_of(const ForestBody& body) {
+  if (body.held) return ForestTurn::none;
+  return body.kind == HingeKind::axis ? ForestTurn::axis : ForestTurn::ball;
 }
 
-Matrix6 matrix_of(const ForestPart& p, bool sloped) {
+detail::ForestHinge hinge_of(const ForestBody& body) {
+  const Vector3d r =
+      body.parent < 0 ? Vector3d(Vector3d::Zero()) : body.hinge_from_com;
+  const Matrix3d inertia =
+      body.inertia +
+      body.mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+  return {.parent = body.parent,
+          .turn = turn_of(body),
+          .mass = body.mass,
+          .r = vec3(r),
+          .mass_r = vec3(Vector3d(body.mass * r)),
+          .from_parent = vec3(body.hinge_from_parent_com),
+          .axis = vec3(body.axis),
+          .inertia = mat3(inertia)};
+}
+
+Pivoted pivoted(const ForestPart& p) {
   Matrix6 m;
-  m << p.a, p.b, sloped ? p.c : Matrix3d(p.b.transpose()), p.d;
-  return m;
+  m << matrix(p.a), matrix(p.b), matrix(p.c), matrix(p.d);
+  return Pivoted(m);
+}
+
+CarrierSolver<double> symmetric(const ForestPart& p) {
+  const auto half = [](const PaddedMatrix& m) {
+    return Sym3<double>{m.x.x, m.y.y, m.z.z, m.y.x, m.z.x, m.z.y};
+  };
+  const PaddedMatrix& b = p.b;
+  return CarrierSolver<double>(CarrierMatrix<double>{
+      half(p.a),
+      {{b.x.x, b.y.x, b.z.x}, {b.x.y, b.y.y, b.z.y}, {b.x.z, b.y.z, b.z.z}},
+      half(p.d)});
+}
+
+void accelerate(const CarrierSolver<double>& solver, ForestPart& root) {
+  const Vec3<double> none{0, 0, 0};
+  const auto [linear, angular] = solver.solve(
+      {none - vec3(vector(root.force)), none - vec3(vector(root.moment))});
+  root.linear = {linear.x, linear.y, linear.z};
+  root.angular = {angular.x, angular.y, angular.z};
+}
+
+void accelerate(const Pivoted& solver, ForestPart& root) {
+  Vector6 load;
+  load << vector(root.force), vector(root.moment);
+  const Vector6 acceleration = -solver.solve(load);
+  root.linear = padded(acceleration.head<3>());
+  root.angular = padded(acceleration.tail<3>());
 }
 
 [[noreturn]] void refuse_body(std::size_t i, const std::string& what) {
@@ -80,80 +116,55 @@ void check(const std::vector<ForestBody>& bodies, std::size_t i) {
 
 }  // namespace
 
-Forest::Forest(std::vector<ForestBody> bodies) : bodies_(std::move(bodies)) {
+Forest::Forest(std::vector<ForestBody> bodies, contact::InstructionSet set)
+    : bodies_(std::move(bodies)), kernel_(detail::forest_kernel(set)) {
   std::vector<int> parents;
   for (const ForestBody& body : bodies_) parents.push_back(body.parent);
   order_ = parents_first(parents);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     check(bodies_, i);
     bodies_[i].axis.normalize();
+    hinges_.push_back(hinge_of(bodies_[i]));
   }
+}
+
+void Forest::set_hinge(int body, int parent, bool held) {
+  bodies_[body].parent = parent;
+  bodies_[body].held = held;
+  hinges_[body] = hinge_of(bodies_[body]);
 }
 
 void Forest::prepare(const std::vector<ForestState>& state, bool sloped,
                      ForestWork& work) const {
-  work.parts.resize(bodies_.size());
-  work.roots.resize(bodies_.size());
-  std::vector<ForestPart>& parts = work.parts;
+  work.parts_.resize(bodies_.size());
+  work.roots_.resize(bodies_.size());
+  work.sloped_ = sloped;
+  kernel_.prepare(of(work), state.data(), sloped);
   for (const int i : order_) {
-    const ForestBody& body = bodies_[i];
-    ForestPart& p = parts[i];
-    if (body.parent >= 0) {
-      set_motion(body, state[i], parts[body.parent], p);
+    if (bodies_[i].parent >= 0 || bodies_[i].fixed) continue;
+    if (sloped) {
+      work.roots_[i] = pivoted(work.parts_[i]);
     } else {
-      p.w = state[i].angular_velocity;
-      p.r.setZero();
-    }
-    p.set_own(body.mass, body.inertia, state[i].force, state[i].moment);
-    p.slope = sloped ? state[i].slope : Matrix3d(Matrix3d::Zero());
-  }
-  for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
-    const ForestBody& body = bodies_[*i];
-    ForestPart& p = parts[*i];
-    if (body.parent < 0) {
-      if (!body.fixed) work.roots[*i].compute(matrix_of(p, sloped));
-    } else if (sloped) {
-      p.eliminate<true>(parts[body.parent]);
-    } else {
-      p.eliminate<false>(parts[body.parent]);
+      work.roots_[i] = symmetric(work.parts_[i]);
     }
   }
 }
 
-void Forest::respond(const std::vector<ForestState>& state, ForestWork& work,
-                     std::vector<ForestMotion>& to) const {
-  to.resize(bodies_.size());
-  std::vector<ForestPart>& parts = work.parts;
-  for (ForestPart& p : parts) {
-    p.force = p.own_force;
-    p.moment = p.own_moment;
-  }
-  for (auto i = order_.rbegin(); i != order_.rend(); ++i) {
-    const int parent = bodies_[*i].parent;
-    if (parent < 0) continue;
-    parts[*i].eliminate_load(state[*i].hinge_moment, parts[parent]);
-  }
+void Forest::respond(const std::vector<ForestState>& state,
+                     ForestWork& work) const {
+  kernel_.gather_loads(of(work), state.data(), work.sloped_);
   for (const int i : order_) {
-    const ForestBody& body = bodies_[i];
-    ForestPart& p = parts[i];
-    ForestPart::Reaction reaction{Vector3d::Zero(), Vector3d::Zero(),
-                                  Vector3d::Zero()};
-    if (body.parent >= 0) {
-      reaction = p.resolve(state[i].hinge_moment, parts[body.parent]);
-    } else if (body.fixed) {
-      p.linear = state[i].acceleration;
-      p.angular = state[i].angular_acceleration;
+    if (bodies_[i].parent >= 0) continue;
+    ForestPart& root = work.parts_[i];
+    if (bodies_[i].fixed) {
+      root.linear = padded(vec3(state[i].acceleration));
+      root.angular = padded(vec3(state[i].angular_acceleration));
     } else {
-      Vector6 load;
-      load << p.force, p.moment;
-      const Vector6 acceleration = -work.roots[i].solve(load);
-      p.linear = acceleration.head<3>();
-      p.angular = acceleration.tail<3>();
+      std::visit([&](const auto& solver) { accelerate(solver, root); },
+                 work.roots_[i]);
     }
-    // The centre of mass is at -r from the origin.
-    to[i] = {p.linear - p.angular.cross(p.r) - p.w.cross(p.w.cross(p.r)),
-             p.angular, reaction.turn, reaction.force, reaction.moment};
   }
+  kernel_.resolve(of(work), work.sloped_);
 }
 
 std::vector<ForestMotion> Forest::solve(const std::vector<ForestState>& state,
@@ -162,20 +173,38 @@ std::vector<ForestMotion> Forest::solve(const std::vector<ForestState>& state,
     throw contact::Error(
         fmt::format("{} states for {} bodies", state.size(), bodies_.size()));
   }
-  std::vector<Vector3d> down(bodies_.size());
   std::vector<ForestState> falling = state;
   for (const int i : order_) {
-    const int parent = bodies_[i].parent;
-    down[i] =
-        state[i].rotation.transpose() * (parent < 0 ? gravity : down[parent]);
-    falling[i].acceleration -= down[i];
+    if (bodies_[i].parent >= 0) continue;
+    falling[i].acceleration -=
+        transposed_times(state[i].rotation, vec3(gravity));
   }
   ForestWork work;
-  std::vector<ForestMotion> to;
   prepare(falling, true, work);
-  respond(falling, work, to);
-  for (std::size_t i = 0; i < to.size(); ++i) to[i].acceleration += down[i];
+  respond(falling, work);
+  std::vector<Vec3<double>> down(bodies_.size());
+  std::vector<ForestMotion> to;
+  to.resize(bodies_.size());
+  for (const int i : order_) {
+    const int parent = bodies_[i].parent;
+    down[i] = transposed_times(state[i].rotation,
+                               parent < 0 ? vec3(gravity) : down[parent]);
+    to[i] = work.motion(i);
+    to[i].acceleration += vec3(down[i]);
+  }
   return to;
+}
+
+ForestMotion ForestWork::motion(int body) const {
+  const ForestPart& p = parts_[body];
+  // The centre of mass is at -r from the origin.
+  const Vector3d r = vector(p.r);
+  const Vector3d w = vector(p.w);
+  const Vector3d linear =
+      vector(p.linear) - vector(p.angular).cross(r) - w.cross(w.cross(r));
+  const auto in_own = [&](const Padded& v) { return vec3(own(body, v)); };
+  return {in_own(padded(linear)), in_own(p.angular), in_own(p.turn),
+          in_own(p.reaction), in_own(p.reaction_moment)};
 }
 
 }  // namespace multibody

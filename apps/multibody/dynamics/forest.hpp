@@ -2,20 +2,23 @@
 
 #include <Eigen/Core>
 #include <Eigen/LU>
+#include <variant>
 #include <vector>
 
-#include "multibody/dynamics/forest_part.hpp"
+#include "multibody/dynamics/carrier_equations.hpp"
+#include "multibody/dynamics/kernel/forest_kernel.hpp"
 #include "multibody/system/system.hpp"
 
 /// Bodies on bodies: the paper's two steps on any tree, one instant, with
 /// hinge moments that may depend on the reactions.
 ///
-/// Everything of a body is in its own axes (origin: centre of mass). The first
-/// step goes from the leaves to the roots: what is left of a body when the
-/// turn in its hinge is eliminated is a 6x6 matrix and a load of its parent.
-/// The second goes back with the accelerations. It is Featherstone's
-/// articulated-body algorithm; (1.3) to (1.5) of the paper are its case of
-/// depth 1, which Dynamics resolves faster.
+/// What comes in and goes out of a body is in its own axes (origin: centre of
+/// mass); the steps are taken in the axes of its root, so that nothing turns on
+/// the way from body to body. The first step goes from the leaves to the roots:
+/// what is left of a body when the turn in its hinge is eliminated is a 6x6
+/// matrix and a load of its parent. The second goes back with the
+/// accelerations. It is Featherstone's articulated-body algorithm; (1.3) to
+/// (1.5) of the paper are its case of depth 1, which Dynamics resolves faster.
 namespace multibody {
 
 /// A body and the hinge by which it hangs on its parent.
@@ -37,24 +40,6 @@ struct ForestBody {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
 };
 
-/// Motion and loads of a body, its own axes.
-struct ForestState {
-  /// v_parent = rotation v_body; of a root: v_inertial.
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  /// Against the parent, rad/s; of a root: absolute. Held: not used.
-  Eigen::Vector3d angular_velocity = Eigen::Vector3d::Zero();
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();   ///< without gravity, N
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();  ///< about the com, N m
-  /// Moment of the hinge on the body about the hinge's centre, the opposite
-  /// on the parent: M = hinge_moment + slope R, with the reaction R. On an
-  /// axis the part along the axis counts; held: nothing.
-  Eigen::Vector3d hinge_moment = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();  ///< dM/dR, m
-  /// Of a fixed root: its accelerations, as ForestMotion has them.
-  Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();
-  Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();
-};
-
 /// What an instant gives of a body, its own axes.
 struct ForestMotion {
   Eigen::Vector3d acceleration;          ///< of the centre of mass, m/s^2
@@ -67,29 +52,65 @@ struct ForestMotion {
   Eigen::Vector3d reaction_moment;
 };
 
-/// What an instant needs besides: a place for it, to use again.
+/// What an instant needs besides, to use again, and what it gives.
 class ForestWork {
+ public:
+  ForestMotion motion(int body) const;
+  /// Single quantities of it; the acceleration that of the hinge's centre, of a
+  /// root that of the centre of mass.
+  Vec3<double> acceleration(int body) const {
+    return own(body, parts_[body].linear);
+  }
+  Vec3<double> angular_acceleration(int body) const {
+    return own(body, parts_[body].angular);
+  }
+  Vec3<double> relative_acceleration(int body) const {
+    return own(body, parts_[body].turn);
+  }
+  /// The same of an axis that turns, about it.
+  double rate_change(int body) const { return parts_[body].rate_change; }
+  Vec3<double> reaction(int body) const {
+    return own(body, parts_[body].reaction);
+  }
+  Vec3<double> reaction_moment(int body) const {
+    return own(body, parts_[body].reaction_moment);
+  }
+
+ private:
   friend class Forest;
-  std::vector<detail::ForestPart> parts;
-  std::vector<Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>> roots;
+  using Root = std::variant<CarrierSolver<double>,
+                            Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>>;
+  // From the axes of the root.
+  Vec3<double> own(int body, const detail::Padded& v) const {
+    const auto along = [&](const detail::Padded& axis) {
+      return axis.x * v.x + axis.y * v.y + axis.z * v.z;
+    };
+    const detail::PaddedMatrix& axes = parts_[body].rotation;
+    return {along(axes.x), along(axes.y), along(axes.z)};
+  }
+
+  std::vector<detail::ForestPart> parts_;
+  std::vector<Root> roots_;
+  bool sloped_ = false;
 };
 
 /// A forest of bodies: each root with what hangs on it is solved by itself.
 class Forest {
  public:
+  /// @param set  instruction set, a supported one
   /// @throws contact::Error naming the body: a parent that is not there, a
   ///   circle (with its bodies), a body that hangs on itself, a kind none on a
   ///   parent, a mass that is not > 0 and finite, an inertia, point or axis
   ///   that is not finite, an axis off the length 1 by more than 1e-6, a fixed
   ///   body that is no root.
-  explicit Forest(std::vector<ForestBody> bodies);
+  explicit Forest(std::vector<ForestBody> bodies,
+                  contact::InstructionSet set = contact::instruction_set());
 
   /// @param parent  the body's own, or -1: a root from now on
-  void set_hinge(int body, int parent, bool held) {
-    bodies_[body].parent = parent;
-    bodies_[body].held = held;
-  }
+  void set_hinge(int body, int parent, bool held);
   void set_fixed(int root, bool fixed) { bodies_[root].fixed = fixed; }
+
+  const detail::ForestKernel& kernel() const { return kernel_; }
 
   /// Accelerations and reactions in O(size). Error measured against Simbody
   /// 3.7 on 18 trees of 2 to 64 bodies: 1e-11 of the largest component of its
@@ -110,12 +131,17 @@ class Forest {
                ForestWork& work) const;
   /// Then the rest, also for other hinge moments and accelerations of fixed
   /// roots.
-  void respond(const std::vector<ForestState>& state, ForestWork& work,
-               std::vector<ForestMotion>& to) const;
+  void respond(const std::vector<ForestState>& state, ForestWork& work) const;
 
  private:
+  detail::ForestBodies of(ForestWork& work) const {
+    return {order_, hinges_.data(), work.parts_.data()};
+  }
+
   std::vector<ForestBody> bodies_;
+  std::vector<detail::ForestHinge> hinges_;
   std::vector<int> order_;  // children come after parents
+  detail::ForestKernel kernel_;
 };
 
 }  // namespace multibody

@@ -6,7 +6,6 @@
 
 #include "multibody/dynamics/state_rates.hpp"
 #include "multibody/system/eigen_conversion.hpp"
-#include "multibody/system/kinematics.hpp"
 
 namespace multibody::detail {
 namespace {
@@ -37,7 +36,7 @@ ForestBody forest_body(const System& system, const Link& link) {
   return body;
 }
 
-Forest make_forest(const System& system) {
+Forest make_forest(const System& system, contact::InstructionSet set) {
   const Carrier& carrier = system.carrier();
   std::vector<ForestBody> bodies{{.fixed = carrier.fixed,
                                   .mass = carrier.mass,
@@ -45,71 +44,86 @@ Forest make_forest(const System& system) {
   for (const Link& link : system.links()) {
     bodies.push_back(forest_body(system, link));
   }
-  return Forest(std::move(bodies));
+  return Forest(std::move(bodies), set);
 }
 
-Vector3d vector_at(const double* s) { return {s[0], s[1], s[2]}; }
+Vec3<double> vector_at(const double* s) { return {s[0], s[1], s[2]}; }
+
+Mat3<double> product(const Mat3<double>& m, const Mat3<double>& n) {
+  return {m * n.x, m * n.y, m * n.z};
+}
 
 }  // namespace
 
-TreeKernel::TreeKernel(const System& system)
-    : links_(system.links()),
-      forest_(make_forest(system)),
-      state_(1 + system.size()) {
-  for (const Link& link : links_) {
-    to_parent_link_.push_back(parent_axes(system, link).transpose());
+TreeKernel::TreeKernel(const System& system, contact::InstructionSet set)
+    : forest_(make_forest(system, set)), state_(1 + system.size()) {
+  for (const Link& link : system.links()) {
+    kinds_.push_back(link.kind);
+    parents_.push_back(link.parent);
+    to_parent_link_.push_back(mat3(parent_axes(system, link).transpose()));
+    zero_.push_back(
+        product(to_parent_link_.back(), mat3(link.axes_to_carrier_zero)));
     modes_.push_back(link.kind == HingeKind::none ? JointMode::released
                                                   : JointMode::turning);
   }
-  layout_ = StateLayout(system, modes_);
+  layout_ = StateLayout(kinds_, modes_);
+  // Whole packets of four.
+  angles_.resize((modes_.size() + 3) / 4 * 4);
+  sines_ = cosines_ = angles_;
 }
 
 void TreeKernel::set_mode(int body, JointMode mode) {
   modes_[body] = mode;
   const bool released = mode == JointMode::released;
-  forest_.set_hinge(1 + body, released ? -1 : 1 + links_[body].parent,
+  forest_.set_hinge(1 + body, released ? -1 : 1 + parents_[body],
                     mode == JointMode::held);
-  std::vector<HingeKind> kinds;
-  for (const Link& link : links_) kinds.push_back(link.kind);
-  layout_ = StateLayout(kinds, modes_);
+  layout_ = StateLayout(kinds_, modes_);
 }
 
 void TreeKernel::set_hinge(int body, const double* numbers) {
   ForestState& to = state_[1 + body];
   if (modes_[body] == JointMode::released) {
     to.angular_velocity = vector_at(numbers + StateLayout::angular_velocity);
-    return;
+  } else if (kinds_[body] == HingeKind::axis) {
+    to.rotation = turned_about_z(zero_[body], cosines_[body], sines_[body]);
+    to.angular_velocity = {0, 0, numbers[1]};
+  } else {
+    to.rotation = product(to_parent_link_[body],
+                          rotation(Quaternion<double>{numbers[0], numbers[1],
+                                                      numbers[2], numbers[3]}));
+    to.angular_velocity = vector_at(numbers + 4);
   }
-  to.rotation =
-      to_parent_link_[body] * relative_rotation(links_[body], numbers);
-  to.angular_velocity = relative_rate(links_[body], numbers);
 }
 
 void TreeKernel::set_state(const double* state,
                            const LinkForces<double>* bodies) {
   state_[0].angular_velocity = vector_at(state + StateLayout::angular_velocity);
   for (int i = 0; i < size(); ++i) {
+    if (kinds_[i] == HingeKind::axis) angles_[i] = state[layout_.offset(i)];
+  }
+  forest_.kernel().sines(size(), angles_.data(), sines_.data(),
+                         cosines_.data());
+  for (int i = 0; i < size(); ++i) {
     set_hinge(i, state + layout_.offset(i));
     ForestState& to = state_[1 + i];
-    to.force = vec3(bodies[i].force);
-    to.moment = vec3(bodies[i].moment);
-    to.hinge_moment = vec3(bodies[i].friction);
+    to.force = bodies[i].force;
+    to.moment = bodies[i].moment;
+    to.hinge_moment = bodies[i].friction;
   }
   forest_.prepare(state_, false, work_);
 }
 
 void TreeKernel::respond() {
-  forest_.respond(state_, work_, motion_);
-  carrier_ = {vec3(motion_[0].acceleration),
-              vec3(motion_[0].angular_acceleration)};
+  forest_.respond(state_, work_);
+  carrier_ = {work_.acceleration(0), work_.angular_acceleration(0)};
 }
 
 void TreeKernel::evaluate(const double* state,
                           const CarrierActiveForces<double>& carrier,
                           const LinkForces<double>* bodies) {
   forest_.set_fixed(0, false);
-  state_[0].force = vec3(carrier.force);
-  state_[0].moment = vec3(carrier.moment);
+  state_[0].force = carrier.force;
+  state_[0].moment = carrier.moment;
   set_state(state, bodies);
   respond();
 }
@@ -118,15 +132,15 @@ void TreeKernel::evaluate_prescribed(
     const double* state, const LinkForces<double>* bodies,
     const CarrierAcceleration<double>& carrier) {
   forest_.set_fixed(0, true);
-  state_[0].acceleration = vec3(carrier.linear);
-  state_[0].angular_acceleration = vec3(carrier.angular);
+  state_[0].acceleration = carrier.linear;
+  state_[0].angular_acceleration = carrier.angular;
   set_state(state, bodies);
   respond();
 }
 
 void TreeKernel::add_friction(const Vec3<double>* change) {
   for (int i = 0; i < size(); ++i) {
-    if (turns(i)) state_[1 + i].hinge_moment += vec3(change[i]);
+    if (turns(i)) state_[1 + i].hinge_moment += change[i];
   }
   respond();
 }
@@ -136,17 +150,19 @@ void TreeKernel::add_friction(const VectorRows& change) {
   for (int i = 0; i < size(); ++i) {
     const double* c = change.at(i);
     if (turns(i)) {
-      state_[1 + i].hinge_moment += Vector3d(c[0], c[next], c[2 * next]);
+      state_[1 + i].hinge_moment += Vec3<double>{c[0], c[next], c[2 * next]};
     }
   }
   respond();
 }
 
 Vec3<double> TreeKernel::relative_acceleration(int body) const {
-  const ForestMotion& motion = motion_[1 + body];
-  return vec3(modes_[body] == JointMode::released
-                  ? motion.angular_acceleration
-                  : motion.relative_acceleration);
+  if (modes_[body] == JointMode::released) return angular_acceleration(body);
+  // Next to nothing of other parts is rounding.
+  if (kinds_[body] == HingeKind::axis) {
+    return {0, 0, turns(body) ? work_.rate_change(1 + body) : 0};
+  }
+  return work_.relative_acceleration(1 + body);
 }
 
 void TreeKernel::relative_accelerations(Vec3<double>* to) const {
@@ -154,12 +170,16 @@ void TreeKernel::relative_accelerations(Vec3<double>* to) const {
 }
 
 Vec3<double> TreeKernel::angular_acceleration(int body) const {
-  return vec3(motion_[1 + body].angular_acceleration);
+  return work_.angular_acceleration(1 + body);
 }
 
 Mat3<double> TreeKernel::axes(int body) const {
   if (modes_[body] == JointMode::released) return {};
-  return mat3(to_parent_link_[body].transpose() * state_[1 + body].rotation);
+  const auto to_own = [&](const Vec3<double>& v) {
+    return transposed_times(to_parent_link_[body], v);
+  };
+  const Mat3<double>& axes = state_[1 + body].rotation;
+  return {to_own(axes.x), to_own(axes.y), to_own(axes.z)};
 }
 
 void TreeKernel::rates(const double* state, const Vec3<double>& gravity,
@@ -167,18 +187,16 @@ void TreeKernel::rates(const double* state, const Vec3<double>& gravity,
   body_rates(state, 0, carrier_.linear, gravity, carrier_.angular, to);
   for (int i = 0; i < size(); ++i) {
     const int at = layout_.offset(i);
-    const ForestMotion& motion = motion_[1 + i];
     const Vec3<double> turn = relative_acceleration(i);
     switch (modes_[i]) {
       case JointMode::released:
-        body_rates(state, at, vec3(motion.acceleration), gravity, turn, to);
+        body_rates(state, at, work_.acceleration(1 + i), gravity, turn, to);
         break;
       case JointMode::held:
-        std::fill_n(to + at, StateLayout::link_size(links_[i].kind, modes_[i]),
-                    0.0);
+        std::fill_n(to + at, StateLayout::link_size(kinds_[i], modes_[i]), 0.0);
         break;
       case JointMode::turning:
-        if (links_[i].kind == HingeKind::axis) {
+        if (kinds_[i] == HingeKind::axis) {
           to[at] = state[at + 1];
           to[at + 1] = turn.z;
         } else {
@@ -189,14 +207,12 @@ void TreeKernel::rates(const double* state, const Vec3<double>& gravity,
 }
 
 Reaction<double> TreeKernel::reaction(int body) const {
-  const ForestMotion& motion = motion_[1 + body];
-  Vector3d moment = motion.reaction_moment;
+  const Vec3<double> force = work_.reaction(1 + body);
   // Friction is not in it.
-  if (turns(body)) {
-    if (links_[body].kind == HingeKind::ball) moment.setZero();
-    moment.z() = 0;
-  }
-  return {vec3(motion.reaction), vec3(moment)};
+  if (!turns(body)) return {force, work_.reaction_moment(1 + body)};
+  if (kinds_[body] == HingeKind::ball) return {force, {}};
+  const Vec3<double> moment = work_.reaction_moment(1 + body);
+  return {force, {moment.x, moment.y, 0}};
 }
 
 void TreeKernel::reactions(Reaction<double>* to) const {
@@ -224,19 +240,17 @@ void TreeKernel::fitting_moments(std::span<const Vec3<double>> moments,
                                  std::span<Vec3<double>> to) {
   sloped_state_ = state_;
   for (int i = 0; i < size(); ++i) {
-    sloped_state_[1 + i].hinge_moment = vec3(moments[i]);
-    sloped_state_[1 + i].slope = slopes[i];
+    sloped_state_[1 + i].hinge_moment = moments[i];
+    sloped_state_[1 + i].slope = mat3(slopes[i]);
   }
   forest_.prepare(sloped_state_, true, sloped_work_);
-  forest_.respond(sloped_state_, sloped_work_, sloped_motion_);
+  forest_.respond(sloped_state_, sloped_work_);
   for (int i = 0; i < size(); ++i) {
-    const Vector3d m =
-        vec3(moments[i]) + slopes[i] * sloped_motion_[1 + i].reaction;
     to[i] = {};
     if (!turns(i)) continue;
     // On an axis (z) the hinge holds the other parts.
-    to[i] =
-        links_[i].kind == HingeKind::axis ? Vec3<double>{0, 0, m.z()} : vec3(m);
+    const Vec3<double> m = sloped_work_.reaction_moment(1 + i);
+    to[i] = kinds_[i] == HingeKind::axis ? Vec3<double>{0, 0, m.z} : m;
   }
 }
 

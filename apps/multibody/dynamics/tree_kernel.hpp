@@ -13,7 +13,7 @@ namespace multibody::detail {
 /// the carrier is its body 0.
 class TreeKernel final : public DynamicsKernel {
  public:
-  explicit TreeKernel(const System& system);
+  TreeKernel(const System& system, contact::InstructionSet set);
 
   void set_mode(int body, JointMode mode) override;
   void evaluate(const double* state, const CarrierActiveForces<double>& carrier,
@@ -42,21 +42,23 @@ class TreeKernel final : public DynamicsKernel {
                        std::span<Vec3<double>> to);
 
  private:
-  int size() const { return static_cast<int>(links_.size()); }
+  int size() const { return static_cast<int>(modes_.size()); }
   bool turns(int body) const { return modes_[body] == JointMode::turning; }
   void set_state(const double* state, const LinkForces<double>* bodies);
   void set_hinge(int body, const double* numbers);
   void respond();
   Reaction<double> reaction(int body) const;
 
-  std::vector<Link> links_;
-  std::vector<Eigen::Matrix3d> to_parent_link_;  // from the parent's own axes
+  std::vector<HingeKind> kinds_;
+  std::vector<int> parents_;
+  std::vector<Mat3<double>> to_parent_link_;  // from the parent's own axes
+  std::vector<Mat3<double>> zero_;  // axis: at angle zero, parent's link axes
   std::vector<JointMode> modes_;
+  std::vector<double> angles_, sines_, cosines_;  // axes
   StateLayout layout_;
   Forest forest_;
   std::vector<ForestState> state_, sloped_state_;
   ForestWork work_, sloped_work_;
-  std::vector<ForestMotion> motion_, sloped_motion_;
   CarrierAcceleration<double> carrier_{};
 };
 
