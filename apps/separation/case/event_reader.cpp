@@ -70,7 +70,8 @@ void read_latch(const TomlTable& table, Event& event) {
     table.needs("reaction", "breaks");
   }
   if (!rate) return;
-  if (event.trigger != Event::Trigger::angle) table.needs("rate_below", "angle");
+  if (event.trigger != Event::Trigger::angle)
+    table.needs("rate_below", "angle");
   event.rate_below = *rate;
 }
 

@@ -26,8 +26,9 @@ void check_hinge(const TomlTable& table, const TomlTable& of,
   }
   check_angles(table, hinge, stop.angle, stop.angle, "a ball hinge");
   if (stop.is_rigid()) {
-    table.needs("stiffness_N_m_per_rad on a ball hinge: rigid stops are on "
-                "axes");
+    table.needs(
+        "stiffness_N_m_per_rad on a ball hinge: rigid stops are on "
+        "axes");
   }
 }
 
@@ -39,9 +40,10 @@ void read_side(const TomlTable& table, double start, HingeStop& stop) {
   const bool below = from ? *from == 0 : start < stop.angle;
   stop.side = below ? -1 : 1;
   if (stop.gap(start) < 0) {
-    table.must_be("angle", fmt::format("{:.6g} deg or {}, so that the body "
-                                       "does not start beyond it",
-                                       start / degree, below ? "more" : "less"));
+    table.must_be("angle",
+                  fmt::format("{:.6g} deg or {}, so that the body "
+                              "does not start beyond it",
+                              start / degree, below ? "more" : "less"));
   }
 }
 
@@ -82,9 +84,10 @@ std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
     read_side(of, begin, stop);
     for (const HingeStop& other : stops) {
       if (other.side == stop.side) {
-        of.must_be("angle", fmt::format("on the other side of the start, {:.6g} "
-                                        "deg, than the other stop",
-                                        begin / degree));
+        of.must_be("angle",
+                   fmt::format("on the other side of the start, {:.6g} "
+                               "deg, than the other stop",
+                               begin / degree));
       }
       if (!(other.gap(stop.angle) > 0)) {
         of.must_be("angle", fmt::format("{} that of the other stop, {:.6g} deg",
@@ -112,9 +115,9 @@ std::optional<MarginPath> read_margin(const TomlTable& table,
   if (hinge.kind != multibody::HingeKind::axis) {
     table.needs("torque_margin", "kind = \"axis\"");
   }
-  MarginPath path{of->optional_number("from", Interval::any())
-                      .value_or(start.angle),
-                  of->number("to", Interval::any())};
+  MarginPath path{
+      of->optional_number("from", Interval::any()).value_or(start.angle),
+      of->number("to", Interval::any())};
   if (path.to == path.from) of->must_be("to", "another angle than from");
   const Interval factor{1, 100};
   path.friction_factor =

@@ -13,10 +13,9 @@ ForceKind torsion();
 ForceKind aerodynamic();
 
 const std::vector<ForceKind>& force_kinds() {
-  static const auto& kinds =
-      *new std::vector<ForceKind>{applied(), thrust(), spring(),     damper(),
-                                  pusher(),  motor(),  torsion(),
-                                  aerodynamic()};
+  static const auto& kinds = *new std::vector<ForceKind>{
+      applied(), thrust(), spring(),  damper(),
+      pusher(),  motor(),  torsion(), aerodynamic()};
   return kinds;
 }
 

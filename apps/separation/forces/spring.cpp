@@ -36,8 +36,8 @@ struct Spring final : ForceLaw {
     if (!(stiffness > 0)) return none;
     if (begins && ends.is_point(at) && free_length > 0) return no_direction;
     const Hinge& hinge = at.of.bodies[at.body - 1].hinge;
-    const bool has_come_off =
-        released && ends.other == hinge.on && hinge.kind != multibody::HingeKind::none;
+    const bool has_come_off = released && ends.other == hinge.on &&
+                              hinge.kind != multibody::HingeKind::none;
     // Longer than rounding of lengths and tolerances of steps make it.
     const bool pulls = ends.line(at).span.norm() > (1 + 1e-6) * free_length;
     return has_come_off && pulls ? pulls_back : none;

@@ -49,10 +49,9 @@ CompliantStops::CompliantStops(const Case& c, const History& history)
     if (history.release_of(i + 1, c) != History::not_yet) continue;
     for (std::size_t k = 0; k < stops.size(); ++k) {
       if (stops[k].is_rigid()) continue;
-      active_.push_back(
-          {i, &stops[k], history.touches[i][k],
-           stops[k].damping *
-               std::sqrt(stops[k].stiffness * inertia_about(c, i, 0))});
+      active_.push_back({i, &stops[k], history.touches[i][k],
+                         stops[k].damping * std::sqrt(stops[k].stiffness *
+                                                      inertia_about(c, i, 0))});
     }
   }
 }
@@ -66,8 +65,8 @@ CompliantStops::Push CompliantStops::push(
   const double depth = -stop->gap(hinge_angle(hinge, parent, body));
   if (!(depth > 0)) return {0, Vector3d::Zero()};
   const Vector3d axis = axis_of(hinge, parent, body);
-  const double rate = -stop->side *
-                      axis.dot(body.angular_velocity - parent.angular_velocity);
+  const double rate =
+      -stop->side * axis.dot(body.angular_velocity - parent.angular_velocity);
   const double elastic = stop->stiffness * depth;
   const double damping =
       touch > 0 ? std::min(elastic * stop->damping / touch, most) : most;
@@ -89,9 +88,8 @@ void CompliantStops::add_kinks(
     std::vector<multibody::KinkedVariable>& to) const {
   for (const Active& active : active_) {
     const Hinge& hinge = case_.bodies[active.body].hinge;
-    to.push_back(
-        {hinge_angle(hinge, bodies[hinge.on], bodies[1 + active.body]),
-         {&active.stop->angle, 1}});
+    to.push_back({hinge_angle(hinge, bodies[hinge.on], bodies[1 + active.body]),
+                  {&active.stop->angle, 1}});
   }
 }
 

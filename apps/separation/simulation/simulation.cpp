@@ -385,13 +385,13 @@ void Simulation::add_latches_here() {
     if (!latches({e, 0}) || event.trigger != Event::Trigger::angle) continue;
     for (const int body : event.bodies) {
       const Happening h{e, body};
-      const bool is_due = std::ranges::any_of(due_, [&](const Happening& other) {
-        return other.event == e && other.body == body;
-      });
+      const bool is_due =
+          std::ranges::any_of(due_, [&](const Happening& other) {
+            return other.event == e && other.body == body;
+          });
       if (is_due || has_happened(h) || !is_armed(h)) continue;
       constexpr double instant = 1e-11;  // s
-      const double rate =
-          sample().hinge(body).relative_angular_velocity.norm();
+      const double rate = sample().hinge(body).relative_angular_velocity.norm();
       const double away = std::abs(angle(body) - event.value);
       if (away <= rate * instant * (1 + time()) && engages(h)) {
         due_.push_back(h);

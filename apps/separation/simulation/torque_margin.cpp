@@ -177,8 +177,7 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
   // Between the neighbours of what is lower than both.
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double before = i > 0 ? ratios[i - 1] : ratios[i];
-    const double after =
-        i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
+    const double after = i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
     if (ratios[i] > before || ratios[i + 1] > after) continue;
     constexpr int bits = 26;  // of the angle: ratios there differ by 1e-15
     const auto [angle, ratio] = boost::math::tools::brent_find_minima(
