@@ -3,6 +3,9 @@
 // column `motion` is the time for one motion.
 #include <benchmark/benchmark.h>
 
+#include <algorithm>
+#include <chrono>
+#include <limits>
 #include <numbers>
 
 #include "multibody/friction/coupled_dynamics.hpp"
@@ -23,13 +26,19 @@ using multibody::Instant;
 using multibody::Prepared;
 using multibody::test::Mix;
 
-// On the carrier, or each on the one before.
-enum class Hung { star, chain };
+// On the carrier; each on the one before; two on each, and on the carrier.
+enum class Hung { star, chain, binary };
+
+int parent_of(int body, Hung hung) {
+  return hung == Hung::star    ? -1
+         : hung == Hung::chain ? body - 1
+                               : body / 2 - 1;
+}
 
 Instant free_motion(Mix mix, int bodies, Hung hung = Hung::star) {
   Instant instant = random_instant(mix, bodies, 1);
-  for (int i = 0; i < bodies && hung == Hung::chain; ++i) {
-    instant.bodies[i].body.parent = i - 1;
+  for (int i = 0; i < bodies; ++i) {
+    instant.bodies[i].body.parent = parent_of(i, hung);
   }
   instant.active_force.setZero();
   instant.active_moment_com.setZero();
@@ -69,8 +78,19 @@ void evaluate(benchmark::State& state, Mix mix, InstructionSet set) {
   });
 }
 
+// `body`: the time for one of them, the same for 1 as for 1024.
+template <Hung hung>
+void any_number(benchmark::State& state, Mix mix, InstructionSet set) {
+  evaluate<hung>(state, mix, set);
+  state.counters["body"] =
+      benchmark::Counter(static_cast<double>(state.range(0)),
+                         benchmark::Counter::kIsIterationInvariantRate |
+                             benchmark::Counter::kInvert);
+}
+
+template <Hung hung>
 void increment(benchmark::State& state, Mix mix) {
-  const Prepared p = prepared(state, mix);
+  const Prepared p = prepared(state, mix, hung);
   Dynamics dynamics = p.dynamics();
   dynamics.evaluate(p.state.data(), p.forces);
   const std::vector<multibody::Vec3<double>> change(dynamics.size(),
@@ -176,8 +196,10 @@ void with_friction(benchmark::State& state, Mix mix, InstructionSet set) {
   state.counters["outer"] = iterations / evaluations;
 }
 
+template <Hung hung>
 void without_friction(benchmark::State& state, Mix mix, InstructionSet set) {
-  Stretch run(mix, static_cast<int>(state.range(0)));
+  Stretch run(mix, static_cast<int>(state.range(0)),
+              hung == Hung::star ? AxisHinge::node : AxisHinge::pin, hung);
   Dynamics dynamics(run.prepared.system, set);
   std::vector<double> rates(run.states[0].size());
   measure(state, 1, [&] {
@@ -202,19 +224,65 @@ void unhinged(benchmark::State& state, Mix mix) {
 }
 
 #ifdef CONTACT_HAS_SIMBODY
+// Of the carrier's accelerations, to which all bodies add.
+double difference(const Instant& instant,
+                  const multibody::bench::SimbodySystem& system) {
+  const multibody::InstantResult ours = multibody::evaluate(instant);
+  return (ours.acceleration - system.carrier_acceleration()).norm() /
+             ours.acceleration.norm() +
+         (ours.angular_acceleration - system.carrier_angular_acceleration())
+                 .norm() /
+             ours.angular_acceleration.norm();
+}
+
 template <Hung hung>
 void simbody(benchmark::State& state, Mix mix) {
   const Instant instant =
       free_motion(mix, static_cast<int>(state.range(0)), hung);
   multibody::bench::SimbodySystem system(instant);
   measure(state, 1, [&] { system.evaluate(); });
-  const multibody::InstantResult ours = multibody::evaluate(instant);
-  state.counters["difference"] =
-      (ours.acceleration - system.carrier_acceleration()).norm() /
-          ours.acceleration.norm() +
-      (ours.angular_acceleration - system.carrier_angular_acceleration())
-              .norm() /
-          ours.angular_acceleration.norm();
+  state.counters["difference"] = difference(instant, system);
+}
+
+// Both by turns, and the least time of each, ns: other load on the machine
+// comes and goes. All accelerations; then the reactions as well.
+template <Hung hung>
+void beside_simbody(benchmark::State& state, Mix mix) {
+  const Instant instant =
+      free_motion(mix, static_cast<int>(state.range(0)), hung);
+  const Prepared p = prepare(instant);
+  Dynamics dynamics(p.system);
+  std::vector<multibody::Vec3<double>> accelerations(dynamics.size());
+  std::vector<multibody::Reaction<double>> reactions(dynamics.size());
+  multibody::bench::SimbodySystem system(instant);
+  using Clock = std::chrono::steady_clock;
+  const auto time = [](double& least, int times, auto f) {
+    const Clock::time_point start = Clock::now();
+    for (int i = 0; i < times; ++i) f();
+    const std::chrono::duration<double, std::nano> took = Clock::now() - start;
+    least = std::min(least, took.count() / times);
+  };
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double ours[] = {infinity, infinity};
+  double theirs[] = {infinity, infinity};
+  for (auto _ : state) {
+    for (const bool react : {false, true}) {
+      time(ours[react], 10, [&] {
+        dynamics.evaluate(p.state.data(), p.forces);
+        dynamics.relative_accelerations(accelerations);
+        if (react) dynamics.reactions(reactions);
+      });
+      time(theirs[react], 1, [&] {
+        system.evaluate();
+        if (react) system.find_reactions();
+      });
+    }
+  }
+  state.counters["ours"] = ours[0];
+  state.counters["simbody"] = theirs[0];
+  state.counters["ratio"] = theirs[0] / ours[0];
+  state.counters["ratio_with_reactions"] = theirs[1] / ours[1];
+  state.counters["difference"] = difference(instant, system);
 }
 #endif
 
@@ -324,7 +392,7 @@ void register_all(const std::string& name, Mix mix) {
     auto* b = benchmark::RegisterBenchmark(
         (name + "/" + method).c_str(),
         [=](benchmark::State& state) { function(state, mix); });
-    for (const int bodies : {1, 2, 4, 8, 16, 64, 256}) {
+    for (const int bodies : {1, 2, 4, 8, 16, 64, 256, 1024}) {
       if (bodies <= most) b->Arg(bodies);
     }
   };
@@ -338,13 +406,12 @@ void register_all(const std::string& name, Mix mix) {
           [=](auto& state, Mix m) { function(state, m, set); }, most);
     };
     add_for_set("two_step", evaluate<Hung::star>, 256);
-    add_for_set("without_friction", without_friction, 64);
+    add_for_set("without_friction", without_friction<Hung::star>, 64);
     add_for_set("with_friction", with_friction<AxisHinge::node>, 64);
     if (mix == Mix::axes) {
       add_for_set("with_pin_friction", with_friction<AxisHinge::pin>, 64);
     }
   }
-  // The kernels of trees are the same for all sets, the tracker is not.
   const auto chain = [&](const char* method, auto function, int most) {
     add(
         method,
@@ -353,16 +420,21 @@ void register_all(const std::string& name, Mix mix) {
         },
         most);
   };
-  chain("chain/two_step", evaluate<Hung::chain>, 256);
+  chain("chain/two_step", any_number<Hung::chain>, 1024);
+  chain("binary/two_step", any_number<Hung::binary>, 1024);
+  chain("star/two_step", any_number<Hung::star>, 1024);
+  add("chain/increment", increment<Hung::chain>, 256);
   chain("chain/with_pin_friction", with_friction<AxisHinge::pin, Hung::chain>,
         16);
-  add("increment", increment, 256);
+  chain("chain/without_friction", without_friction<Hung::chain>, 16);
+  add("increment", increment<Hung::star>, 256);
   add("reactions", reactions, 256);
   add("unhinged", unhinged, 64);
   add("dense_cholesky", dense_cholesky, 64);
 #ifdef CONTACT_HAS_SIMBODY
   add("simbody", simbody<Hung::star>, 256);
   add("chain/simbody", simbody<Hung::chain>, 64);
+  add("chain/beside_simbody", beside_simbody<Hung::chain>, 64);
 #endif
 }
 

@@ -30,6 +30,7 @@ struct SimbodySystem::Parts {
   MobilizedBody carrier;
   std::vector<MobilizedBody> bodies;
   SimTK::State state;
+  SimTK::Vector_<SimTK::SpatialVec> reactions;
 };
 
 SimbodySystem::SimbodySystem(const Instant& instant)
@@ -109,6 +110,10 @@ std::vector<Eigen::Vector3d> SimbodySystem::positions() const {
 void SimbodySystem::evaluate() {
   parts_->state.updQ();  // as if an integrator had written it
   parts_->system.realize(parts_->state, SimTK::Stage::Acceleration);
+}
+
+void SimbodySystem::find_reactions() {
+  parts_->matter.calcMobilizerReactionForces(parts_->state, parts_->reactions);
 }
 
 Eigen::Vector3d SimbodySystem::carrier_acceleration() const {

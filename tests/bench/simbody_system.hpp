@@ -22,6 +22,8 @@ class SimbodySystem {
 
   /// State in, all accelerations out.
   void evaluate();
+  /// After evaluate(): the reactions in all mobilizers.
+  void find_reactions();
   /// Accelerations of the carrier by evaluate(), carrier axes.
   Eigen::Vector3d carrier_acceleration() const;
   Eigen::Vector3d carrier_angular_acceleration() const;
