@@ -25,13 +25,22 @@ using multibody::Instant;
 using multibody::InstantResult;
 using namespace multibody::test;
 
-std::set<std::filesystem::path> oracle_files() {
+std::set<std::filesystem::path> oracle_files(const std::string& folder) {
   std::set<std::filesystem::path> files;
   for (const auto& entry : std::filesystem::directory_iterator(
-           CONTACT_DATA_DIR "/reference/multibody")) {
+           CONTACT_DATA_DIR "/reference/" + folder)) {
     if (entry.path().extension() == ".json") files.insert(entry.path());
   }
   return files;
+}
+
+// Computed by multibody-eval, against what the file expects.
+CaseError error_of(const std::filesystem::path& file) {
+  std::ifstream stream(file);
+  const auto json = nlohmann::ordered_json::parse(stream);
+  const multibody::CaseInstant instant = multibody::read_case(file.string());
+  return case_error(to_json(instant, multibody::evaluate(instant)),
+                    json["expected"]);
 }
 
 TEST(Multibody, OracleCases) {
@@ -41,18 +50,29 @@ TEST(Multibody, OracleCases) {
   // own error.
   AccuracyReport degenerate("oracle cases near a point mass", 1e-6);
   degenerate.may_be_empty();
-  for (const auto& file : oracle_files()) {
-    std::ifstream stream(file);
-    const auto json = nlohmann::ordered_json::parse(stream);
-    const Instant instant = multibody::read_case(file.string());
-    const CaseError error = case_error(
-        to_json(instant, multibody::evaluate(instant)), json["expected"]);
+  for (const auto& file : oracle_files("multibody")) {
+    const CaseError error = error_of(file);
     const std::string name = file.filename().string();
     const bool near = name.find("near_pendulum") != std::string::npos;
     (near ? degenerate : report)
         .add_error(error.error, name + " " + error.quantity);
   }
   EXPECT_GE(report.size(), 22u);
+}
+
+TEST(Multibody, OracleTrees) {
+  // The oracle's own bars (README of the data).
+  AccuracyReport report("oracle trees", 1e-11);
+  AccuracyReport light("oracle tree of light links and a heavy tip", 1e-10);
+  for (const auto& file : oracle_files("trees")) {
+    const CaseError error = error_of(file);
+    const std::string name = file.filename().string();
+    const bool is_light = name.find("light_chain") != std::string::npos;
+    (is_light ? light : report)
+        .add_error(error.error, name + " " + error.quantity);
+  }
+  EXPECT_EQ(report.size(), 17u);
+  EXPECT_EQ(light.size(), 1u);
 }
 
 TEST(Multibody, DenseReference) {

@@ -132,8 +132,67 @@ TEST(MultibodyEval, WhatDoesNotFitIsRefused) {
   EXPECT_EQ(with("/loads/0/angular_velocity", {0, 1e-5, 0}),
             "loads[0]: angular_velocity: off by 1e-05 from the body's other "
             "data");
-  EXPECT_EQ(with("/schema", "other"), "schema must be carrier-loads/1");
+  EXPECT_EQ(with("/schema", "other"),
+            "schema must be carrier-loads/1 or carrier-tree/1");
   EXPECT_EQ(with("/gravity_inertial", {0, 1}), "[0,1]: not 3 numbers");
+}
+
+json good_tree() {
+  json file = good();
+  json axis = file["loads"][0];
+  json ball = file["loads"][1];
+  for (const auto& [from, to] :
+       {std::pair{"hinge_from_carrier_com", "hinge_from_parent_com"},
+        std::pair{"hinge_to_load", "hinge_to_body"},
+        std::pair{"hinge_to_carrier_zero", "hinge_to_parent_zero"},
+        std::pair{"rotation_to_carrier", "rotation_to_parent"}}) {
+    for (json* body : {&axis, &ball}) {
+      if (!body->contains(from)) continue;
+      (*body)[to] = (*body)[from];
+      body->erase(from);
+    }
+  }
+  axis["parent"] = 0;
+  ball["parent"] = 1;
+  ball["kind"] = "ball";
+  for (const char* key : {"loads", "kind"}) file.erase(key);
+  file["schema"] = "carrier-tree/1";
+  file["bodies"] = {axis, ball};
+  return file;
+}
+
+TEST(MultibodyEval, TreesHaveKeysOfTheirOwn) {
+  ASSERT_EQ(message(good_tree()), "(no error)");
+  const auto with = [](const std::string& place, const json& value) {
+    json file = good_tree();
+    file[json::json_pointer(place)] = value;
+    return message(file);
+  };
+  EXPECT_EQ(with("/bodies/1/parent", 2),
+            "bodies[1]: parent = 2 must be 0 or the number of a body before "
+            "it");
+  EXPECT_EQ(with("/bodies/0/parent", -1),
+            "bodies[0]: parent = -1 must be 0 or the number of a body before "
+            "it");
+  EXPECT_EQ(with("/bodies/1/kind", "spherical"),
+            "bodies[1]: kind must be ball or axis");
+  EXPECT_EQ(with("/bodies/1/hinge_from_carrier_com", 0)
+                .find("bodies[1]: the body: unknown key "
+                      "\"hinge_from_carrier_com\" ("),
+            0u);
+  EXPECT_EQ(
+      with("/loads", json::array()).find("the file: unknown key \"loads\" ("),
+      0u);
+  // Its own rate on that of what it hangs on.
+  EXPECT_EQ(with("/bodies/1/angular_velocity", {0, 1e-5, 0}),
+            "bodies[1]: angular_velocity: off by 1e-05 from the body's other "
+            "data");
+  json spinning = good_tree();
+  spinning["carrier"]["fixed"] = true;
+  EXPECT_EQ(message(spinning), "(no error)");
+  spinning["carrier"]["angular_velocity"] = {0, 0, 1};
+  EXPECT_EQ(message(spinning),
+            "carrier: fixed: its angular_velocity must be 0");
 }
 
 TEST(MultibodyEval, KeysThatMayBeLeftOut) {

@@ -11,7 +11,8 @@ namespace {
 constexpr const char* description =
     "Accelerations and reactions of a carrier with hinged bodies at one "
     "instant.\n\n"
-    "FILE is a case in the format of data/reference/multibody/README.md; the\n"
+    "FILE is a case in the format of data/reference/multibody/README.md or,\n"
+    "where bodies hang on bodies, of data/reference/trees/README.md; the\n"
     "result is a JSON object with the keys of its \"expected\", in the same\n"
     "units and frames.\n\n"
     "Keys that may be left out: active_force, active_moment_com and\n"
@@ -47,7 +48,7 @@ int main(int argc, char** argv) {
                           {"--output", &output, "FILE",
                            "file to write; default standard output"}});
   return program.run(argc, argv, footer, [&] {
-    const multibody::Instant instant = multibody::read_case(file);
+    const multibody::CaseInstant instant = multibody::read_case(file);
     const multibody::InstantResult result = multibody::evaluate(instant);
     if (!is_finite(result)) {
       throw contact::Error(file +

@@ -46,21 +46,21 @@ void add(const ordered_json& computed, const ordered_json& expected,
 CaseError case_error(const ordered_json& computed,
                      const ordered_json& expected) {
   std::map<std::string, Extent> extents;
+  const std::string list = expected.contains("bodies") ? "bodies" : "loads";
   for (const auto& [key, value] : expected.items()) {
-    if (key != "loads") add(computed, expected, key, extents[key]);
+    if (key != list) add(computed, expected, key, extents[key]);
   }
-  for (std::size_t i = 0; i < expected["loads"].size(); ++i) {
+  for (std::size_t i = 0; i < expected[list].size(); ++i) {
     const ordered_json empty = ordered_json::object();
     const ordered_json& body =
-        computed.contains("loads") && i < computed["loads"].size()
-            ? computed["loads"][i]
-            : empty;
-    for (const auto& [key, value] : expected["loads"][i].items()) {
-      add(body, expected["loads"][i], key, extents["loads." + key]);
+        computed.contains(list) && i < computed[list].size() ? computed[list][i]
+                                                             : empty;
+    for (const auto& [key, value] : expected[list][i].items()) {
+      add(body, expected[list][i], key, extents[list + "." + key]);
     }
   }
-  Extent& moment = extents["loads.reaction_moment"];
-  moment.size = std::max(moment.size, extents["loads.reaction_force"].size);
+  Extent& moment = extents[list + ".reaction_moment"];
+  moment.size = std::max(moment.size, extents[list + ".reaction_force"].size);
   CaseError worst;
   for (const auto& [key, extent] : extents) {
     const double error =

@@ -84,6 +84,35 @@ BodyResult body_result(const BodyInstant& body, const Link& link,
   return result;
 }
 
+// Accelerations of the centres of mass where bodies hang on bodies, from that
+// of the carrier: the reactions of light links cancel.
+void accelerate_outward(const Instant& instant, const System& system,
+                        InstantResult& result) {
+  std::vector<Vector3d> velocities(instant.bodies.size());
+  const auto at = [](const Vector3d& acceleration, const Vector3d& angular,
+                     const Vector3d& w, const Vector3d& place) {
+    return Vector3d(acceleration + angular.cross(place) +
+                    w.cross(w.cross(place)));
+  };
+  for (const int i : system.order()) {
+    const BodyInstant& body = instant.bodies[i];
+    const int parent = body.body.parent;
+    const Matrix3d to_body = relative_rotation(body).transpose();
+    const Vector3d& w =
+        parent < 0 ? instant.angular_velocity : velocities[parent];
+    const Vector3d hinge =
+        parent < 0 ? at(result.acceleration, result.angular_acceleration, w,
+                        body.body.hinge_from_carrier_com)
+                   : at(result.bodies[parent].acceleration,
+                        result.bodies[parent].angular_acceleration, w,
+                        body.body.hinge_from_carrier_com);
+    velocities[i] = to_body * w + relative_velocity(body);
+    result.bodies[i].acceleration =
+        at(to_body * hinge, result.bodies[i].angular_acceleration,
+           velocities[i], -body.body.hinge_from_com);
+  }
+}
+
 }  // namespace
 
 Matrix3d axis_rotation(const Body& body, double angle) {
@@ -127,9 +156,13 @@ Prepared prepare(const Instant& instant) {
 InstantResult evaluate(const Instant& instant) {
   const Prepared p = prepare(instant);
   Dynamics dynamics = p.dynamics();
-  dynamics.evaluate(p.state.data(), p.forces);
-
   const Vector3d gravity = instant.rotation.transpose() * instant.gravity;
+  if (instant.carrier.fixed) {
+    dynamics.evaluate_prescribed(p.state.data(), p.forces,
+                                 {vec3(Vector3d(-gravity)), {}});
+  } else {
+    dynamics.evaluate(p.state.data(), p.forces);
+  }
   InstantResult result;
   result.acceleration_minus_gravity = vec3(dynamics.carrier().linear);
   result.acceleration = result.acceleration_minus_gravity + gravity;
@@ -143,6 +176,7 @@ InstantResult evaluate(const Instant& instant) {
     result.bodies.back().acceleration +=
         relative_rotation(body).transpose() * gravity;
   }
+  if (!p.system.is_star()) accelerate_outward(instant, p.system, result);
   return result;
 }
 
