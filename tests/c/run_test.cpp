@@ -23,7 +23,8 @@ void expect_same(const double* a, const double* b, std::size_t count) {
 
 class CaseRuns : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(CDoor, CaseRuns,
-                         testing::Values("soyuz", "two_stage_turn", "slosh"));
+                         testing::Values("soyuz", "two_stage_turn", "slosh",
+                                         "fairing_on_stage"));
 
 TEST_P(CaseRuns, AreThoseOfCpp) {
   const std::string file = cases + GetParam() + ".toml";

@@ -320,6 +320,29 @@ TEST_P(Versions, RunACase) {
   EXPECT_EQ(last_message(), "the case ends at 40.000000 s");
 }
 
+// Bodies on bodies, of which some leave: as from C to the last bit.
+TEST_P(Versions, RunATree) {
+  const std::string file = cases + "fairing_on_stage.toml";
+  const auto fmu = fmu_of(file, GetParam());
+  const FmuInstance it(*fmu);
+  ASSERT_EQ(it.enter(0), 0);
+  ASSERT_EQ(it.start(), 0);
+  contact_run* run = nullptr;
+  must(contact_run_open(file.c_str(), nullptr, 0, &run));
+  std::vector<double> wanted(contact_run_column_count(run));
+  for (int step = 0; step < 10; ++step) {
+    ASSERT_EQ(it.step(0.5 * step, 0.5), 0);
+    must(contact_run_advance(run, 0.5 * (step + 1)));
+    must(contact_run_values(run, wanted.data(), wanted.size()));
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+      if (std::isnan(wanted[i])) continue;
+      const char* const column = contact_run_column(run, i);
+      EXPECT_EQ(it.get(column), wanted[i]) << column;
+    }
+  }
+  contact_run_free(run);
+}
+
 // Neither traps nor a rounding mode of the host get in, and none gets lost.
 TEST_P(Versions, KeepTheFloatEnvironmentOfTheirHost) {
   for (const auto& [file, output] :

@@ -18,6 +18,8 @@ from support import build, source
 cases = source / "data/cases"
 stages = libcontact.Case.from_file(cases / "two_stage_turn.toml")
 slosh = libcontact.Case.from_file(cases / "slosh.toml")
+# Bodies on bodies, which leave.
+fairing = libcontact.Case.from_file(cases / "fairing_on_stage.toml")
 # A second.
 slow = stages.replace({
     "run.integrator": "rk4", "run.step_s": 1e-4, "run.end_time_s": 2.0})
@@ -75,7 +77,7 @@ class Test(unittest.TestCase):
 
 class Stepped(Test):
     def test_comes_to_what_the_whole_run_is(self):
-        for case in stages, slosh:
+        for case in stages, slosh, fairing:
             run = libcontact.Run(case)
             self.assertEqual(run.time, 0)
             self.assertEqual(run.end_time, case["run.end_time_s"])
@@ -91,7 +93,7 @@ class Stepped(Test):
             self.assertEqual(run.events, whole.events)
 
     def test_is_that_of_c(self):
-        for name in "two_stage_turn", "slosh":
+        for name in "two_stage_turn", "slosh", "fairing_on_stage":
             run = libcontact.Run(
                 libcontact.Case.from_file(cases / f"{name}.toml"))
             of_c = RunOfC(cases / f"{name}.toml")
