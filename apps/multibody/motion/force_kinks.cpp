@@ -76,8 +76,9 @@ std::optional<double> ForceKinks::leaves(Stepper& stepper, std::size_t i) {
   if (at_kink) {
     const auto off = std::ranges::find_if(
         values, [&](double value) { return !is_at(value, *below); });
-    const double next =
-        !is_at(soon, *below) || off == values.end() ? soon : *off;
+    // A hinge that is held there stays.
+    if (off == values.end()) return {};
+    const double next = !is_at(soon, *below) ? soon : *off;
     side = next < *below ? -1 : 1;
     note(*below, side * just_crossed);
   }
