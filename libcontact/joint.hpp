@@ -15,5 +15,6 @@
 #include "libcontact/joint/thrust_face.hpp"
 #include "libcontact/joint/group.hpp"
 #include "libcontact/joint/step.hpp"
+#include "libcontact/joint/steps/mechanism_step.hpp"
 #include "libcontact/joint/derivatives.hpp"
 // clang-format on

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
-#include "libcontact/joint/mechanism_step.hpp"
+#include "libcontact/joint/steps/mechanism_step.hpp"
 #include "python/answers.hpp"
 #include "python/file_joint.hpp"
 #include "python/rows/starts.hpp"

@@ -9,7 +9,7 @@
 #include "libcontact/c/call.hpp"
 #include "libcontact/c/joint.hpp"
 #include "libcontact/c/step.hpp"
-#include "libcontact/joint/mechanism_step.hpp"
+#include "libcontact/joint/steps/mechanism_step.hpp"
 
 struct contact_mechanism  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {

@@ -1,5 +1,5 @@
 // Mechanisms from C are those of C++ to the last bit.
-#include "libcontact/joint/mechanism_step.hpp"
+#include "libcontact/joint/steps/mechanism_step.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "libcontact/joint/mechanism_step.hpp"
+#include "libcontact/joint/steps/mechanism_step.hpp"
 
 #include <gtest/gtest.h>
 

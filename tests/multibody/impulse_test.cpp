@@ -80,8 +80,7 @@ class Tree {
             axis] = 1;
     } else {
       set_relative_rate(equations_->system.links()[body],
-                        &state[equations_->offset(body)],
-                        Vector3d::Unit(axis));
+                        &state[equations_->offset(body)], Vector3d::Unit(axis));
     }
     return motions(state);
   }
@@ -176,8 +175,8 @@ TEST(Impulse, DoesVirtualWorkInItsHingesAlone) {
       EXPECT_EQ(equations.rate_of(i, after.data()), targets[i / 2].rate);
       told += jumps[i / 2].loss;
     }
-    worst_energy = std::max(worst_energy,
-                            std::abs(loss - told) / (before_energy + std::abs(loss)));
+    worst_energy = std::max(
+        worst_energy, std::abs(loss - told) / (before_energy + std::abs(loss)));
   }
   EXPECT_LT(worst, 1e-12);
   EXPECT_LT(worst_energy, 1e-12);

@@ -121,10 +121,11 @@ torque_margin = { to_deg = 0 }
 TEST(TorqueMargin, OfTwoLines) {
   const std::string text =
       begin + margin +
-      fmt::format("[[force]]\nname = \"harness\"\nkind = \"torsion\"\n"
-                  "body = \"boom\"\nstarts_at_s = 5\nangle_deg = [-90, 0]\n"
-                  "moment_N_m = [{}, -0.17]\n",
-                  -0.17 - 0.03 * pi / 2);
+      fmt::format(
+          "[[force]]\nname = \"harness\"\nkind = \"torsion\"\n"
+          "body = \"boom\"\nstarts_at_s = 5\nangle_deg = [-90, 0]\n"
+          "moment_N_m = [{}, -0.17]\n",
+          -0.17 - 0.03 * pi / 2);
   const auto least =
       torque_margin(parse_case(text, "c.toml"), 0, FrictionChoice::full);
   EXPECT_NEAR(least.ratio, 2.941176470588, 1e-12);
