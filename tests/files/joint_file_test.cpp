@@ -481,7 +481,7 @@ TEST(DataFiles, MaterialsAndJoints) {
         << entry.path();
     ++joints;
   }
-  EXPECT_EQ(joints, 16u);
+  EXPECT_EQ(joints, 18u);
 }
 
 TEST(DataFiles, LedgerNamesEveryFile) {
