@@ -233,7 +233,8 @@ ordered_json to_json(const BodyInstant& body, const BodyResult& result,
 }
 
 const Format& format_of(const json& file) {
-  const std::string schema = file.at("schema");
+  // A file without one is a star, whose keys are looked at next.
+  const std::string schema = file.value("schema", star.schema);
   if (schema == star.schema) return star;
   if (schema == tree.schema) return tree;
   throw contact::Error(
