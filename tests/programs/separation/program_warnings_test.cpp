@@ -62,7 +62,7 @@ carrier_point_m = )"_toml +
   EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 1, "")),
             warning +
                 "\"spring\" has no direction when it starts, t = 0 s: "
-                "point on s and carrier_point are in one place\n");
+                "point on s and its other end are in one place\n");
   EXPECT_EQ(warnings(with_spring("[0.8, 0, 0]", 0, "")), "");
   // A spring between bodies that never were on a hinge may pull.
   EXPECT_EQ(warnings(with_spring("[0.5, 0, 0]", 0.4, "")), "");

@@ -390,7 +390,7 @@ TEST_F(HingeStudy, PicturesOverwriteNothing) {
   for (const std::string option : {"--journal", "--csv", "--hdf5"}) {
     folder_.run_ill("hinge-study s.toml --plot p.svg " + option + " p_1.svg", 2,
                     "hinge-study: --plot p_1.svg must be another file "
-                    "than that of " +
+                    "than " +
                         option + "\n");
   }
 }
