@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/text.hpp"
 #include "libcontact/joint/steps/mechanism_step.hpp"
 #include "python/answers.hpp"
 #include "python/file_joint.hpp"
@@ -76,6 +77,11 @@ py::tuple turn(Mechanism& self, const Numbers& rates_at_end,
                const Numbers& force) {
   VectorXd changed = vector_of(force);
   const double change = self.step.turn(vector_of(rates_at_end), changed);
+  if (self.step.sweeps().status != contact::Status::ok) {
+    throw contact::Error(contact::detail::message(
+        "Mechanism.turn(): friction has no value: {}",
+        contact::to_string(self.step.sweeps().status)));
+  }
   return py::make_tuple(array_of(changed), change);
 }
 

@@ -72,21 +72,30 @@ class Mujoco(unittest.TestCase):
         self.assertLessEqual(friction.turns, 3)
 
     def test_seats_turn_with_their_body(self):
-        """The moment of a step is that of the joint in the seat's axes."""
-        seat = libcontact.Joint.from_file(libcontact.examples["joints/hip_cup.toml"])
-        model, data = world(
-            """<body quat='.8 .6 0 0'><body><joint name='hip' type='ball'/>
-            <inertial mass='100' pos='0 0 -.4' diaginertia='5 5 5'/></body>
-            </body>"""
-        )
-        friction = HingeFriction(model)
-        friction.add("hip", seat)
-        data.qvel[:] = 0.3, 0.1, 0.5
-        mujoco.mj_forward(model, data)
-        before = data.qvel.copy()
-        friction.step(data)
-        self.assertFalse(np.array_equal(before, data.qvel))
-        self.assertTrue(np.isfinite(data.qvel).all())
+        """A world that is turned moves as it does level, and so do its seats."""
+        cup = libcontact.Joint.from_file(libcontact.examples["joints/hip_cup.toml"])
+
+        def moved(quat, gravity):
+            model, data = world(
+                f"""<body quat='{quat}'><body><joint name='hip' type='ball'/>
+                <inertial mass='100' pos='0 0 -.4' diaginertia='5 5 5'/></body>
+                </body>""",
+                gravity=gravity,
+            )
+            friction = HingeFriction(model)
+            friction.add("hip", cup)
+            data.qvel[:] = 0.3, 0.1, 0.5
+            for _ in range(20):
+                friction.step(data)
+            return data.qvel.copy()
+
+        level = moved("1 0 0 0", "0 0 -9.81")
+        # By 73.7 deg about x.
+        turned = moved(".8 .6 0 0", f"0 {0.96 * 9.81} {-0.28 * 9.81}")
+        np.testing.assert_allclose(turned, level, rtol=0, atol=1e-9)
+        # A load that the seat does not carry has no friction.
+        with self.assertRaisesRegex(libcontact.Error, "no value"):
+            moved("0 1 0 0", "0 0 -9.81")
 
     def test_says_what_is_wrong(self):
         model, _ = world(
