@@ -344,35 +344,6 @@ TEST(HostSimbody, ChainHasTheFrictionOfHingeSeparation) {
   EXPECT_LE(force_off, 1e-9);
 }
 
-// The same motion from the same start; the second ball rests for a while.
-TEST(HostSimbody, ChainMovesAsHingeSeparationHasIt) {
-  const std::vector<std::string> columns = of_links(
-      {"qw", "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
-  constexpr int stride = 7;
-  const std::vector<double> times = {0, 0.22, 0.5, 1, 2, 5, 10};
-  const std::vector<double> all = separated("chain.toml", columns, times);
-  World w({Fit::converged, 1e-12, 1e-8});
-  w.weigh(down);
-  add_chain(w, 5, true);
-  w.begin();
-  set_chain(w, all.data(), stride);
-  w.friction.settle(w.state);
-  for (std::size_t k = 1; k < times.size(); ++k) {
-    w.run(times[k], 1e-10);
-    double off = 0;
-    for (int i = 0; i < 5; ++i) {
-      const double* const q = &all[k * columns.size() + stride * i];
-      const Mat33 difference =
-          Mat33(w.bodies[i].getBodyRotation(w.state)) -
-          Mat33(Rotation(Quaternion(q[0], q[1], q[2], q[3])));
-      off = std::max(off, difference.norm());
-    }
-    std::printf("%g s: turned by %.1e\n", times[k], off);
-    EXPECT_LE(off, 1e-6) << times[k];
-    EXPECT_EQ(w.bodies[1].isLocked(w.state), times[k] == 0.22);
-  }
-}
-
 // A folding arm: two links and a bar, whose end slides on a straight guide.
 // With friction in one hinge, as it has one freedom, it comes to rest.
 TEST(HostSimbody, HoldsALoop) {
