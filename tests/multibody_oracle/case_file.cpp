@@ -281,6 +281,7 @@ void read_carrier(const json& carrier, Instant& instant) {
 CaseInstant instant_from_json(const json& file) {
   const Format& format = format_of(file);
   refuse_keys_beside(file, file_keys(format), "the file");
+  static_cast<void>(file.at("schema"));  // must be there all the same
   CaseInstant instant;
   instant.is_tree = format.is_tree;
   instant.gravity = vector(file.at("gravity_inertial"));
