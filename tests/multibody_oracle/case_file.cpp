@@ -27,17 +27,14 @@ constexpr double agreement = 1e-6;
 struct Format {
   std::string schema;
   std::string list;  ///< of bodies
-  std::string ball;  ///< a kind
   std::string from_parent_com, to_body, to_parent_zero, to_parent;
   bool is_tree = false;
 };
-const Format star = {"carrier-loads/1",    "loads",
-                     "spherical",          "hinge_from_carrier_com",
-                     "hinge_to_load",      "hinge_to_carrier_zero",
-                     "rotation_to_carrier"};
+const Format star = {"carrier-loads/1",        "loads",
+                     "hinge_from_carrier_com", "hinge_to_load",
+                     "hinge_to_carrier_zero",  "rotation_to_carrier"};
 const Format tree = {"carrier-tree/1",
                      "bodies",
-                     "ball",
                      "hinge_from_parent_com",
                      "hinge_to_body",
                      "hinge_to_parent_zero",
@@ -55,8 +52,8 @@ Keys joined(Keys keys, const Keys& more) {
 }
 
 Keys file_keys(const Format& format) {
-  Keys keys = {"schema", "name", "kind"};
-  if (format.is_tree) keys.pop_back();
+  Keys keys = {"schema", "name"};
+  if (!format.is_tree) keys.emplace_back("kind");
   return joined(keys, {"seed", "oracle", "gravity_inertial", "carrier",
                        format.list, "expected"});
 }
@@ -116,7 +113,7 @@ Matrix3d rotation(const json& object, const std::string& key) {
 HingeKind kind_in_tree(const json& body) {
   const std::string kind = body.at("kind");
   if (kind == "axis") return HingeKind::axis;
-  if (kind != tree.ball) throw contact::Error("kind must be ball or axis");
+  if (kind != "ball") throw contact::Error("kind must be ball or axis");
   return HingeKind::ball;
 }
 

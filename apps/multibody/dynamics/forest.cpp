@@ -183,8 +183,7 @@ std::vector<ForestMotion> Forest::solve(const std::vector<ForestState>& state,
   prepare(falling, true, work);
   respond(falling, work);
   std::vector<Vec3<double>> down(bodies_.size());
-  std::vector<ForestMotion> to;
-  to.resize(bodies_.size());
+  std::vector<ForestMotion> to(bodies_.size());
   for (const int i : order_) {
     const int parent = bodies_[i].parent;
     down[i] = transposed_times(state[i].rotation,

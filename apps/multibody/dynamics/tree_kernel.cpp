@@ -1,6 +1,5 @@
 #include "multibody/dynamics/tree_kernel.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <utility>
 
@@ -99,7 +98,10 @@ void TreeKernel::set_state(const double* state,
                            const LinkForces<double>* bodies) {
   state_[0].angular_velocity = vector_at(state + StateLayout::angular_velocity);
   for (int i = 0; i < size(); ++i) {
-    if (kinds_[i] == HingeKind::axis) angles_[i] = state[layout_.offset(i)];
+    // Of a released body it is a position.
+    if (kinds_[i] == HingeKind::axis && modes_[i] != JointMode::released) {
+      angles_[i] = state[layout_.offset(i)];
+    }
   }
   forest_.kernel().sines(size(), angles_.data(), sines_.data(),
                          cosines_.data());
@@ -248,8 +250,11 @@ void TreeKernel::fitting_moments(std::span<const Vec3<double>> moments,
   for (int i = 0; i < size(); ++i) {
     to[i] = {};
     if (!turns(i)) continue;
-    // On an axis (z) the hinge holds the other parts.
-    const Vec3<double> m = sloped_work_.reaction_moment(1 + i);
+    // By the law: the balance has it as a difference of large moments. On an
+    // axis (z) the hinge holds the other parts.
+    const ForestState& s = sloped_state_[1 + i];
+    const Vec3<double> m =
+        s.hinge_moment + s.slope * sloped_work_.reaction(1 + i);
     to[i] = kinds_[i] == HingeKind::axis ? Vec3<double>{0, 0, m.z} : m;
   }
 }

@@ -44,6 +44,8 @@ struct ForestSteps {
     p.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     p.r = {};
     p.w = {w.x, w.y, w.z};
+    // It may have hung on another body before.
+    p.turn = p.reaction = p.reaction_moment = {};
   }
 
   /// Its own equations, before anything hangs on it.
