@@ -1,7 +1,5 @@
 #include "libcontact/base/linear/turn.hpp"
 
-#include <cmath>
-
 namespace contact::detail {
 
 using Eigen::Quaterniond;
@@ -12,7 +10,7 @@ using Eigen::Vector3d;
 Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
   const Vector3d a = from.normalized(), b = to.normalized();
   // Twice the cosine of half the angle.
-  const double w = std::sqrt((1 + a.dot(b)) * 2);
+  const double w = (a + b).norm();
   Quaterniond turn;
   if (w > 1e-7) {
     turn.w() = w / 2;
