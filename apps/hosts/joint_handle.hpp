@@ -96,7 +96,7 @@ inline JointHandle read_dry_joint(const std::string& file,
   return joint;
 }
 
-/// Friction moments of a dry joint, each found from the one before.
+/// Friction moments of a joint, each found from the one before.
 class FrictionMoment {
  public:
   explicit FrictionMoment(JointHandle joint)

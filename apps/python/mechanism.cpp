@@ -35,8 +35,9 @@ py::array_t<double> array_of(const VectorXd& numbers) {
   return py::array_t<double>(numbers.size(), numbers.data());
 }
 
-// With the joints whose seat is on the carrier.
+// With its joints, and those whose seat is on the carrier.
 struct Mechanism {
+  std::vector<contact::Joint> joints;
   MechanismStep step;
   std::vector<bool> seats_on_carrier;
 };
@@ -46,18 +47,21 @@ Mechanism made(const std::vector<const FileJoint*>& joints,
   if (joints.size() != first.size()) {
     throw contact::Error(contact::detail::must_be("first", "of each joint"));
   }
+  std::vector<contact::Joint> own;
   std::vector<contact::MechanismJoint> all;
   std::vector<bool> on_carrier;
+  own.reserve(joints.size());
   for (std::size_t i = 0; i < joints.size(); ++i) {
     if (!joints[i]) {  // None
       throw contact::Error(contact::detail::must_be("joints", "all of Joint"));
     }
-    all.push_back({&joints[i]->joint(), first[i]});
+    own.push_back(joints[i]->joint());
+    all.push_back({&own.back(), first[i]});
     const contact::JointGeometry& geometry = joints[i]->spec().geometry;
     on_carrier.push_back(geometry.seat() &&
                          geometry.inner_body() == contact::JointBody::body);
   }
-  return {MechanismStep(std::move(all), size), std::move(on_carrier)};
+  return {std::move(own), MechanismStep(all, size), std::move(on_carrier)};
 }
 
 void begin(Mechanism& self, const Numbers& reaction, const Numbers& axis,
@@ -103,7 +107,7 @@ of a pin; size: of all rates. The simulator solves H q'' = forces + J^T lambda +
 friction; friction and its constraints are found in turns: weigh(), begin(), then
 turn() and the simulator's q'' until the force stays.)")
       .def(py::init(&made), py::arg("joints"), py::arg("first"),
-           py::arg("size"), py::keep_alive<1, 2>())
+           py::arg("size"))
       .def(
           "weigh",
           [](Mechanism& self, const Numbers& inertia, const Numbers& rows,

@@ -1,7 +1,6 @@
 #include "libcontact/c/mechanism.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 #include "libcontact/base/complaint.hpp"
@@ -13,9 +12,10 @@
 
 struct contact_mechanism  // NOLINT(readability-identifier-naming)
     : contact::c::Handle {
-  contact_mechanism(std::vector<contact::MechanismJoint> joints, int rates)
-      : count(joints.size()), size(rates), step(std::move(joints), rates) {}
-  const std::size_t count;
+  contact_mechanism(const std::vector<contact::MechanismJoint>& joints,
+                    int rates)
+      : size(rates), step(joints, rates) {}
+  std::size_t count() const { return step.steps().size(); }
   const int size;
   contact::MechanismStep step;
 };
@@ -65,7 +65,7 @@ contact_status contact_mechanism_make(const contact_mechanism_joint* joints,
       all.push_back({&given(joints[i].joint, name.c_str()).joint,
                      static_cast<int>(joints[i].first)});
     }
-    return contact::c::hand_over(to, std::move(all), static_cast<int>(size));
+    return contact::c::hand_over(to, all, static_cast<int>(size));
   });
 }
 
@@ -89,8 +89,8 @@ contact_status contact_mechanism_weigh(contact_mechanism* mechanism,
     const Eigen::Map<const contact::c::Matrix> jacobian(rows, n, m.size);
     // H is symmetric, so that the order of its numbers does not matter.
     m.step.weigh(Eigen::Map<const Eigen::MatrixXd>(inertia, m.size, m.size),
-                 Eigen::MatrixXd(jacobian),
-                 Eigen::Map<const Eigen::VectorXd>(stiffness, n), time_step);
+                 jacobian, Eigen::Map<const Eigen::VectorXd>(stiffness, n),
+                 time_step);
     return CONTACT_OK;
   });
 }
@@ -102,7 +102,7 @@ contact_status contact_mechanism_begin(contact_mechanism* mechanism,
   return call([=] {
     auto& m = given(mechanism, "contact_mechanism_begin: mechanism");
     std::vector<contact::MechanismStart> all;
-    for (std::size_t i = 0; i < m.count; ++i) {
+    for (std::size_t i = 0; i < m.count(); ++i) {
       given(starts, "contact_mechanism_begin: starts");
       all.push_back(contact::c::start_of(starts[i]));
     }
@@ -147,10 +147,10 @@ contact_status contact_mechanism_get(const contact_mechanism* mechanism,
   return call_for(
       [=] {
         auto& m = given(mechanism, "contact_mechanism_get: mechanism");
-        if (i >= m.count) {
+        if (i >= m.count()) {
           throw contact::Error(contact::detail::must_be(
               "contact_mechanism_get: i",
-              contact::detail::message("below {}", m.count)));
+              contact::detail::message("below {}", m.count())));
         }
         contact::c::tell(given(step, "contact_mechanism_get: step"),
                          m.step.steps()[i], true);

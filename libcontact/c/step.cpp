@@ -1,7 +1,5 @@
 #include "libcontact/c/step.h"
 
-#include <algorithm>
-#include <limits>
 #include <string>
 #include <vector>
 

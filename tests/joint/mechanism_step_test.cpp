@@ -154,6 +154,15 @@ TEST(MechanismStep, SeatsTurnWithTheirBody) {
   EXPECT_LT((moment(turn) - turn * level).norm(), 1e-9 * level.norm());
 }
 
+TEST(MechanismStep, OfNoJointsHasNoFriction) {
+  MechanismStep step({}, 2);
+  step.weigh(Eigen::Matrix2d::Identity(), MatrixXd(0, 2), VectorXd(0), dt);
+  step.begin({}, VectorXd(2), VectorXd(2));
+  VectorXd force = VectorXd::Zero(2);
+  EXPECT_EQ(step.turn(VectorXd::Ones(2), force), 0);
+  EXPECT_EQ(force, VectorXd::Zero(2));
+}
+
 TEST(MechanismStep, SaysWhatIsWrong) {
   const auto made = [](int first, int rates) {
     return error_message([&] { MechanismStep({{&ball, first}}, rates); });
@@ -182,6 +191,10 @@ TEST(MechanismStep, SaysWhatIsWrong) {
                "MechanismStep: time_step must be above 0");
   EXPECT_ERROR(step.begin({}, c.rates, c.rates),
                "MechanismStep: starts must be of all joints");
+  std::vector<MechanismStart> sheared = c.starts;
+  sheared[0].from_seat(0, 1) = 0.1;
+  EXPECT_ERROR(step.begin(sheared, c.rates, c.rates),
+               "MechanismStep: from_seat of joint 0 must be a rotation");
   VectorXd force(size);
   EXPECT_ERROR(step.turn(VectorXd(2), force),
                "MechanismStep: the size of rates_at_end must be 6, not 2");

@@ -1,6 +1,5 @@
 #include "hosts/mujoco/hinge_friction.hpp"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <type_traits>
 
@@ -225,9 +224,8 @@ VectorXd HingeFriction::slide(const Hinge& h, const mjData* data) const {
   std::copy_n(s.axis, 3, slip.axis);
   Vector3d::Map(slip.angular_velocity) =
       h.size == 3 ? Vector3d(rate) : Vector3d(rate[0] * axis);
-  const bool is_turned = h.contact.seat() == Seat::on_carrier;
   Vector3d moment;
-  h.contact.find(slip, is_turned ? s.from_seat : nullptr, moment.data());
+  h.contact.find(slip, s.from_seat, moment.data());
   if (h.size == 3) return moment;
   return VectorXd::Constant(1, moment.dot(axis));
 }

@@ -1,10 +1,11 @@
 #include "libcontact/joint/steps/mechanism_step.hpp"
 
+#include <Eigen/LU>
 #include <algorithm>
-#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact {
@@ -14,7 +15,8 @@ using Eigen::Ref;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-MechanismStep::MechanismStep(std::vector<MechanismJoint> joints, int size) {
+MechanismStep::MechanismStep(const std::vector<MechanismJoint>& joints,
+                             int size) {
   std::vector<bool> is_own(std::max(size, 0));
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto& [joint, first] = joints[i];
@@ -66,11 +68,10 @@ void MechanismStep::weigh(const Ref<const MatrixXd>& inertia,
   weight_ = h(own_, own_);
   if (!other_.empty()) {
     const MatrixXd across = h(other_, own_);
-    const Eigen::LLT<MatrixXd> others(MatrixXd(h(other_, other_)));
-    weight_ -= across.transpose() * others.solve(across);
+    weight_ -=
+        across.transpose() * detail::solve_positive(h(other_, other_), across);
   }
   weight_ /= time_step;
-  factor_.compute(weight_);
 }
 
 // Dw of a joint from generalized rates.
@@ -90,6 +91,12 @@ void MechanismStep::begin(std::span<const MechanismStart> starts,
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const MechanismStart& s = starts[i];
+    constexpr double single = 1e-5;  // of hosts in single precision
+    if (!s.from_seat.isUnitary(single) || !(s.from_seat.determinant() > 0)) {
+      throw Error(detail::must_be(
+          detail::message("MechanismStep: from_seat of joint {}", i),
+          "a rotation"));
+    }
     starts_[i].reaction = s.reaction;
     starts_[i].axis = s.axis;
     // Of a pin a placement would ask for its ends.
@@ -106,13 +113,15 @@ double MechanismStep::turn(const Ref<const VectorXd>& rates_at_end,
                            Ref<VectorXd> force) {
   check("rates_at_end", rates_at_end.size());
   check("force", force.size());
-  if (weight_.size() == 0 || !has_begun_) {
+  if (weight_.rows() < std::ssize(own_) || !has_begun_) {
     throw Error("MechanismStep: weigh() and begin() must come before turn()");
   }
   const VectorXd before = force(own_);
   // What the rates would be without this friction.
   VectorXd free = rates_at_end;
-  free(own_) -= factor_.solve(before);
+  if (!before.isZero(0)) {
+    free(own_) -= detail::solve_positive(weight_, before).col(0);
+  }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     starts_[i].free = rate_of(i, free);
   }
@@ -135,7 +144,7 @@ VectorXd MechanismStep::holding_force(
     const Ref<const VectorXd>& rates_at_end) const {
   check("rates", rates.size());
   check("rates_at_end", rates_at_end.size());
-  if (weight_.size() == 0) {
+  if (weight_.rows() < std::ssize(own_)) {
     throw Error("MechanismStep: weigh() must come before holding_force()");
   }
   VectorXd force = VectorXd::Zero(rates.size());

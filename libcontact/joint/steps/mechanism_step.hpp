@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <span>
 #include <vector>
@@ -49,7 +48,10 @@ class MechanismStep {
  public:
   /// @param size  of the generalized rates
   /// @throws Error for joints whose rates overlap or are none of these
-  MechanismStep(std::vector<MechanismJoint> joints, int size);
+  MechanismStep(const std::vector<MechanismJoint>& joints, int size);
+  /// Starts point at placements.
+  MechanismStep(const MechanismStep&) = delete;
+  MechanismStep(MechanismStep&&) = default;
 
   /// W = the Schur complement of (H + J^T D J) in the joints' rates over dt.
   /// @param inertia     H, (size, size), symmetric, with dt times dampings
@@ -65,7 +67,7 @@ class MechanismStep {
   /// Starts a step.
   /// @param rates   q', (size)
   /// @param likely  a guess of those at the end, for speed
-  /// @throws Error for other sizes
+  /// @throws Error for other sizes, and a from_seat that is no rotation
   void begin(std::span<const MechanismStart> starts,
              const Eigen::Ref<const Eigen::VectorXd>& rates,
              const Eigen::Ref<const Eigen::VectorXd>& likely);
@@ -106,7 +108,6 @@ class MechanismStep {
   StepSweeps sweeps_;
   bool has_begun_ = false;
   Eigen::MatrixXd weight_;  // W
-  Eigen::LLT<Eigen::MatrixXd> factor_;
 };
 
 }  // namespace contact
