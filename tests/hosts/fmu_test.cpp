@@ -102,8 +102,7 @@ TEST_P(Versions, SayWhereTheyLeaveTheModel) {
   // The joint's own note is there always.
   const auto before = said(100);
   ASSERT_EQ(before.size(), 1u);
-  EXPECT_NE(before[0].find("limit half-angle is for pins"),
-            std::string::npos);
+  EXPECT_NE(before[0].find("limit half-angle is for pins"), std::string::npos);
   const auto notes = said(1e8);
   ASSERT_GT(notes.size(), 1u);
   EXPECT_EQ(notes[0], before[0]);

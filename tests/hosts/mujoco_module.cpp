@@ -109,7 +109,10 @@ void bind_functions(py::module_& m) {
     m.def(name,
           [function](const Model& a, Data& d) { function(a.get(), d.get()); });
   };
+  plain("mj_checkPos", mj_checkPos);
+  plain("mj_checkVel", mj_checkVel);
   plain("mj_forward", mj_forward);
+  plain("mj_checkAcc", mj_checkAcc);
   plain("mj_Euler", mj_Euler);
   plain("mj_rnePostConstraint", mj_rnePostConstraint);
   plain("mj_fwdConstraint", mj_fwdConstraint);

@@ -45,6 +45,15 @@ class Mujoco(unittest.TestCase):
         np.testing.assert_array_equal(data.qpos, angles)
         self.assertFalse(data.qvel.any())
 
+    def test_the_first_step_lets_go(self):
+        """What rests on a slope that friction does not hold."""
+        model, data = world(PENDULUM)
+        friction = HingeFriction(model)
+        friction.add("hip", BALL)
+        data.qpos[:2] = np.cos(0.5), np.sin(0.5)
+        friction.step(data)
+        self.assertTrue(data.qvel.any())
+
     def test_loop_and_damping_hold(self):
         """A four-bar linkage of pins that an equality closes; one has damping."""
         model, data = world(

@@ -45,7 +45,7 @@ class HingeFriction:
         i = mujoco.mj_name2id(model, _joint_type, name)
         if i < 0:
             raise ValueError(f"joint {name!r} must be one of the model")
-        kind, dofs, _ = _sizes.get(int(model.jnt_type[i]), ("", 0, 0))
+        kind, _, _ = _sizes.get(int(model.jnt_type[i]), ("", 0, 0))
         if not kind:
             raise ValueError(f"joint {name!r} must be a ball or hinge")
         if joint.kind != kind:
@@ -75,7 +75,10 @@ class HingeFriction:
             raise ValueError("bodies must not sleep: friction holds them")
         dt = model.opt.timestep
         likely = data.qvel + dt * data.qacc
+        mujoco.mj_checkPos(model, data)
+        mujoco.mj_checkVel(model, data)
         mujoco.mj_forward(model, data)
+        mujoco.mj_checkAcc(model, data)
         if not self._joints:
             mujoco.mj_Euler(model, data)
             return
@@ -89,8 +92,8 @@ class HingeFriction:
         if model.dof_damping.any():
             self._accelerate(data, smooth, damped)
         if not self._has_reactions:  # as if rates stayed as they are
-            end = data.qvel + dt * data.qacc
-            self._accelerate(data, smooth + mechanism.hold(data.qvel, end), damped)
+            force = mechanism.hold(data.qvel, data.qvel + dt * data.qacc)
+            self._accelerate(data, smooth + force, damped)
             mujoco.mj_rnePostConstraint(model, data)
             self._has_reactions = True
         mechanism.begin(*self._starts(data), data.qvel, likely)
