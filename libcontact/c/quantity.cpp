@@ -105,10 +105,10 @@ contact_status contact_joint_stuck(const contact_joint* joint,
             s.load_stiffness, s.held_stiffness, s.spin_stiffness,
             s.friction_moment, s.shape};
         if (!std::isnan(s.load_stiffness)) return CONTACT_OK;
-        const auto notes = contact::stuck_notes(j.spec, half_angle);
-        const std::string why =
-            notes.empty() ? "normal_force must be a number, and the bodies held"
-                          : notes[0];
+        std::string why = contact::stuck_refusal(j.spec, half_angle);
+        if (why.empty()) {
+          why = "normal_force must be a number, and the bodies held";
+        }
         return contact_report(CONTACT_OUT_OF_RANGE,
                               ("contact_joint_stuck: " + why).c_str());
       },

@@ -125,6 +125,13 @@ TEST(CQuantities, OfStuckJointsHaveTheirLimits) {
                "contact_joint_stuck: the stuck contact has no stiffness here, "
                "because the joint has interference");
   EXPECT_TRUE(std::isnan(stuck.load_stiffness));
+  // No reason is given for another one.
+  const CJoint cup = c_joint(CONTACT_DATA_DIR "/joints/hip_cup.toml");
+  EXPECT_EQ(contact_joint_stuck(cup.get(), std::nan(""), &stuck),
+            CONTACT_OUT_OF_RANGE);
+  EXPECT_STREQ(contact_last_message(),
+               "contact_joint_stuck: normal_force must be a number, and the "
+               "bodies held");
   EXPECT_EQ(contact_joint_stuck(nullptr, 2000, &stuck), CONTACT_BAD_INPUT);
   EXPECT_TRUE(std::isnan(stuck.shape));
   // Above 43 deg it includes the attachment of homogeneous bodies.

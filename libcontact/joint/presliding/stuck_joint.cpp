@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 #include <variant>
 
 #include "libcontact/base/constants.hpp"
@@ -53,8 +54,9 @@ namespace {
 
 // "" where there is a stiffness.
 std::string why_none(const JointSpec& joint, double half_angle) {
-  if (joint.geometry.radial_clearance() < 0)
+  if (joint.geometry.radial_clearance() < 0) {
     return "the joint has interference";
+  }
   const double thickness =
       LayeredPair(joint.geometry.radius(), joint.inner, joint.outer)
           .relative_thickness();
@@ -74,12 +76,16 @@ std::string why_none(const JointSpec& joint, double half_angle) {
 
 }  // namespace
 
+std::string stuck_refusal(const JointSpec& joint, double half_angle) {
+  const std::string why = why_none(joint, half_angle);
+  if (why.empty()) return {};
+  return "the stuck contact has no stiffness here, because " + why;
+}
+
 std::vector<std::string> stuck_notes(const JointSpec& joint,
                                      double half_angle) {
-  if (const std::string why = why_none(joint, half_angle); !why.empty()) {
-    return {detail::message(
-        "the stuck contact has no stiffness here, because {}", why)};
-  }
+  std::string refusal = stuck_refusal(joint, half_angle);
+  if (!refusal.empty()) return {std::move(refusal)};
   // Measured with the inner body held by a rigid core of half its radius: 0.92
   // of K_load at 43 deg, 0.69 at 65 deg; below 20 deg 1.01.
   constexpr double widest = 43 * degree;

@@ -55,6 +55,10 @@ struct StuckJoint {
 StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
                        double normal_force, double half_angle);
 
+/// Why there is no stiffness: interference, thin layers, half-angles; "" where
+/// there is one, and for NaN.
+std::string stuck_refusal(const JointSpec& joint, double half_angle);
+
 /// Notes, one sentence each: why there is no stiffness; if the shaft's
 /// attachment determines it as much as the contact (homogeneous bodies above 43
 /// deg), and on neglected rims and loads on the back; JointSpec::own_notes()
