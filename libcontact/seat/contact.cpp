@@ -422,24 +422,24 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
 void SeatContact::add_side_face_notes(const SeatState& state, int rim,
                                       std::vector<std::string>& all) const {
   const double corner = zone_.side_angle(rim);
-  const char* taken =
-      zone_.edge().angle ? "" : ", of a side face that is taken to be ";
-  const char* shape = zone_.edge().angle    ? ""
-                      : zone_.has_bore(rim) ? "a bore"
-                                            : "flat";
+  const std::string taken =
+      zone_.edge().angle
+          ? ""
+          : detail::message(", of a side face that is taken to be {}",
+                            zone_.has_bore(rim) ? "a bore" : "flat");
   if (state.rims[rim].half_arc > 0) {
     all.push_back(detail::message(
-        "the contact is at its {} rim, a corner of {:.4g} deg{}{}: nearer to "
+        "the contact is at its {} rim, a corner of {:.4g} deg{}: nearer to "
         "it than {:.3g} mm the pressure is the corner's own, which {}, and not "
         "reported",
-        rim_names[rim], corner / degree, taken, shape,
+        rim_names[rim], corner / degree, taken,
         radius_ * report_distance() * 1e3, at_corner(corner)));
   } else if (!zone_.edge().angle && !state.is_free &&
              state.rims[rim].distance < rim_warning_->reach(rim)) {
     all.push_back(detail::message(
         "the contact ends beside its {} rim, whose side face counts: a corner "
-        "of {:.4g} deg{}{}; edge_angle of the [seat] says another",
-        rim_names[rim], corner / degree, taken, shape));
+        "of {:.4g} deg{}; edge_angle of the [seat] says another",
+        rim_names[rim], corner / degree, taken));
   }
 }
 

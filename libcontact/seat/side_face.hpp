@@ -20,7 +20,8 @@ namespace contact::detail {
 ///
 /// G the displacement of the side faces of the body that ends under pressures
 /// on the seat, H_m its compliance there, S_m the stiffness of what would go
-/// on: a difference without cancellation, never negative. From finite elements
+/// on: a difference without cancellation, never negative at the orders that are
+/// solved; those between are interpolated. From finite elements
 /// of eight nodes on one mesh for both parts, with walls, liners and backing as
 /// they are. Side faces are cones, SeatZone::side_angle() to the seat; they cut
 /// the layers, and of a body without layers all of it. An elastic backing
