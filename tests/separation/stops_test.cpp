@@ -10,7 +10,6 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 #include "separation/results/saved_state.hpp"
-#include "separation/results/summary.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test {
@@ -213,9 +212,8 @@ TEST(CaseLatches, BoomOnAFreeBus) {
   EXPECT_NEAR(end.energy, 0, 1e-20);
 }
 
-// Three booms, one of them on another, of which two latch by angles that they
-// reach together and all by a time: one impulse, which keeps all momenta and
-// takes the energy that the event says.
+// Three booms, one of them on another, that latch at one time: one impulse,
+// which keeps all momenta and takes the energy that the event says.
 TEST(CaseLatches, SeveralAtOnceKeepMomenta) {
   const Case c = parse_case(run_for(3) + R"(
 [carrier]; name = "bus"; mass_kg = 200; principal_inertia_kg_m2 = [35, 30, 40]

@@ -10,7 +10,6 @@
 #include "separation/case/case_reader.hpp"
 #include "separation/results/run.hpp"
 #include "separation/simulation/torque_margin.hpp"
-#include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test {
@@ -138,8 +137,7 @@ TEST(TorqueMargin, OfTwoLines) {
       0.5 / 0.17 / 1.2, 1e-12);
 }
 
-// Smallest between the nodes of the sweep: a parabola over a constant, and the
-// rows of a table, which are its corners.
+// Smallest between the nodes of the sweep: at a row of a table, its corner.
 TEST(TorqueMargin, InsideTheWay) {
   const auto least = torque_margin(parse_case(begin + margin + R"(
 [[force]]; name = "cable"; kind = "torsion"; body = "boom"; angle_deg = [-80, -37.123, -30]; moment_N_m = [-0.1, -0.6, -0.1]

@@ -30,15 +30,18 @@ std::vector<std::string> body_names(const Case& c, bool with_carrier) {
 std::string circle_of(const std::vector<std::string>& names,
                       const std::vector<int>& next, int start,
                       std::string_view word) {
-  std::string text = names[start];
   int at = next[start];
   // More steps than names mean that another circle has been met.
-  for (std::size_t i = 0; i < names.size() && at >= 0; ++i) {
-    text += fmt::format(" {} {}", word, names[at]);
-    if (at == start) return text;
+  for (std::size_t i = 0; i < names.size() && at >= 0 && at != start; ++i) {
     at = next[at];
   }
-  return {};
+  if (at != start) return {};
+  std::string text = names[start];
+  do {
+    at = next[at];
+    text += fmt::format(" {} {}", word, names[at]);
+  } while (at != start);
+  return text;
 }
 
 std::vector<int> CaseNames::rigid_bodies(std::string_view name) const {

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -246,12 +247,12 @@ void Recorder::look_at_peaks(const Simulation& simulation,
   raise(record.peak_lock, record.peak_lock_time, lock, time);
   seen_.insert(seen_.end(), {force, lock});
   if (!body.hinge.stops.empty()) {
-    const double moment = simulation.stop_moment(sample, i);
+    const double moment = simulation.stop_moment(sample, hinge, i);
     raise(record.peak_stop, record.peak_stop_time, moment, time);
     seen_.push_back(moment);
   }
   if (case_.has_latch(i)) {
-    const double moment = simulation.latch_moment(sample, i);
+    const double moment = simulation.latch_moment(hinge, i);
     raise(record.peak_latch, record.peak_latch_time, moment, time);
     seen_.push_back(moment);
   }
@@ -380,16 +381,17 @@ void Recorder::add_hinge(const Simulation& simulation, int i) {
     for (const double x : Vector3d(to_inertial * v)) add(x + 0.0);  // no -0
   }
   if (!body.hinge.stops.empty()) {
-    add(simulation.stop_moment(simulation.sample(), i));
+    add(simulation.stop_moment(simulation.sample(), hinge, i));
     add(memory_.bodies[i].stop_impulses);
   }
   if (case_.has_latch(i)) {
-    add(simulation.latch_moment(simulation.sample(), i));
+    add(simulation.latch_moment(hinge, i));
   }
 }
 
 // Does not record a rest of zero duration, as where a body reverses.
-void Recorder::note_change(const multibody::HingeChange& change) {
+void Recorder::note_change(const multibody::HingeChange& change,
+                           bool was_on_stop) {
   const std::string& body = case_.bodies[change.body].rigid.name;
   const bool rests = change.to == HingeMode::resting;
   const auto same =
@@ -400,12 +402,8 @@ void Recorder::note_change(const multibody::HingeChange& change) {
     memory_.notes.erase(std::next(same).base());
     return;
   }
-  const char* what = change.on_stop ? rests_on_stop : comes_to_rest;
-  if (!rests) {
-    const bool leaves =
-        same != memory_.notes.rend() && same->what == rests_on_stop;
-    what = leaves ? leaves_stop : begins_to_slide;
-  }
+  const char* what = was_on_stop ? leaves_stop : begins_to_slide;
+  if (rests) what = change.on_stop ? rests_on_stop : comes_to_rest;
   memory_.notes.push_back({change.time, body, what});
 }
 
@@ -446,13 +444,11 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
       memory_.modes.push_back(
           static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
-    }
-    changes_seen_ = changes.size();
-    impacts_seen_ = simulation.impacts().size();
-    for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
       memory_.bodies[i].on_stop = static_cast<int>(is_on_stop(
           case_.bodies[i], simulation.sample(), static_cast<int>(i)));
     }
+    changes_seen_ = changes.size();
+    impacts_seen_ = simulation.impacts().size();
     return;
   }
   std::vector<double> since(case_.bodies.size(), memory_.last_time);
@@ -475,13 +471,15 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     add_rest(change.body, change.time);
     since[change.body] = change.time;
     memory_.modes[change.body] = static_cast<int>(change.to);
-    memory_.bodies[change.body].on_stop = static_cast<int>(change.on_stop);
+    const bool was_on_stop =
+        std::exchange(memory_.bodies[change.body].on_stop,
+                      static_cast<int>(change.on_stop)) != 0;
     // Breaks and latches are noted under the event's name.
     if (change.to == HingeMode::released || is_fixed(change.to) ||
         is_fixed(change.from)) {
       continue;
     }
-    note_change(change);
+    note_change(change, was_on_stop);
   }
   note_impacts(time);
   for (std::size_t i = 0; i < case_.bodies.size(); ++i) {

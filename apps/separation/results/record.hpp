@@ -168,7 +168,7 @@ class Recorder {
                       const Look& to);
   void add_hinge(const Simulation& simulation, int body);
   void look_at_changes(const Simulation& simulation);
-  void note_change(const multibody::HingeChange& change);
+  void note_change(const multibody::HingeChange& change, bool was_on_stop);
   void note_impact(const multibody::HingeImpact& impact);
   void look_at_distances(const Simulation& simulation, bool keep);
   void note_distance(std::size_t pair, double distance, double time);

@@ -14,23 +14,24 @@ using Eigen::Vector3d;
 using multibody::BodyForce;
 using multibody::BodyMotion;
 
-// At most, of a body and of all that hangs on it.
-// @param reach  from the axis to its own hinge
-double inertia_about(const Case& c, int body, double reach) {
-  const RigidBody& rigid = c.bodies[body].rigid;
-  const double far = reach + c.bodies[body].hinge.body_point.norm();
-  double sum = rigid.inertia.norm() + rigid.mass * far * far;
-  for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
-    const Hinge& hinge = c.bodies[i].hinge;
-    if (hinge.kind == multibody::HingeKind::none || hinge.on != body + 1) {
-      continue;
+// At most, of each body and of all that hangs on it, about its hinge.
+std::vector<double> inertias_of(const Case& c) {
+  std::vector<double> sums(c.bodies.size());
+  for (const Body& end : c.bodies) {
+    double far = 0;
+    for (const Body* at = &end;; at = &c.bodies[at->hinge.on - 1]) {
+      far += at->hinge.body_point.norm();
+      sums[at - c.bodies.data()] +=
+          end.rigid.inertia.norm() + end.rigid.mass * far * far;
+      if (at->hinge.on == 0) break;
+      far += at->hinge.parent_point.norm();
     }
-    sum += inertia_about(c, i, far + hinge.parent_point.norm());
   }
-  return sum;
+  return sums;
 }
 
-// About which the hinge's angle grows.
+}  // namespace
+
 Vector3d axis_of(const Hinge& hinge, const BodyMotion& parent,
                  const BodyMotion& body) {
   if (hinge.kind == multibody::HingeKind::axis) {
@@ -40,18 +41,18 @@ Vector3d axis_of(const Hinge& hinge, const BodyMotion& parent,
   return from.cross(body.rotation * hinge.body_direction).normalized();
 }
 
-}  // namespace
-
 CompliantStops::CompliantStops(const Case& c, const History& history)
     : case_(c) {
+  std::vector<double> inertias;
   for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
     const auto& stops = c.bodies[i].hinge.stops;
     if (history.release_of(i + 1, c) != History::not_yet) continue;
     for (std::size_t k = 0; k < stops.size(); ++k) {
       if (stops[k].is_rigid()) continue;
-      active_.push_back({i, &stops[k], history.touches[i][k],
-                         stops[k].damping * std::sqrt(stops[k].stiffness *
-                                                      inertia_about(c, i, 0))});
+      if (inertias.empty()) inertias = inertias_of(c);
+      active_.push_back(
+          {i, &stops[k], history.touches[i][k],
+           stops[k].damping * std::sqrt(stops[k].stiffness * inertias[i])});
     }
   }
 }

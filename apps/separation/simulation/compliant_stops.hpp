@@ -10,6 +10,10 @@ namespace separation {
 
 struct History;
 
+/// Axis about which the hinge's angle grows, inertial axes.
+Eigen::Vector3d axis_of(const Hinge& hinge, const multibody::BodyMotion& parent,
+                        const multibody::BodyMotion& body);
+
 /// Moments of the compliant stops of a case, from one event to the next.
 ///
 /// A stop that a hinge has turned into by d, at the rate v, pushes it back by

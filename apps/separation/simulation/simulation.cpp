@@ -11,6 +11,7 @@
 #include "separation/case/hinge_reader.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
+#include "separation/simulation/compliant_stops.hpp"
 
 namespace separation {
 namespace {
@@ -164,19 +165,20 @@ void Simulation::add_stops() {
 
 void Simulation::take_impacts() {
   const auto& all = motion_.impacts();
-  for (; impacts_taken_ < all.size(); ++impacts_taken_) {
-    impacts_.push_back(all[impacts_taken_]);
-  }
+  impacts_.insert(impacts_.end(), all.begin() + impacts_taken_, all.end());
+  impacts_taken_ = all.size();
 }
 
-double Simulation::stop_moment(const MotionSample& sample, int body) const {
-  return sample.hinge(body).stop_moment +
-         forces_->stop_moment(body, sample.motions());
+double Simulation::stop_moment(const MotionSample& sample,
+                               const multibody::HingeSample& of,
+                               int body) const {
+  return of.stop_moment + forces_->stop_moment(body, sample.motions());
 }
 
-double Simulation::latch_moment(const MotionSample& sample, int body) const {
-  if (sample.mode(body) != HingeMode::latched) return 0;
-  const Vector3d held = sample.hinge(body).reaction_moment;
+double Simulation::latch_moment(const multibody::HingeSample& of,
+                                int body) const {
+  if (of.mode != HingeMode::latched) return 0;
+  const Vector3d held = of.reaction_moment;
   const Hinge& hinge = case_.bodies[body].hinge;
   if (hinge.kind != HingeKind::axis) return held.norm();
   return std::abs(held.dot(hinge.zero_rotation.transpose() * hinge.axis));
@@ -194,6 +196,10 @@ bool Simulation::is_at_latch(const MotionSample& sample,
 
 bool Simulation::has_happened(const Happening& h) const {
   return history_.events[h.event][h.body] != History::not_yet;
+}
+
+bool Simulation::is_due(const Happening& h) const {
+  return std::ranges::find(due_, h) != due_.end();
 }
 
 bool Simulation::is_armed(const Happening& h) const {
@@ -310,8 +316,13 @@ void Simulation::note_touch(int body, std::size_t stop) {
        it != impacts_.rend() && it->time >= time() - instant; ++it) {
     if (it->body == body) return;
   }
-  const double rate = sample().hinge(body).relative_angular_velocity.norm();
-  history_.touches[body][stop] = rate;
+  const Hinge& hinge = case_.bodies[body].hinge;
+  const auto& parent = sample().motions()[hinge.on];
+  const auto& motion = sample().body(body);
+  const double rate =
+      axis_of(hinge, parent, motion)
+          .dot(motion.angular_velocity - parent.angular_velocity);
+  history_.touches[body][stop] = std::abs(rate);
   impacts_.push_back({time(), body, false, rate, 0, 0});
   renew_forces();
 }
@@ -358,13 +369,8 @@ Simulation::Stop Simulation::advance_to(double end) {
     const Event& event = case_.events[h.event];
     if (!event.together) continue;
     for (const int body : event.bodies) {
-      const auto same = [&](const Happening& other) {
-        return other.event == h.event && other.body == body;
-      };
-      if (!has_happened({h.event, body}) &&
-          std::none_of(due_.begin(), due_.end(), same)) {
-        due_.push_back({h.event, body});
-      }
+      const Happening too{h.event, body};
+      if (!has_happened(too) && !is_due(too)) due_.push_back(too);
     }
   }
   // At one instant locks break first, whatever the order in the file.
@@ -385,11 +391,7 @@ void Simulation::add_latches_here() {
     if (!latches({e, 0}) || event.trigger != Event::Trigger::angle) continue;
     for (const int body : event.bodies) {
       const Happening h{e, body};
-      const bool is_due =
-          std::ranges::any_of(due_, [&](const Happening& other) {
-            return other.event == e && other.body == body;
-          });
-      if (is_due || has_happened(h) || !is_armed(h)) continue;
+      if (is_due(h) || has_happened(h) || !is_armed(h)) continue;
       constexpr double instant = 1e-11;  // s
       const double rate = sample().hinge(body).relative_angular_velocity.norm();
       const double away = std::abs(angle(body) - event.value);

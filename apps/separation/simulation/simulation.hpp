@@ -31,6 +31,7 @@ NodeReactions node_reactions(const Body& body,
 struct Happening {
   int event;
   int body;
+  bool operator==(const Happening&) const = default;
 };
 
 /// All that is needed to go on later.
@@ -67,8 +68,10 @@ class Simulation {
 
   /// Moment by which a stop pushes a body, as far as friction does not have to,
   /// and by which a latch holds one (on an axis about it), N m.
-  double stop_moment(const multibody::MotionSample& sample, int body) const;
-  double latch_moment(const multibody::MotionSample& sample, int body) const;
+  /// @param of  the sample's hinge of the body
+  double stop_moment(const multibody::MotionSample& sample,
+                     const multibody::HingeSample& of, int body) const;
+  double latch_moment(const multibody::HingeSample& of, int body) const;
   /// Impacts on stops and by latches so far, in order; without impulse and loss
   /// on compliant stops, which take time.
   const std::vector<multibody::HingeImpact>& impacts() const {
@@ -112,6 +115,7 @@ class Simulation {
 
  private:
   void add_events();
+  bool is_due(const Happening& h) const;
   bool is_armed(const Happening& h) const;
   bool has_happened(const Happening& h) const;
   double due_time(const Happening& h) const;

@@ -16,6 +16,7 @@
 #include "separation/case/force_law.hpp"
 #include "separation/case/hinge_reader.hpp"
 #include "separation/case/system_of.hpp"
+#include "separation/simulation/case_forces.hpp"
 
 namespace separation {
 namespace {
@@ -24,11 +25,9 @@ using Eigen::Vector3d;
 using multibody::BodyForce;
 using multibody::BodyMotion;
 
-constexpr double never_struck = std::numeric_limits<double>::infinity();
-
 ForceInstant at_start(const Case& c, const Force& force,
                       std::span<const BodyMotion> bodies) {
-  return {c, force.body, bodies, 0, 0, never_struck};
+  return {c, force.body, bodies, 0, 0, History::not_yet};
 }
 
 // Those at 0 s but for what acts through hinges, which the held hinges take
@@ -97,10 +96,11 @@ class Sweep {
       nodes.push_back(i == parts ? to : from + i * (to - from) / parts);
     }
     const multibody::Motion motion = still(from);
-    for (const Force* force : own_) {
+    for (const Force& force : case_.forces) {
+      if (force.body != body_ + 1) continue;
       std::vector<multibody::KinkedVariable> kinks;
-      force->law->add_kinks(at_start(case_, *force, motion.sample().motions()),
-                            kinks);
+      force.law->add_kinks(at_start(case_, force, motion.sample().motions()),
+                           kinks);
       for (const auto& variable : kinks) {
         for (const double kink : variable.kinks) {
           if (kink > from && kink < to) nodes.push_back(kink);
