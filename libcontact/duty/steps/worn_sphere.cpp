@@ -150,7 +150,9 @@ int WornSphere::solve(const Problem& problem, double tolerance, Map& y,
     return d[0] * by_lever[0] + d[1] * by_lever[1] + d[2] * by_lever[2];
   };
   y = y.cwiseProduct(problem.contact).eval();
-  y += along(solve_symmetric(stiffness, problem.goal - problem.force(y)));
+  const Eigen::Matrix3d by_force =
+      solve_symmetric(stiffness, Eigen::Matrix3d::Identity());
+  y += along(by_force * (problem.goal - problem.force(y)));
   Map residual = problem.compliance(y) + problem.gap;
   const double goal =
       tolerance *
@@ -160,7 +162,7 @@ int WornSphere::solve(const Problem& problem, double tolerance, Map& y,
   int count = 0;
   for (;; ++count) {
     Map z = problem.better(residual);
-    const Vector3d d = solve_symmetric(stiffness, problem.force(z));
+    const Vector3d d = by_force * problem.force(z);
     z -= along(d);
     shift = d;
     const Map rest =
