@@ -15,6 +15,7 @@ Quaterniond turn_between(const Vector3d& from, const Vector3d& to) {
   if (w > 1e-7) {
     turn.w() = w / 2;
     turn.vec() = a.cross(b) / w;
+    turn.normalize();  // the product rounds where both are nearly opposite
   } else {
     turn.w() = 0;
     turn.vec() = a.unitOrthogonal().cross(a);
