@@ -5,7 +5,7 @@
 #include <vector>
 
 namespace contact::detail {
-namespace contact::test {
+namespace contact::test::complaint_test {
 namespace {
 
 TEST(Complaint, HasOneGrammar) {
@@ -36,5 +36,5 @@ TEST(Complaint, ShowsNoControlCharacters) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::complaint_test
 }  // namespace contact::detail

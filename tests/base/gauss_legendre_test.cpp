@@ -6,7 +6,7 @@
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <limits>
 
-namespace contact::test {
+namespace contact::test::gauss_legendre_test {
 namespace {
 
 using Long = boost::multiprecision::cpp_bin_float_50;
@@ -36,4 +36,4 @@ TEST(GaussLegendre, IsExactToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::gauss_legendre_test

@@ -11,7 +11,7 @@
 #include "libcontact/base/simd.hpp"
 
 // 1/sqrt(x) for numbers and for lanes, as this file is compiled for them.
-namespace contact::test {
+namespace contact::test::inverse_root_test {
 namespace {
 
 using detail::inverse_root;
@@ -97,4 +97,4 @@ TYPED_TEST(InverseRootOf, IsRightToAFewUnitsInTheLastPlace) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::inverse_root_test

@@ -10,7 +10,7 @@
 #include "libcontact/base/lanes/select.hpp"
 
 // Lanes do what each number alone does, the unordered ones too.
-namespace contact::test {
+namespace contact::test::simd_test {
 namespace {
 
 using detail::LanesOf;
@@ -124,4 +124,4 @@ TYPED_TEST(Lanes, AreSetAndStoredOneByOne) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::simd_test

@@ -11,7 +11,7 @@
 #include "libcontact/base/simd.hpp"
 
 // Sines and cosines in lanes against the standard library's long double.
-namespace contact::test {
+namespace contact::test::sine_cosine_test {
 namespace {
 
 using detail::LanesOf;
@@ -82,4 +82,4 @@ TYPED_TEST(SineCosineOf, AngleThatIsNoneGivesNaNInItsLaneAlone) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::sine_cosine_test

@@ -10,7 +10,7 @@
 #include "support/friction_reference.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::support_test {
 namespace {
 
 TEST(ReferenceTable, KeepsEveryDigit) {
@@ -68,4 +68,4 @@ TEST(FrictionReference, CoefficientsAreTheRatiosOfTheTable) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::support_test

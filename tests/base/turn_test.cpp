@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace contact::test {
+namespace contact::test::turn_test {
 namespace {
 
 using detail::turn_between;
@@ -36,4 +36,4 @@ TEST(Turn, BetweenDirectionsIsUnitAndArrives) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::turn_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace contact::test {
+namespace contact::test::units_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -48,4 +48,4 @@ TEST(Units, NanAndInfinityGiveNan) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::units_test

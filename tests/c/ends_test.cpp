@@ -20,6 +20,7 @@
 #include "libcontact/quantities/tables.hpp"
 #include "libcontact/seat/contact.hpp"
 
+namespace contact::test::ends_test {
 namespace {
 
 using contact::Joint;
@@ -434,3 +435,4 @@ TEST(CEnds, RefusesWhatCannotBe) {
 }
 
 }  // namespace
+}  // namespace contact::test::ends_test

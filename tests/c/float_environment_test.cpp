@@ -11,6 +11,7 @@
 #include "c/run_door.hpp"
 #include "c/trapping_host.hpp"
 
+namespace contact::test::float_environment_test {
 namespace {
 
 using contact::test::CJoint;
@@ -149,3 +150,4 @@ TEST(CFloatEnvironment, OfRunsIsTheHostsAgain) {
 }
 
 }  // namespace
+}  // namespace contact::test::float_environment_test

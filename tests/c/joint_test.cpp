@@ -21,7 +21,7 @@
 #include "support/error_message.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::joint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -599,4 +599,4 @@ TEST(CJointStack, IsAsSmallAsThePageSays) {
 #endif
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_test

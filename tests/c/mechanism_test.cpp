@@ -11,7 +11,7 @@
 #include "c/door.hpp"
 #include "libcontact/files/joint_file.hpp"
 
-namespace contact::test {
+namespace contact::test::mechanism_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -133,4 +133,4 @@ TEST(CMechanism, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::mechanism_test

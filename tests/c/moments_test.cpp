@@ -11,7 +11,7 @@
 #include "libcontact/files/joint_file.hpp"
 #include "libcontact/joint/derivatives.hpp"
 
-namespace contact::test {
+namespace contact::test::moments_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -121,4 +121,4 @@ TEST(CMoments, SayWhichArgumentIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::moments_test

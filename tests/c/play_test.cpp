@@ -8,6 +8,7 @@
 #include "libcontact/play/impact.hpp"
 #include "libcontact/play/play_joint.hpp"
 
+namespace contact::test::play_test {
 namespace {
 
 using contact::test::c_joint;
@@ -140,3 +141,4 @@ TEST(CPlay, RefusesWhatCannotBe) {
 }
 
 }  // namespace
+}  // namespace contact::test::play_test

@@ -25,6 +25,7 @@
 #include "libcontact/quantities/stuck.hpp"
 #include "libcontact/quantities/tables.hpp"
 
+namespace contact::test::quantity_test {
 namespace {
 
 using contact::Joint;
@@ -431,3 +432,4 @@ TEST(CQuantities, RefuseWhatIsNotThere) {
 }
 
 }  // namespace
+}  // namespace contact::test::quantity_test

@@ -12,7 +12,7 @@
 #include "c/run_door.hpp"
 #include "separation/case/case_reader.hpp"
 
-namespace contact::test {
+namespace contact::test::run_test {
 namespace {
 
 const std::string cases = CONTACT_DATA_DIR "/cases/";
@@ -183,4 +183,4 @@ TEST(RunFromC, ThatCannotGoOnSaysWhy) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::run_test

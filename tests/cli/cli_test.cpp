@@ -45,7 +45,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::cli_test {
 namespace {
 
 using namespace std::string_literals;
@@ -866,4 +866,4 @@ TEST(Axis, CoversItsDataAndHasPlacesOnIt) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::cli_test

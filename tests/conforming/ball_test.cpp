@@ -19,7 +19,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::ball_test {
 namespace {
 
 double kernel_value(const detail::BallKernel& kernel, double x) {
@@ -365,4 +365,4 @@ TEST(BallContact, LoadThroughTheBack) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::ball_test

@@ -14,7 +14,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::exact_contact_test {
 namespace {
 
 struct Ball : BallContact {
@@ -299,4 +299,4 @@ TYPED_TEST(ExactContact, BadArguments) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::exact_contact_test

@@ -23,7 +23,7 @@
 // The solutions by the gap, on which interference stands: against reference
 // rows, the closed form of identical materials and the solutions by the
 // pressure.
-namespace contact::test {
+namespace contact::test::gap_test {
 namespace {
 
 using detail::BallGap;
@@ -288,4 +288,4 @@ TEST(OddSphericalBessel, IsBoosts) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::gap_test

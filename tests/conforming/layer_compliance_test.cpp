@@ -13,7 +13,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::layer_compliance_test {
 namespace {
 
 using detail::HarmonicCompliance;
@@ -213,4 +213,4 @@ TEST(WallHarmonics, AFreeRingIsAllOfItsLayers) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::layer_compliance_test

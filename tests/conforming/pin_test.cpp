@@ -14,7 +14,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::pin_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -289,4 +289,4 @@ TEST(PinContact, BadArguments) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pin_test

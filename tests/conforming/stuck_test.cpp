@@ -14,7 +14,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::stuck_test {
 namespace {
 
 using detail::stuck_stiffness;
@@ -245,4 +245,4 @@ TEST(Stuck, IsNanOutsideItsRange) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::stuck_test

@@ -12,7 +12,7 @@
 // The exact solutions against a method that knows neither their equations nor
 // their assumption of one contact interval: complementarity on the whole
 // circumference (support/unilateral_contact.hpp).
-namespace contact::test {
+namespace contact::test::unilateral_test {
 namespace {
 
 struct Case {
@@ -119,4 +119,4 @@ TEST(UnilateralContact, ConvergesToTheExactPressure) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::unilateral_test

@@ -18,7 +18,7 @@
 
 // Balls and pins with finite walls against independent solutions, and their
 // limits.
-namespace contact::test {
+namespace contact::test::walls_test {
 namespace {
 
 // Forces in N and N/m at a half-angle, by the units of both solvers.
@@ -561,4 +561,4 @@ TYPED_TEST(Walled, BadArguments) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::walls_test

@@ -18,6 +18,7 @@
 #include "libcontact/pressure/registry.hpp"
 #include "libcontact/quantities/tables.hpp"
 
+namespace contact::test::pages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -348,3 +349,4 @@ TEST(Docs, TablesOfLawsAreThoseOfTheRegistries) {
 }
 
 }  // namespace
+}  // namespace contact::test::pages_test

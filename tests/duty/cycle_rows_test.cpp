@@ -11,7 +11,7 @@
 
 #include "libcontact/base/error.hpp"
 
-namespace contact::test {
+namespace contact::test::cycle_rows_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -193,4 +193,4 @@ TEST(CycleRows, FewRowsAreRefused) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::cycle_rows_test

@@ -23,7 +23,7 @@
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::joint_cycle_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -531,4 +531,4 @@ TEST(JointCycle, RimsTurnWithTheirBody) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_cycle_test

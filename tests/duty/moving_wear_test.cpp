@@ -20,7 +20,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::moving_wear_test {
 namespace {
 
 using detail::WornCircle;
@@ -342,4 +342,4 @@ TEST(MovingWear, CellsShowAFreshBall) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::moving_wear_test

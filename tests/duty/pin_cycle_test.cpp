@@ -14,7 +14,7 @@
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::pin_cycle_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -246,4 +246,4 @@ TEST(CycleOfPin, SaysWhereItHasNoContact) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pin_cycle_test

@@ -18,7 +18,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::pin_wear_test {
 namespace {
 
 using detail::PinWear;
@@ -292,4 +292,4 @@ TEST(WearInPressed, IsOfPins) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pin_wear_test

@@ -14,7 +14,7 @@
 
 // Balls in seats that end on a cycle: a load that swings in a cup towards its
 // rim.
-namespace contact::test {
+namespace contact::test::seat_cycle_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -252,4 +252,4 @@ TEST(CycleInSeat, WithoutASeatThereAreNoNumbers) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::seat_cycle_test

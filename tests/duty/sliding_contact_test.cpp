@@ -17,7 +17,7 @@
 #include "support/reference_table.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::sliding_contact_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -293,4 +293,4 @@ TEST(SlidingContact, NothingAtRestOrWithoutLoad) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::sliding_contact_test

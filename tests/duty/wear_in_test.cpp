@@ -23,7 +23,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::wear_in_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -377,4 +377,4 @@ TEST(WearIn, Messages) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::wear_in_test

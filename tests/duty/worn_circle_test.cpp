@@ -10,7 +10,7 @@
 #include "libcontact/conforming/pin.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::worn_circle_test {
 namespace {
 
 using detail::WornCircle;
@@ -81,4 +81,4 @@ TEST(WornCircle, IsTheExactContactWithoutWear) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::worn_circle_test

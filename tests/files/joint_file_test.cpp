@@ -22,7 +22,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::joint_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -1049,4 +1049,4 @@ TEST(JointFile, NameOfAJointWithoutOne) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_file_test

@@ -10,7 +10,7 @@
 #include "libcontact/files/joint_file.hpp"
 #include "support/error_message.hpp"
 
-namespace contact::test {
+namespace contact::test::joint_form_test {
 namespace {
 
 const std::filesystem::path folder =
@@ -77,4 +77,4 @@ TEST(SharedLaws, AreMadeOnceForAllThatTheyServe) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_form_test

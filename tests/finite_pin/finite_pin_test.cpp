@@ -15,7 +15,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::finite_pin_test {
 namespace {
 
 using Eigen::Vector2d;
@@ -437,4 +437,4 @@ TEST(FinitePin, SaysWhereItEnds) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::finite_pin_test

@@ -19,7 +19,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::slices_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -523,4 +523,4 @@ TEST(Slices, NotesAreOfTheSlices) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::slices_test

@@ -26,7 +26,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::any_pressure_test {
 namespace {
 
 constexpr JointKind ball = JointKind::ball;
@@ -612,4 +612,4 @@ TEST(FrictionPressure, ViscousAnalogueIsItsDefinition) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::any_pressure_test

@@ -13,7 +13,7 @@
 #include "libcontact/tools/reference/friction_rules.hpp"
 #include "support/accuracy_report.hpp"
 
-namespace contact::test {
+namespace contact::test::arc_rule_test {
 namespace {
 
 using boost::math::beta;
@@ -130,4 +130,4 @@ TEST(FrictionRules, PaddingHasNoWeight) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::arc_rule_test

@@ -15,7 +15,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::batch_test {
 namespace {
 
 struct Points {
@@ -254,4 +254,4 @@ TEST(FrictionBatchContract, LengthsMustAgree) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::batch_test

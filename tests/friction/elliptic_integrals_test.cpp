@@ -17,7 +17,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::elliptic_integrals_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -231,4 +231,4 @@ TEST(EllipticLogForm, LimitsAndBadOrders) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::elliptic_integrals_test

@@ -19,7 +19,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::elliptic_test {
 namespace {
 
 namespace mp = boost::multiprecision;
@@ -285,4 +285,4 @@ TEST(EllipticForm, MomentsAreTheGradientOfThePower) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::elliptic_test

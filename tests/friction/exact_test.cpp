@@ -14,7 +14,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::exact_test {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2;
@@ -156,4 +156,4 @@ TEST(ExactFriction, CoefficientsSurviveUnderflowOfTheIntegrals) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::exact_test

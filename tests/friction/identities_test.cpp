@@ -17,7 +17,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::identities_test {
 namespace {
 
 struct Method {
@@ -393,4 +393,4 @@ INSTANTIATE_TEST_SUITE_P(
     name_of);
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::identities_test

@@ -15,7 +15,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::models_test {
 namespace {
 
 double gsl(const std::function<double(double)>& f, double a, double b) {
@@ -214,4 +214,4 @@ TEST(CosineFriction, ExactForAreaMomentsOfTheHemisphere) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::models_test

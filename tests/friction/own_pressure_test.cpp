@@ -26,7 +26,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::own_pressure_test {
 namespace {
 
 // Accuracy that ShapedPressure promises.
@@ -251,4 +251,4 @@ TEST(OwnPressure, NothingAllocatesAfterTheFirstCall) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::own_pressure_test

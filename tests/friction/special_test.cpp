@@ -14,7 +14,7 @@
 #include "support/friction_reference.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::special_test {
 namespace {
 
 using reference::quadrature_friction_integrals;
@@ -237,4 +237,4 @@ TEST(FrictionSpecial, NanAndOutOfRangeGiveNan) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::special_test

@@ -20,7 +20,7 @@
 #include "support/numbers.hpp"
 #include "support/wall.hpp"
 
-namespace contact::test {
+namespace contact::test::exact_test {
 namespace {
 
 constexpr const auto& pairs = exact_pairs;
@@ -481,4 +481,4 @@ TEST(WalledExactLaw, RefusesCoatingsLoadedFromBehind) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::exact_test

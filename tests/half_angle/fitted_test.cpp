@@ -20,7 +20,7 @@
 #include "support/elastic_cases.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::fitted_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -219,4 +219,4 @@ TEST(FittedLaw, RoundTrips) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::fitted_test

@@ -17,7 +17,7 @@
 #include "support/wall.hpp"
 
 // ExactLaw of joints without clearance and with interference.
-namespace contact::test {
+namespace contact::test::interference_test {
 namespace {
 
 using detail::BallGap;
@@ -207,4 +207,4 @@ TEST(Interference, OtherLawsAndLoadingsKnowNone) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::interference_test

@@ -16,7 +16,7 @@
 #include "support/elastic_cases.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::laws_test {
 namespace {
 
 // A law, and its rounding error.
@@ -246,4 +246,4 @@ TEST(ValidityNotes, SayWhatIsOutsideTheRange) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::laws_test

@@ -16,7 +16,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::paper_laws_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -520,4 +520,4 @@ TEST(PaperLaws, ExamplesOneAndTwo) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::paper_laws_test

@@ -16,7 +16,7 @@
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::worn_test {
 namespace {
 
 // Computed apart from the library, 1e-11 (its angles have 12 digits).
@@ -147,4 +147,4 @@ TEST(Worn, Messages) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::worn_test

@@ -12,7 +12,7 @@
 
 #include "hosts/cup.hpp"
 
-namespace contact::test {
+namespace contact::test::dart_test {
 namespace {
 
 using contact_hosts::dart::HingeFriction;
@@ -145,4 +145,4 @@ TEST(HostDart, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::dart_test

@@ -11,7 +11,7 @@
 #include "hosts/joint_handle.hpp"
 #include "libcontact/files.hpp"
 
-namespace contact::test {
+namespace contact::test::doors_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -176,4 +176,4 @@ TEST_P(Doors, GiveTheSameMoment) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::doors_test

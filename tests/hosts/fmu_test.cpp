@@ -11,7 +11,7 @@
 #include "hosts/joint_handle.hpp"
 #include "separation/c/run.h"
 
-namespace contact::test {
+namespace contact::test::fmu_test {
 namespace {
 
 using contact_hosts::must;
@@ -695,4 +695,4 @@ TEST(FmuExchange, ViscousJointNeverRests) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::fmu_test

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+namespace contact::test::held_hinge_test {
 namespace {
 
 using contact_hosts::HeldHinge;
@@ -106,3 +107,4 @@ TEST(HeldHinge, LetsGoAtItsLimit) {
 }
 
 }  // namespace
+}  // namespace contact::test::held_hinge_test

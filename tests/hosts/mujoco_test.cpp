@@ -11,7 +11,7 @@
 
 #include "hosts/cup.hpp"
 
-namespace contact::test {
+namespace contact::test::mujoco_test {
 namespace {
 
 using contact_hosts::mujoco::HingeFriction;
@@ -407,4 +407,4 @@ TEST(HostMujoco, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::mujoco_test

@@ -8,7 +8,7 @@
 
 #include "hosts/cup.hpp"
 
-namespace contact::test {
+namespace contact::test::ode_test {
 namespace {
 
 using contact_hosts::ode::HingeFriction;
@@ -175,4 +175,4 @@ TEST(HostOde, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::ode_test

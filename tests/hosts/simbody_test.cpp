@@ -12,7 +12,7 @@
 
 #include "hosts/cup.hpp"
 
-namespace contact::test {
+namespace contact::test::simbody_test {
 namespace {
 
 using contact_hosts::must;
@@ -513,4 +513,4 @@ TEST(HostSimbody, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::simbody_test

@@ -13,6 +13,7 @@
 #include "libcontact/finite_pin/finite_pin.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test::equivalent_test {
 namespace {
 
 using namespace contact;
@@ -220,3 +221,4 @@ TEST(Equivalent, Refusals) {
 }
 
 }  // namespace
+}  // namespace contact::test::equivalent_test

@@ -20,7 +20,7 @@
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::identify_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -630,4 +630,4 @@ TEST(Identify, BadInput) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::identify_test

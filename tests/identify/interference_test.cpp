@@ -14,7 +14,7 @@
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::interference_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -169,4 +169,4 @@ TEST(IdentifyInterference, NeedsItForStatesWithoutLoad) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::interference_test

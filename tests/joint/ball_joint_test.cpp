@@ -18,7 +18,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::ball_joint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -563,4 +563,4 @@ TEST(JointSweep, RandomInputsAndPaths) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::ball_joint_test

@@ -13,7 +13,7 @@
 #include "support/joints.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::derivatives_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -231,4 +231,4 @@ TEST(SlipDerivatives, ArePresentWhereTheJointSlides) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::derivatives_test

@@ -10,7 +10,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::finite_elements_test {
 namespace {
 
 double computed(const JointContact& contact, const std::string& quantity,
@@ -52,4 +52,4 @@ TEST(FiniteElements, BookHasTheContactsOfTheLaws) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::finite_elements_test

@@ -19,7 +19,7 @@
 #include "support/random_slip.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::friction_stress_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -452,4 +452,4 @@ TEST(FrictionStress, Messages) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::friction_stress_test

@@ -14,7 +14,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::group_test {
 namespace {
 
 using Member = JointGroup::Member;
@@ -250,4 +250,4 @@ TEST(JointGroup, NanGivesStatusAndNothingAllocates) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::group_test

@@ -16,7 +16,7 @@
 #include "support/wall.hpp"
 
 // Joints without clearance and with interference.
-namespace contact::test {
+namespace contact::test::interference_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -430,4 +430,4 @@ TEST(InterferenceJoint, RefusesWhatKnowsNone) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::interference_test

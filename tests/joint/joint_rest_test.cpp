@@ -16,7 +16,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::joint_rest_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -186,4 +186,4 @@ TEST(JointAtRest, NanGivesNanAndNothingAllocates) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_rest_test

@@ -13,7 +13,7 @@
 #include "support/joints.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::mechanism_step_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -211,4 +211,4 @@ TEST(MechanismStep, SaysWhatIsWrong) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::mechanism_step_test

@@ -14,7 +14,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::moment_set_test {
 namespace {
 
 using Prox = MomentSet::Prox;
@@ -289,4 +289,4 @@ TEST(MomentSet, NanGivesNanAndNothingAllocates) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::moment_set_test

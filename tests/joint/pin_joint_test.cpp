@@ -13,7 +13,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::pin_joint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -209,4 +209,4 @@ TEST(PinJoint, AxisIsTheGivenOneOrThatOfTheTurn) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pin_joint_test

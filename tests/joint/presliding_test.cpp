@@ -12,7 +12,7 @@
 #include "libcontact/quantities/tables.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::presliding_test {
 namespace {
 
 JointContact contact_of(const std::string& name, double coefficient) {
@@ -94,4 +94,4 @@ TEST(Presliding, QuantitiesAreAngleAndWay) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::presliding_test

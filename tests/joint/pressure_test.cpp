@@ -20,7 +20,7 @@
 #include "libcontact/pressure/factory.hpp"
 #include "support/accuracy_report.hpp"
 
-namespace contact::test {
+namespace contact::test::pressure_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -329,4 +329,4 @@ TEST(JointAnswers, PressedJointsHaveTheirPressure) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pressure_test

@@ -11,7 +11,7 @@
 #include "libcontact/joint/contact.hpp"
 #include "libcontact/pressure/exact.hpp"
 
-namespace contact::test {
+namespace contact::test::published_torque_test {
 namespace {
 
 class Bush {
@@ -92,4 +92,4 @@ TEST(PublishedTorque, IsThatOfThePage) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::published_torque_test

@@ -20,7 +20,7 @@
 #include "support/error_message.hpp"
 #include "support/every_joint.hpp"
 
-namespace contact::test {
+namespace contact::test::spec_test {
 namespace {
 
 const Material steel{2.1e11, 0.3, "steel"};
@@ -236,4 +236,4 @@ TEST(ContactNotes, AddUp) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::spec_test

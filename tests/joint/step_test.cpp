@@ -12,7 +12,7 @@
 #include "support/numbers.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::step_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -459,4 +459,4 @@ TEST(JointSteps, OfOtherSizesAreRefused) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::step_test

@@ -12,7 +12,7 @@
 #include "support/accuracy_report.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::stuck_joint_test {
 namespace {
 
 JointSpec spec_of(const std::string& name, double coefficient) {
@@ -143,4 +143,4 @@ TEST(StuckJoint, WideHomogeneousContactsAreNoted) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::stuck_joint_test

@@ -9,7 +9,7 @@
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::temperature_test {
 namespace {
 
 const Material steel{2.1e11, 0.3, "steel", infinity, 11.5e-6};
@@ -132,4 +132,4 @@ TEST(Temperature, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::temperature_test

@@ -11,7 +11,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::thermal_growth_test {
 namespace {
 
 using detail::free_growth;
@@ -148,4 +148,4 @@ TEST(ThermalGrowth, AsksForCoefficientsOnlyWhereItIsWarmer) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::thermal_growth_test

@@ -10,6 +10,7 @@
 #include "libcontact/joint/group.hpp"
 #include "support/error_message.hpp"
 
+namespace contact::test::thrust_face_test {
 namespace {
 
 using namespace contact;
@@ -113,3 +114,4 @@ TEST(ThrustFace, Refusals) {
 }
 
 }  // namespace
+}  // namespace contact::test::thrust_face_test

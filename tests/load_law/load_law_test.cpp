@@ -18,7 +18,7 @@
 
 // Load laws against the joints that they are made from, as numbers and as the
 // C that is written.
-namespace contact::test {
+namespace contact::test::load_law_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -411,4 +411,4 @@ TEST(LoadLaw, RefusesJointsWithRimsAndEnds) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::load_law_test

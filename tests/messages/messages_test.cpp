@@ -25,7 +25,7 @@
 #include "support/edited_file.hpp"
 #include "support/error_message.hpp"
 
-namespace contact::test {
+namespace contact::test::messages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -141,4 +141,4 @@ INSTANTIATE_TEST_SUITE_P(Files, Messages, testing::ValuesIn(scripts()),
                          });
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::messages_test

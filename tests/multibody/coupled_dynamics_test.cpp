@@ -15,7 +15,7 @@
 
 // Friction moments that fit the reactions they cause, and which of several
 // hinges hold at rest.
-namespace multibody::test {
+namespace multibody::test::coupled_dynamics_test {
 namespace {
 
 using contact::FrictionLaw;
@@ -591,4 +591,4 @@ TEST(CoupledDynamics, BallJointsBeginToSlideWhereTheyAccelerate) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::coupled_dynamics_test

@@ -18,6 +18,7 @@
 #include "multibody_support/random_instant.hpp"
 #include "support/accuracy_report.hpp"
 
+namespace contact::test::dynamics_test {
 namespace {
 
 using contact::test::AccuracyReport;
@@ -369,3 +370,4 @@ TEST(Multibody, SmallInertiaTendsToAPointMass) {
 }
 
 }  // namespace
+}  // namespace contact::test::dynamics_test

@@ -7,6 +7,7 @@
 #include "multibody_oracle/case_file.hpp"
 #include "support/program.hpp"
 
+namespace contact::test::eval_test {
 namespace {
 
 using contact::test::ProgramFolder;
@@ -250,3 +251,4 @@ TEST(MultibodyEval, FilesThatCannotBeRead) {
 }
 
 }  // namespace
+}  // namespace contact::test::eval_test

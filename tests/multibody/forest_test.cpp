@@ -18,6 +18,7 @@
 #include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
+namespace contact::test::forest_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -373,3 +374,4 @@ TEST(Forest, Refusals) {
 }
 
 }  // namespace
+}  // namespace contact::test::forest_test

@@ -13,7 +13,7 @@
 #include "multibody/motion/motion_start.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
-namespace multibody::test {
+namespace multibody::test::impulse_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -183,4 +183,4 @@ TEST(Impulse, DoesVirtualWorkInItsHingesAlone) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::impulse_test

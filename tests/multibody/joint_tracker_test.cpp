@@ -23,7 +23,7 @@
 
 // Joints tracked along paths against the solvers, which start from nothing
 // at every point.
-namespace contact::test {
+namespace contact::test::joint_tracker_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -779,4 +779,4 @@ TEST(JointTracker, DoesNotAllocate) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_tracker_test

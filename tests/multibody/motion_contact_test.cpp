@@ -15,7 +15,7 @@
 #include "multibody_support/friction_parts.hpp"
 
 // Motions whose contacts come to the end of their law, and steps that meet it.
-namespace multibody::test {
+namespace multibody::test::motion_contact_test {
 namespace {
 
 using contact::FrictionLaw;
@@ -264,4 +264,4 @@ INSTANTIATE_TEST_SUITE_P(Motion, ContactEnds,
                          });
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_contact_test

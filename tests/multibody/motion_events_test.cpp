@@ -9,7 +9,7 @@
 #include "multibody_support/wheel.hpp"
 
 // Events within a step are found, at their times.
-namespace multibody::test {
+namespace multibody::test::motion_events_test {
 namespace {
 
 // Halving the step makes the error 16 times smaller.
@@ -223,4 +223,4 @@ TEST(MotionEvents, ReactionsThatPeakWithinAStepAreFound) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_events_test

@@ -16,7 +16,7 @@
 #include "support/long_run.hpp"
 
 // Friction stops and holds, and sliding begins where it should.
-namespace multibody::test {
+namespace multibody::test::motion_friction_test {
 namespace {
 
 using contact::FrictionLaw;
@@ -614,4 +614,4 @@ TEST(MotionFriction, GoesOnInTheMiddleOfASlowOnset) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_friction_test

@@ -14,7 +14,7 @@
 // Hinges that begin to slide beside others that slide: which way they go is
 // known, whatever the tolerance of friction leaves of the small acceleration
 // that they begin with.
-namespace multibody::test {
+namespace multibody::test::motion_onset_test {
 namespace {
 
 using contact::FrictionLaw;
@@ -139,4 +139,4 @@ TEST(MotionOnset, CoupledHingesRunThrough) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_onset_test

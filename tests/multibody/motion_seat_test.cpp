@@ -10,7 +10,7 @@
 #include "multibody_support/wheel.hpp"
 
 // Bodies on balls in seats that end.
-namespace multibody::test {
+namespace multibody::test::motion_seat_test {
 namespace {
 
 using contact::Joint;
@@ -235,4 +235,4 @@ TEST(MotionSeat, OutOfTheSeatIsSaid) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_seat_test

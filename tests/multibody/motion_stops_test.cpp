@@ -8,7 +8,7 @@
 
 #include "multibody/motion/motion.hpp"
 
-namespace multibody::test {
+namespace multibody::test::motion_stops_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -106,4 +106,4 @@ TEST(Latches, KeepMomentum) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_stops_test

@@ -16,7 +16,7 @@
 
 // Motions against closed forms: energies and momenta add up, a run goes on as
 // it was saved.
-namespace multibody::test {
+namespace multibody::test::motion_test {
 namespace {
 
 using contact::FrictionLaw;
@@ -636,4 +636,4 @@ TEST(Motion, BadInputIsRefusedByName) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_test

@@ -18,7 +18,7 @@
 #include "multibody_support/momentum.hpp"
 #include "multibody_support/random_instant.hpp"
 
-namespace multibody::test {
+namespace multibody::test::motion_tree_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -419,4 +419,4 @@ TEST(MotionTree, ReleasedSubtreesGoOn) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::motion_tree_test

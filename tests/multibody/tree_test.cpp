@@ -10,7 +10,7 @@
 #include "libcontact/base/error.hpp"
 #include "multibody_support/tree_file.hpp"
 
-namespace multibody::test {
+namespace multibody::test::tree_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -134,4 +134,4 @@ TEST(Tree, Refusals) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::tree_test

@@ -17,7 +17,7 @@
 #include "libcontact/base/file_text.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::calculator_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -213,4 +213,4 @@ TEST(Page, ChoicesAreThoseOfTheLibrary) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::calculator_test

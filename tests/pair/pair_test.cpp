@@ -18,7 +18,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::pair_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -504,4 +504,4 @@ TEST(Fit, Sizes) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pair_test

@@ -13,7 +13,7 @@
 #include "support/error_message.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::spherical_bearing_test {
 namespace {
 
 using namespace std::string_literals;
@@ -138,4 +138,4 @@ preset_share = 0
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::spherical_bearing_test

@@ -20,7 +20,7 @@
 
 // The force law of joints with clearance against independent solutions at
 // given penetrations, against the library's own solver, and its identities.
-namespace contact::test {
+namespace contact::test::force_law_test {
 namespace {
 
 TEST(ForceLawAccuracy, IsTheReferenceAtGivenPenetrations) {
@@ -244,4 +244,4 @@ TEST(ForceLawContract, RefusesJointsWithoutApproach) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::force_law_test

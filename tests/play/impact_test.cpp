@@ -12,6 +12,7 @@
 #include "support/error_message.hpp"
 
 // Restitution and impacts against independent solutions.
+namespace contact::test::impact_test {
 namespace {
 
 using namespace contact;
@@ -161,3 +162,4 @@ TEST(ImpactContract, SaysWhereTheModelEnds) {
 }
 
 }  // namespace
+}  // namespace contact::test::impact_test

@@ -18,7 +18,7 @@
 
 // Motions of joints with play, integrated on the library's force law with touch
 // and parting as events, against those that another program has integrated.
-namespace contact::test {
+namespace contact::test::motion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -453,4 +453,4 @@ TEST(PlayMotion, RegularisedFrictionCreeps) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::motion_test

@@ -14,6 +14,7 @@
 
 // A joint with play as a force law: its balances, its derivatives, its friction
 // against the joint without play.
+namespace contact::test::play_joint_test {
 namespace {
 
 using namespace contact;
@@ -280,3 +281,4 @@ TEST(PlayJointContract, RefusesOtherFrictionAndSpeeds) {
 }
 
 }  // namespace
+}  // namespace contact::test::play_joint_test

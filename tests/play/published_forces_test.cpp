@@ -11,6 +11,7 @@
 
 // The laws of the literature against the exact one, as the table of
 // docs/how-to/play.md has it, which was made by another program.
+namespace contact::test::published_forces_test {
 namespace {
 
 using namespace contact;
@@ -157,3 +158,4 @@ TEST(PublishedForces, BallsAreHertz) {
 }
 
 }  // namespace
+}  // namespace contact::test::published_forces_test

@@ -15,7 +15,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::cosine_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_100;
@@ -198,4 +198,4 @@ TEST(CosinePressure, SmallContacts) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::cosine_test

@@ -37,7 +37,7 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::family_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_50;
@@ -915,4 +915,4 @@ TEST(ContactNotes, ALawThatKnowsItsJointHasItsLimit) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::family_test

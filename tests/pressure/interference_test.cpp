@@ -18,7 +18,7 @@
 
 // ExactPressure of contacts that interference keeps closed over most of the
 // circle or sphere, and their friction.
-namespace contact::test {
+namespace contact::test::interference_test {
 namespace {
 
 std::unique_ptr<const ExactPressure> law_of(JointKind kind,
@@ -191,4 +191,4 @@ TEST(InterferencePressure, HasNoneForALoadThroughTheBack) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::interference_test

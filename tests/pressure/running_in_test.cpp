@@ -23,7 +23,7 @@
 #include "support/numbers.hpp"
 #include "support/wall.hpp"
 
-namespace contact::test {
+namespace contact::test::running_in_test {
 namespace {
 
 constexpr double wear_numbers[] = {1e-4, 0.02, 0.5};
@@ -182,4 +182,4 @@ TEST(RunningInPressure, Limits) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::running_in_test

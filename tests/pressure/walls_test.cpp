@@ -19,7 +19,7 @@
 
 // ExactPressure of joints with walls: against the solvers, and the friction
 // under it against quadrature of the definition.
-namespace contact::test {
+namespace contact::test::walls_test {
 namespace {
 
 constexpr Wall walls[] = {{1, 0.3, false},      {0.3, 0.45, true},
@@ -217,4 +217,4 @@ TEST(WalledExactPressure, Friction) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::walls_test

@@ -10,7 +10,7 @@
 #include "support/program.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::designer_test {
 namespace {
 
 class Designer : public testing::Test {
@@ -281,4 +281,4 @@ materials = { inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }, outer 
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::designer_test

@@ -15,7 +15,7 @@
 #include "support/every_joint.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::every_joint_test {
 namespace {
 
 constexpr double reaction = 2000;  // N, at right angles to the slip axis
@@ -220,4 +220,4 @@ TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::every_joint_test

@@ -19,7 +19,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_angle_test {
 namespace {
 
 // Rows as numbers; an empty cell is NaN.
@@ -677,4 +677,4 @@ TEST(HingeAngle, OfAPinThatEnds) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_angle_test

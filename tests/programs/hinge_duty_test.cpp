@@ -14,7 +14,7 @@
 #include "support/program.hpp"
 #include "support/reference_table.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_duty_test {
 namespace {
 
 using testing::HasSubstr;
@@ -607,4 +607,4 @@ TEST_F(HingeDuty, MapPicture) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_duty_test

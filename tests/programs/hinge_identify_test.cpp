@@ -9,7 +9,7 @@
 
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_identify_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -216,4 +216,4 @@ TEST(HingeIdentify, Pictures) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_identify_test

@@ -19,7 +19,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_joint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -891,4 +891,4 @@ TEST(HingeJoint, TiltsAPinThatEnds) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_joint_test

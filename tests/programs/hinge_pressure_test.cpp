@@ -19,7 +19,7 @@
 #include "libcontact/seat/contact.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_pressure_test {
 namespace {
 
 const std::string hip = "data/joints/hip_cocr_uhmwpe_infinite.toml";
@@ -399,4 +399,4 @@ TEST(HingePressure, WarnsOfALinerWithoutAWall) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_pressure_test

@@ -22,7 +22,7 @@
 #include "support/friction_reference.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_table_test {
 namespace {
 
 constexpr const char* header =
@@ -524,4 +524,4 @@ TEST(HingeTable, Version) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_table_test

@@ -5,7 +5,7 @@
 
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::inputs_stay_test {
 namespace {
 
 class InputsStay : public testing::Test {
@@ -126,4 +126,4 @@ TEST_F(InputsStay, OthersMayBeWritten) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::inputs_stay_test

@@ -11,7 +11,7 @@
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::measured_moment_test {
 namespace {
 
 // A cell of the only row.
@@ -143,4 +143,4 @@ TEST(MeasuredMoment, AdhesionIsGiven) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::measured_moment_test

@@ -10,7 +10,7 @@
 #include "support/edited_file.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::messages_test {
 namespace {
 
 // A file of cases has lines
@@ -122,4 +122,4 @@ INSTANTIATE_TEST_SUITE_P(Programs, HelpExamples,
                                          "hinge-fmu"));
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::messages_test

@@ -12,7 +12,7 @@
 #include "libcontact/files/joint_file.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::options_test {
 namespace {
 
 using namespace std::string_literals;
@@ -467,4 +467,4 @@ TEST(KeySettings, TablesAreMadeAndTextsNeedNoQuotes) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::options_test

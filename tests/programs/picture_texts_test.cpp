@@ -11,7 +11,7 @@
 #include "cli/picture/text_size.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::picture_texts_test {
 namespace {
 
 // A text of an SVG that gnuplot has drawn, dots from the left and the top.
@@ -234,4 +234,4 @@ TEST(TextSize, LinesAreBrokenAtCommasOrBlanks) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::picture_texts_test

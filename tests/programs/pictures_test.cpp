@@ -12,7 +12,7 @@
 #include "cli/plot.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::pictures_test {
 namespace {
 
 constexpr const char* no_gnuplot = "gnuplot is not installed";
@@ -382,4 +382,4 @@ TEST(Pictures, LogarithmicAxesEndWithTheData) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pictures_test

@@ -13,7 +13,7 @@
 #include "cli/number.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::points_test {
 namespace {
 
 using namespace std::string_literals;
@@ -302,4 +302,4 @@ TEST(Points, OpenCommasAreRefused) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::points_test

@@ -9,7 +9,7 @@
 #include "cli/stream/verdict.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::report_test {
 namespace {
 
 using cli::shown_unit;
@@ -196,4 +196,4 @@ INSTANTIATE_TEST_SUITE_P(
         "hinge-study data/studies/lined_bearing.toml --check"));
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::report_test

@@ -11,7 +11,7 @@
 
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::streams_test {
 namespace {
 
 // Runs that warn and write files. The event of the case comes later.
@@ -442,4 +442,4 @@ TEST(FullDisk, PicturesOnASmallFileSystem) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::streams_test

@@ -15,7 +15,7 @@
 #include "cli/stream/ordered_blocks.hpp"
 #include "support/error_message.hpp"
 
-namespace contact::test {
+namespace contact::test::threads_test {
 namespace {
 
 // Threads that may still be started.
@@ -79,4 +79,4 @@ TEST_F(FewThreads, AllBlocksComeInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::threads_test

@@ -8,7 +8,7 @@
 
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::typed_test {
 namespace {
 
 // Two commands that are one.
@@ -225,4 +225,4 @@ TEST(Completion, OfBashCompletesAnOptionAndAFile) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::typed_test

@@ -12,6 +12,7 @@
 #include <string>
 #include <vector>
 
+namespace contact::test::rooms_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -318,3 +319,4 @@ TEST(Rooms, FoldersHaveAtMostThirtySources) {
 }
 
 }  // namespace
+}  // namespace contact::test::rooms_test

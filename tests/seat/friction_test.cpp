@@ -17,7 +17,7 @@
 
 // Friction of contacts on seats that end, by harmonics, against plain sums of
 // a program of its own.
-namespace contact::test {
+namespace contact::test::friction_test {
 namespace {
 
 double unit_force(const SeatContact& seat) {
@@ -108,4 +108,4 @@ TEST(SeatFriction, MirrorsAcrossTheEquator) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::friction_test

@@ -16,7 +16,7 @@
 #include "support/numbers.hpp"
 
 // Identities of every seat that ends, and refusals.
-namespace contact::test {
+namespace contact::test::identities_test {
 namespace {
 
 const Material steel{2.1e11, 0.3};
@@ -473,4 +473,4 @@ TEST(Seat, RimsThatAreRoundedHaveAPeak) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::identities_test

@@ -26,7 +26,7 @@
 #include "support/seat.hpp"
 
 // Joints in seats that end, under a reaction, against a program of its own.
-namespace contact::test {
+namespace contact::test::joint_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -793,4 +793,4 @@ TEST(SeatTable, MirrorsAcrossTheEquator) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::joint_test

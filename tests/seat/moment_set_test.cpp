@@ -12,7 +12,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "support/random_slip.hpp"
 
-namespace contact::test {
+namespace contact::test::moment_set_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -150,4 +150,4 @@ TEST(MomentSetAtRim, GoesOverIntoThatOfTheFreeContact) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::moment_set_test

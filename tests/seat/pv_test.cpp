@@ -12,7 +12,7 @@
 
 // p v over contacts that reach a rim: against the power of friction, which
 // comes from harmonics, and against the pressures at places.
-namespace contact::test {
+namespace contact::test::pv_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -95,4 +95,4 @@ TEST(SeatContactPv, RestAndNoContact) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::pv_test

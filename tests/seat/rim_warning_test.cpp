@@ -16,7 +16,7 @@
 
 // What is said of the side faces of rims, against finite elements of cups
 // whose side faces are free.
-namespace contact::test {
+namespace contact::test::rim_warning_test {
 namespace {
 
 std::string said_of(const SeatContact& contact, const SeatState& state) {
@@ -179,4 +179,4 @@ TEST(RimWarning, IsSaidEarlierWhereSeatsYieldMore) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::rim_warning_test

@@ -18,7 +18,7 @@
 
 // Balls in seats that end against solutions by a program of its own, on two
 // grids each.
-namespace contact::test {
+namespace contact::test::seat_test {
 namespace {
 
 double value_or(const ReferenceTable::Row& row, const char* name,
@@ -248,4 +248,4 @@ TEST(Seat, TheCutRow) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::seat_test

@@ -22,7 +22,7 @@
 
 // Seats whose side faces are free, against finite elements of another program
 // and what has to hold of the elements themselves.
-namespace contact::test {
+namespace contact::test::side_face_test {
 namespace {
 
 SeatZone with_corner(const SeatZone& zone, double corner_deg,
@@ -461,4 +461,4 @@ TEST(SideFace, RefusesWhatItsElementsCannotBe) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::side_face_test

@@ -10,7 +10,7 @@
 #include "support/numbers.hpp"
 
 // Zones of seats: what they are made from, what they carry, what is refused.
-namespace contact::test {
+namespace contact::test::zone_test {
 namespace {
 
 SeatZone cup(double degrees) { return SeatZone::cup(degrees * degree); }
@@ -94,4 +94,4 @@ TEST(SeatZone, Refuses) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::zone_test

@@ -16,7 +16,7 @@
 #include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::case_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -287,4 +287,4 @@ TEST(CaseFile, AllCasesOfTheProjectAreGood) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::case_file_test

@@ -18,7 +18,7 @@
 #include "support/numbers.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::clearance_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -650,4 +650,4 @@ TEST(Clearance, BoundsKnowWhatTurnsBetweenTwoLooks) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::clearance_test

@@ -21,6 +21,7 @@
 #include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
+namespace contact::test::forces_test {
 namespace {
 
 using contact::test::error_message;
@@ -492,3 +493,4 @@ TEST(ForceKinds, AreOnThePage) {
 }
 
 }  // namespace
+}  // namespace contact::test::forces_test

@@ -22,7 +22,7 @@
 #include "support/error_message.hpp"
 #include "support/numbers.hpp"
 
-namespace contact::test {
+namespace contact::test::forged_state_test {
 namespace {
 
 using nlohmann::json;
@@ -307,4 +307,4 @@ TEST(ForgedBytes, OfManyLevelsAreRefused) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::forged_state_test

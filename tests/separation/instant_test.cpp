@@ -11,7 +11,7 @@
 #include "separation/results/run.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::instant_test {
 namespace {
 
 using separation::BodyRecord;
@@ -184,4 +184,4 @@ carrier_point_m = [0, 1.9, 0]; axis = [0, 0, 1]
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::instant_test

@@ -22,7 +22,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::parts_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -390,4 +390,4 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::parts_test

@@ -16,7 +16,7 @@
 #include "separation/results/summary.hpp"
 #include "support/error_message.hpp"
 
-namespace contact::test {
+namespace contact::test::run_object_test {
 namespace {
 
 using separation::Case;
@@ -286,4 +286,4 @@ TEST(Run, RefusesWhatCannotBe) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::run_object_test

@@ -17,7 +17,7 @@
 #include "support/numbers.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::run_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -735,4 +735,4 @@ TEST(FixedCarrier, IsTheLimitOfAHeavyOne) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::run_test

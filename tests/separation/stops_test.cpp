@@ -12,7 +12,7 @@
 #include "separation/results/saved_state.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::stops_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -404,4 +404,4 @@ TEST(CaseStops, SavedRunsGoOnTheSame) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::stops_test

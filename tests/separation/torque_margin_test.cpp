@@ -12,7 +12,7 @@
 #include "separation/simulation/torque_margin.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::torque_margin_test {
 namespace {
 
 using separation::Case;
@@ -182,4 +182,4 @@ com_m = [0.5, 0, 0]
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::torque_margin_test

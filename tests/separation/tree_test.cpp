@@ -14,7 +14,7 @@
 #include "separation/results/run.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::tree_test {
 namespace {
 
 using separation::Case;
@@ -178,4 +178,4 @@ TEST(CaseTree, HalvesOpenAlike) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::tree_test

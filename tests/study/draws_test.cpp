@@ -18,7 +18,7 @@
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::draws_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -313,4 +313,4 @@ TEST_F(DrawnKeys, MakeNoLawsButThoseTheyChange) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::draws_test

@@ -11,7 +11,7 @@
 #include "study/rows/journal.hpp"
 #include "study/study.hpp"
 
-namespace contact::test {
+namespace contact::test::envelope_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -67,4 +67,4 @@ TEST(Envelope, EndsWithTheRunsThatFail) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::envelope_test

@@ -17,6 +17,7 @@
 #include "support/error_message.hpp"
 #include "support/program.hpp"
 
+namespace contact::test::journal_test {
 namespace {
 
 using contact::test::error_message;
@@ -224,3 +225,4 @@ TEST_F(JournalFile, SqlOfOthersIsNotRun) {
 }
 
 }  // namespace
+}  // namespace contact::test::journal_test

@@ -18,7 +18,7 @@
 #include "study/statistics/verdict.hpp"
 #include "support/error_message.hpp"
 
-namespace contact::test {
+namespace contact::test::statistics_test {
 namespace {
 
 using study::Stream;
@@ -621,4 +621,4 @@ TEST(Design, SaltellisRunsComeInGroups) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::statistics_test

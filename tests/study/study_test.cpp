@@ -29,7 +29,7 @@
 #include "support/numbers.hpp"
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::study_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -860,4 +860,4 @@ TEST_F(StudyFolder, WhatTheNominalRunDoesNotReachIsSaid) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::study_test

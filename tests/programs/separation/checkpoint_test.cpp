@@ -10,7 +10,7 @@
 
 #include "programs/separation/program_runs.hpp"
 
-namespace contact::test {
+namespace contact::test::checkpoint_test {
 namespace {
 
 void expect_another_case(const ProgramResult& result,
@@ -403,4 +403,4 @@ TEST(Checkpoint, HasOneWriterAtATime) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::checkpoint_test

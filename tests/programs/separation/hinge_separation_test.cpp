@@ -11,7 +11,7 @@
 
 #include "programs/separation/program_runs.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_separation_test {
 namespace {
 
 const std::vector<std::string> cases = {"soyuz", "two_stage_turn", "slosh",
@@ -254,4 +254,4 @@ TEST(HingeSeparation, PicturesAreThere) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_separation_test

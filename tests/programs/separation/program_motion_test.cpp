@@ -10,7 +10,7 @@
 #include "libcontact/base/units.hpp"
 #include "programs/separation/program_runs.hpp"
 
-namespace contact::test {
+namespace contact::test::program_motion_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -480,4 +480,4 @@ TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::program_motion_test

@@ -8,7 +8,7 @@
 
 #include "programs/separation/program_runs.hpp"
 
-namespace contact::test {
+namespace contact::test::program_warnings_test {
 namespace {
 
 // Entries of the file without effect, or with one hardly intended.
@@ -277,4 +277,4 @@ force_N = [0, 1e308, 0]; starts_at_s = 0.55
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::program_warnings_test

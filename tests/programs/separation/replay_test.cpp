@@ -18,7 +18,7 @@
 #include "support/program.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::replay_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -376,4 +376,4 @@ TEST(Replay, WithoutItsLibrariesAPageIsRefusedBeforeTheRun) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::replay_test

@@ -8,7 +8,7 @@
 #include "libcontact/joint/joint.hpp"
 #include "programs/separation/program_runs.hpp"
 
-namespace contact::test {
+namespace contact::test::seat_test {
 namespace {
 
 // A load of 12 t, the first two steps of its swing about the axis of its ring.
@@ -176,4 +176,4 @@ TEST(SeparationSeat, GoesOnFromACheckpointAtARim) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::seat_test

@@ -13,7 +13,7 @@
 
 #include "support/program.hpp"
 
-namespace contact::test {
+namespace contact::test::hinge_study_test {
 namespace {
 
 const std::string balls =
@@ -540,4 +540,4 @@ TEST_F(HingeStudy, WithoutThreeJsAReportHasNoLinks) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::hinge_study_test
