@@ -167,6 +167,12 @@ INSTANTIATE_TEST_SUITE_P(
                                         "--load 100:3000:100 --plot p.svg"},
         Picture{"nine_pressures",
                 "hinge-pressure " + hip + nine + "--load 1000 --plot p.svg"},
+        Picture{"pressures_in_a_seat",
+                "hinge-pressure data/joints/hip_cup.toml --load 1kN,2kN "
+                "--direction 0:80:20 --plot p.svg"},
+        Picture{"pressures_along_a_pin",
+                "hinge-pressure data/joints/relieved_bush.toml --load 10kN "
+                "--tilt 0:0.1:0.02 --plot p.svg"},
         Picture{"eight_moments", "hinge-joint " + hip + eight +
                                      "--reaction 100:3000:100 --beta 60 "
                                      "--plot p.svg"},

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "cli/joint/joint_reports.hpp"
+#include "cli/plot.hpp"
 #include "cli/refuse.hpp"
 #include "cli/stream/report.hpp"
 #include "cli/sweep.hpp"
@@ -67,6 +68,7 @@ class Places {
   struct Place {
     Vector3d load;  ///< unit vector
     double cell;
+    std::string label;
     std::optional<contact::Placement> placement = {};
   };
   std::size_t size() const {
@@ -75,15 +77,23 @@ class Places {
   Place operator[](std::size_t k) const {
     if (pins_) {
       const contact::Placement placement = (*pins_)[k];
-      return {Vector3d::UnitX(), placement.place, placement};
+      return {Vector3d::UnitX(), placement.place, pin_label(placement),
+              placement};
     }
     const double at = (*directions_)[k];
     const double direction = at * contact::degree;
-    return {{std::sin(direction), 0, std::cos(direction)}, at};
+    return {{std::sin(direction), 0, std::cos(direction)},
+            at,
+            fmt::format("{:.6g} deg", at)};
   }
   bool has_cell() const { return has_cell_; }
 
  private:
+  std::string pin_label(const contact::Placement& placement) const {
+    if (has_cell_) return fmt::format("at {:.6g} mm", placement.place * 1e3);
+    return fmt::format("tilt {:.6g} deg", placement.tilt.x() / contact::degree);
+  }
+
   std::optional<Placements> pins_;
   std::optional<Sweep> directions_;
   bool has_cell_;
@@ -99,6 +109,7 @@ class Rows {
         loads_("--load", table.loads, {0, 1e100, "N"}, Dimension::force),
         joint_(without_friction(joint, !table.direction.empty())) {}
 
+  std::size_t size() const { return loads_.size() * places_.size(); }
   /// @return rows without a value, and that have not converged
   std::array<std::size_t, 2> write(RowWriter& row) const {
     std::array<std::size_t, 2> bad = {};
@@ -114,8 +125,10 @@ class Rows {
           ++bad[s.status == contact::Status::not_converged];
         }
         notes.add(joint_, s);
-        write_state({joint_, loads_[i], s, joint_.lie(s), joint_.rims(s)},
-                    place.cell, row);
+        const PlacedState state = {joint_, loads_[i], s, joint_.lie(s),
+                                   joint_.rims(s)};
+        write_state(state, place.cell, row);
+        if (table_.show) table_.show(state, label(i, place.label));
       }
     }
     for (const std::string& note : notes.notes(joint_)) {
@@ -125,6 +138,16 @@ class Rows {
   }
 
  private:
+  // What all states share is left out.
+  std::string label(std::size_t load, const std::string& place) const {
+    std::string text = difference_label(given_.differences);
+    const auto add = [&text](const std::string& more) {
+      text += (text.empty() ? "" : ", ") + more;
+    };
+    if (loads_.size() > 1) add(fmt::format("{:.6g} N", loads_[load]));
+    if (places_.size() > 1 || text.empty()) add(place);
+    return text;
+  }
   void write_state(const PlacedState& state, double cell,
                    RowWriter& row) const {
     const auto begin = [&] {
@@ -183,6 +206,7 @@ ExitStatus write_placed(const std::vector<Joint>& joints,
   }
   std::vector<Rows> rows;
   for (const Joint& joint : joints) rows.emplace_back(joint, table);
+  if (table.show) check_curves(rows.size() * rows[0].size());
   std::vector<Joint> straight = joints;  // the relief is not left out
   for (Joint& joint : straight) joint.spec = joint.spec.without_relief();
   warn_of_validity(table.program, straight);

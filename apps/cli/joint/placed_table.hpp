@@ -46,6 +46,8 @@ struct PlacedTable {
   std::function<void(const PlacedState&, const std::function<void()>& begin,
                      RowWriter&)>
       write_map = {};
+  /// Is shown every state, for a picture, with its label: "2000 N, 45 deg".
+  std::function<void(const PlacedState&, const std::string& label)> show = {};
 };
 
 /// Rows of each load and placement, with warnings where the theory does not

@@ -16,11 +16,9 @@ void add_options(cli::Program& program, Options& o) {
       "Seat",
       {{"--direction", &o.direction, "ANGLES",
         "angle of the load from the axis of a seat that ends, deg, 0 to 180",
-        "--load",
-        "--load-parameter --x --summary --plot --law "
-        "--pressure"}});
+        "--load", "--load-parameter --x --summary --law --pressure"}});
   add_tilt_options(program, o.tilt, "--load",
-                   "--load-parameter --x --summary --plot --direction --law "
+                   "--load-parameter --x --summary --direction --law "
                    "--limit-angle --pressure");
   program.add("Profile",
               {{"--summary", &o.summary, "",

@@ -4,9 +4,12 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <utility>
 #include <vector>
 
+#include "cli/joint/joint_reports.hpp"
 #include "cli/joint/placed_table.hpp"
+#include "cli/plot.hpp"
 #include "libcontact/base/units.hpp"
 #include "libcontact/quantities/finite_pin.hpp"
 
@@ -16,6 +19,8 @@ namespace {
 using contact::Joint;
 using contact::JointSolution;
 using Eigen::Vector3d;
+
+constexpr int picture_points = 201;
 
 // The i-th of some numbers with even steps.
 double step(double from, double to, int i, int count) {
@@ -103,6 +108,57 @@ void write_seat(const Joint& joint, const JointSolution& s, int points,
   }
 }
 
+// The curve ends where the contact does.
+cli::Curve curve_at(const cli::PlacedState& state, std::vector<double> x,
+                    const std::vector<Vector3d>& places) {
+  const std::vector<double> pressures =
+      state.joint.pressures(state.solution, places);
+  std::vector<double> shown = pressures;
+  const auto is_outside = [&](std::size_t i) {
+    return i >= pressures.size() || pressures[i] == 0;  // 0 - 1 wraps
+  };
+  for (std::size_t i = 0; i < shown.size(); ++i) {
+    if (is_outside(i - 1) && is_outside(i) && is_outside(i + 1)) shown[i] = NAN;
+  }
+  return {"", std::move(x), std::move(shown)};
+}
+
+// In the plane of the load, from rim to rim; of a cup through its middle.
+cli::Curve curve_in_seat(const cli::PlacedState& state) {
+  const contact::SeatZone& zone =
+      *state.joint.contact().geometry().drawn_seat();
+  const double near = zone.edge().report_distance;
+  const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
+  const double from = zone.has_lower_rim() ? zone.from() + near : -to;
+  std::vector<double> x;
+  std::vector<Vector3d> places;
+  for (int i = 0; i < picture_points; ++i) {
+    const double v = step(from, to, i, picture_points);
+    x.push_back(v / contact::degree);
+    places.emplace_back(std::sin(v), 0, std::cos(v));
+  }
+  return curve_at(state, std::move(x), places);
+}
+
+// Along the pin, of each place the largest.
+cli::Curve curve_of_pin(const cli::PlacedState& state) {
+  const contact::JointGeometry& geometry = state.joint.contact().geometry();
+  const double half = geometry.length() / 2;
+  std::vector<double> x;
+  std::vector<Vector3d> places;
+  for (int i = 0; i < picture_points; ++i) {
+    const double z = step(-half, half, i, picture_points);
+    const Vector3d to = state.lie
+                            ? Vector3d(state.lie->shift + z * state.lie->tilt)
+                            : Vector3d::UnitX();
+    const double theta = std::atan2(to.y(), to.x());
+    x.push_back(z);
+    places.emplace_back(std::cos(theta), std::sin(theta),
+                        z / geometry.radius());
+  }
+  return curve_at(state, std::move(x), places);
+}
+
 // Friction has no part in it.
 void add_pin_columns(std::vector<cli::PlacedColumn>& to) {
   for (const auto& q : contact::lie_quantities()) {
@@ -146,7 +202,24 @@ cli::ExitStatus run_placed(const Options& options) {
       write(s.joint, s.solution, points, begin, row);
     };
   }
-  return write_placed(make_joints(options.joint), table, options.output);
+  const std::vector<cli::Joint> joints = make_joints(options.joint);
+  const std::string& picture = options.output.plot;
+  cli::LinePlot plot;
+  if (!picture.empty()) {
+    plot.title = shared_title(joints, "");
+    plot.x = in_seat ? cli::Axis{"angle from the seat's axis", "deg"}
+                     : cli::Axis{"place along the pin", "m"};
+    plot.y = {"pressure", "Pa"};
+    plot.family = true;
+    table.show = [&plot, curve = in_seat ? curve_in_seat : curve_of_pin](
+                     const cli::PlacedState& state, const std::string& label) {
+      plot.curves.push_back(curve(state));
+      plot.curves.back().label = label;
+    };
+  }
+  const cli::ExitStatus status = write_placed(joints, table, options.output);
+  if (picture.empty()) return status;
+  return cli::drawn("hinge-pressure", draw(plot, picture), status);
 }
 
 }  // namespace hinge_pressure
