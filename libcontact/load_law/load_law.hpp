@@ -58,7 +58,7 @@ struct LoadLawText {
 };
 struct LoadLawOptions {
   std::string language = "c";     ///< c, cuda, glsl, jax, js, numpy or st
-  std::string name = "friction";  ///< of the function
+  std::string name = "friction";  ///< function name
   double error = 1e-4;            ///< largest allowed, above 0
   /// R, N: for a ball the range of loads, by default load parameters of 1e-3 to
   /// 10; for a pin as in pin_load_law().

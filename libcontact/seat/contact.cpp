@@ -418,7 +418,7 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   return all;
 }
 
-// Of a rim whose side face counts.
+// Adds notes for a rim with a side face that has an effect.
 void SeatContact::add_side_face_notes(const SeatState& state, int rim,
                                       std::vector<std::string>& all) const {
   const double corner = zone_.side_angle(rim);

@@ -54,7 +54,7 @@ class SeatReadout {
     /// Largest lim p sqrt(s) along the rim, s in rad; 0 if the rim is not
     /// reached. If the body ends there too, the mean of p in the last cell.
     double strength;
-    double longitude;  ///< of the largest, 0 or pi
+    double longitude;  ///< its place, 0 or pi
     double half_arc;   ///< along which the contact follows the rim, rad
   };
   Rim rim(int rim) const;

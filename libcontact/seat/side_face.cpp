@@ -240,9 +240,9 @@ SideFaceCompliance::SideFaceCompliance(const LayeredPair& pair,
   }
 }
 
-// Of those between two orders that are solved: the cubic through four of these
-// over the logarithm of m + 1. Beside all orders of a cup, a ring and a liner
-// within 6e-3 of the largest.
+// Interpolates between solved orders by the cubic through four of them over the
+// logarithm of m + 1. Within 6e-3 of the largest, compared with all orders of a
+// cup, a ring and a liner.
 void SideFaceCompliance::for_parts(
     int m, const std::function<void(double, std::size_t)>& take) const {
   const auto at = std::lower_bound(orders_.begin(), orders_.end(), m);

@@ -42,7 +42,7 @@ struct ForestHinge {
   int parent;  ///< -1: a root
   ForestTurn turn;
   double mass;
-  Vec3<double> r;            ///< of the origin from the centre of mass
+  Vec3<double> r;            ///< origin from the centre of mass
   Vec3<double> mass_r;       ///< m r
   Vec3<double> from_parent;  ///< origin from parent's com, parent's axes
   Vec3<double> axis;         ///< unit vector of the turn
@@ -56,7 +56,7 @@ struct ForestHinge {
 /// S R eliminates the rotation.
 struct alignas(32) ForestPart {
   PaddedMatrix rotation;  ///< from its own axes
-  Padded r;               ///< of the origin from the centre of mass
+  Padded r;               ///< origin from the centre of mass
   Padded from_parent;     ///< origin from the parent's origin
   Padded w;               ///< absolute angular velocity
   /// Accelerations if the parent has none and the hinge does not turn.

@@ -154,7 +154,7 @@ void set_steps(Hinges& at) {
   }
 }
 
-// What a hinge cannot hold, N m.
+// Moment that a hinge cannot hold, N m.
 double excess(int body, double tau, Hinges& at) {
   const Vec3<double>& held = at.reaction(body).moment;
   const double moment =

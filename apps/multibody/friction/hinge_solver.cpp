@@ -85,7 +85,7 @@ HingeSolver::Memory HingeSolver::make_memory() const {
   return memory;
 }
 
-// Of a joint alone.
+// Slip of a hinge with a single joint.
 contact::Joint::Slip HingeSolver::slip_of(const Reaction<double>& reaction,
                                           const Vector3d& rate,
                                           const Memory& memory) const {

@@ -248,7 +248,7 @@ CoupledRounding Hinges::rounding() const {
     rate = is_tree ? rate + own : std::max(rate, own);
     force += length_of(forces().bodies[i].force);
     moment += length_of(forces().bodies[i].moment);
-    // What a moment causes further on may cancel as well.
+    // Effects of a moment further along the tree may cancel as well.
     if (is_tree) force += hinge.leverage * length_of(forces().bodies[i].moment);
     mass += hinge.mass;
     length = std::max(length, hinge.length);

@@ -38,7 +38,7 @@ class TrackedLoop {
 
   /// Largest (leverage |M_t|/|R|)^2 of the hinges, infinity if unknown.
   double largest_leverage() const;
-  /// Typical ratio of the changes of M_t(R) to the changes of M_t.
+  /// Records a ratio of the changes of M_t(R) to the changes of M_t.
   void learn_contraction(double contraction);
 
  private:

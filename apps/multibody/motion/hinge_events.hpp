@@ -57,7 +57,7 @@ class HingeEvents {
     StepFunction::Values rates;
   };
   std::vector<Slip> slips_;
-  std::vector<StepFunction::Values> angles_;  ///< of bodies with stops
+  std::vector<StepFunction::Values> angles_;  ///< bodies with stops
   std::vector<double> trial_;
 };
 

@@ -26,7 +26,7 @@ enum class HingeKind {
 /// Numbers of a kind of hinge.
 struct HingeTraits {
   int state_size;
-  /// Index in its state of a quaternion, which keeps the length 1; -1: none.
+  /// Index of a quaternion of length 1 in the state; -1: none.
   int quaternion;
   /// Whether it turns only about z of the link axes, by an angle that is the
   /// first number of its state; its rate is the second.

@@ -114,7 +114,8 @@ void Simulation::add_events() {
                          },
                          multibody::MotionEvent::Crossing::rising});
       meanings_.push_back({h});
-      // What comes to rest at its angle, faster than it takes, is caught there.
+      // A latch with rate_below also catches a body that comes to rest at its
+      // angle.
       if (std::isinf(event.rate_below)) continue;
       motion_.add_event({[this, h](const MotionSample& sample) {
                            return !has_happened(h) && is_armed(h) &&
