@@ -1,3 +1,4 @@
+/* SPDX-License-Identifier: MIT */
 /* Runs of hinge-separation: bodies on hinges with friction through time.
  *
  * The library contact_runs_c; statuses, messages and null pointers are treated
