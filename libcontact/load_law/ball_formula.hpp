@@ -158,7 +158,7 @@
 
 // Slopes of Phi and of the force over a and l = ln R_n, by those over x and e,
 // and the derivatives of M as in docs/explanation/joint.md: sums of products of
-// two vectors each, of which A is a component.
+// two vectors each; A stands for a component.
 #define CONTACT_BALL_SLOPES                                                  \
   CONTACT_BALL_AT(CONTACT_KEPT)                                              \
   Tl = load == held ? Te / half : 0;                                         \

@@ -26,7 +26,7 @@ Vector3d nan_vector() {
   return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Tolerance of the joints' own iteration: well below that of the outer loop.
+// Tolerance of the joints' own iteration, well below the outer loop's.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
 // Whether its friction is more than none at speed 0: neither viscous nor 0.

@@ -108,8 +108,8 @@ using Move = ContactMove<Lanes>;
   t.move.cosine -= 2.0 * fall.cosine * t.step;
 }
 
-// Along the move v to the last contact, where slopes are those of this move,
-// what is of second order of a move by p/|v| is curvature * bend(p).
+// Along the move v to the last contact, to which the slopes belong, the
+// second-order part of a move by p/|v| is curvature * bend(p).
 [[gnu::always_inline]] inline Lanes along(const State& s, const Move& m) {
   return m.force * s.last_move.force + m.cosine * s.last_move.cosine;
 }

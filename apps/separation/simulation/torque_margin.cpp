@@ -174,7 +174,7 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
     if (ratio < least.ratio) least = {ratio, angle};
   };
   for (std::size_t i = 0; i < nodes.size(); ++i) note(ratios[i], nodes[i]);
-  // Between the neighbours of what is lower than both.
+  // Between the neighbours of each node that is lower than both.
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double before = i > 0 ? ratios[i - 1] : ratios[i];
     const double after = i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
