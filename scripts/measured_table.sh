@@ -75,10 +75,10 @@ row --- --- --- --- --- --- ---
 ours=$(for t in 0.1 0.3; do for nu in 0.4 0.49; do for load in 1.01 5; do
   bush_ratio $t $nu $load; done; done; done | interval %.2f)
 row "$(ref "Colbert 2010" colbert-2010), PTFE bushes" measured \
-  "torque with 150 um interference over that with 350 um clearance 1.50" \
-  "t/rho 0.1 to 0.3, nu 0.40 to 0.49, rigid housing, load 1.01 to 5 times that of lift-off" \
+  "torque with 150 um interference over torque with 350 um clearance: 1.50" \
+  "t/rho 0.1 to 0.3, nu 0.40 to 0.49, rigid housing, load 1.01 to 5 times the lift-off load" \
   "$ours" "$(verdict 1.50 1.50 "$ours")" \
-  "the load decides, and is not in the abstract"
+  "the abstract does not state the load, which decides"
 
 # KIND THETA0_deg COLUMN ARGUMENTS...: a number of a contact of that half-angle.
 at_half_angle() {
@@ -144,7 +144,7 @@ for head in 36 40; do
   row "$(ref "Sonntag 2017" sonntag-2017), ceramic on polyethylene" measured \
     "torque is larger with heads of $head mm than of 28 mm" \
     "one f0, 2 kN, radial clearance 0.05 to 0.15 mm, liner 5 to 8 mm, 1 GPa" \
-    "$ours times" agrees "a little less than the diameters' ratio"
+    "$ours times" agrees "slightly less than the ratio of the diameters"
 done
 
 # CLEARANCE_um BONE_GPa: half-angle of a metal hip of 50 mm.
@@ -158,7 +158,7 @@ for clearance in 50 150; do
   row "$(ref "Underwood 2012" underwood-2012), metal on metal" measured \
     "low clearance brings the contact's edge nearer to the rim" \
     "head 50 mm, cup of 4 mm in bone of 0.3 to 2 GPa, 3.2 kN, radial clearance $clearance um" \
-    "half-angle $ours deg" agrees "sizes of the hips are not in the abstract"
+    "half-angle $ours deg" agrees "the abstract does not state the sizes of the hips"
 done
 
 ours=$(for angle in 10 70; do at_half_angle ball $angle sigma_Y_0; done |
@@ -209,7 +209,7 @@ for load in 15 22.5; do
     "breakaway $textbook N m with f = 0.06" \
     "liner 0.3 to 0.5 mm of 3.1 GPa, nu 0.3 to 0.45, radial clearance 2 to 20 um" \
     "$(gimbal_interval "${load}kN" 90) N m across the load, $(gimbal_interval "${load}kN" 0) spinning about it" \
-    "between them" "it knows neither the contact's width nor spinning"
+    "between them" "it ignores the width of the contact and spinning"
 done
 
 # A polymer bush of 3 mm in a cold rigid shell, warmer by 30 K, on a rigid pin of
@@ -245,7 +245,7 @@ row "[Repair manuals](../reference/references.md#car-ball-joints), ball joints o
   "turning torque without load 0.5 to 3.5 N m" \
   "ball of 25 mm pressed 1 to 10 um into 3 mm of POM (2.8 GPa) in a rigid shell, f0 0.05 to 0.1" \
   "$ours N m" "$(verdict 0.5 3.5 "$ours")" \
-  "no sizes are stated, and a micrometre in a stiff shell is enough"
+  "no sizes are stated; a micrometre in a stiff shell decides"
 
 # CLEARANCE_um E_GPa LINER_mm LOAD: friction moment over f0 R rho of a hip of
 # 22.225 mm, new.
@@ -269,8 +269,8 @@ for stated in 1.18 1.5; do
     "friction factor larger by $stated" \
     "one f0, new: 22.225 mm, 8 to 11 mm of 0.5 to 1 GPa, 80 to 150 um, 0.5 to 2 kN, retrieved: worn in over 60 to 90 deg" \
     "$ours" "$(verdict $stated $stated "$ours")" "$(
-    [ $stated = 1.18 ] && echo "geometry can be all of it" ||
-      echo "surfaces or film beyond what geometry can do")"
+    [ $stated = 1.18 ] && echo "geometry can explain all of it" ||
+      echo "geometry alone cannot explain it: surfaces or film")"
 done
 
 # HEAD_mm CLEARANCE_um: friction moment over f0 R rho under 3 kN, 8 mm liner.
@@ -297,7 +297,7 @@ ours=$(for e in 0.5 1; do for liner in 5 12; do for load in 500 3000; do
 row "$(ref "AnyBody" anybody-wiki), pressure module of PE on CoCr" "rule of thumb" \
   "about 1e11 N/m^3, 4e9 is used for a knee" \
   "28 mm, 100 um, 5 to 12 mm of 0.5 to 1 GPa, 0.5 to 3 kN" "$ours e11 N/m^3" \
-  "$(verdict 1 1 "$ours")" "no constant: it falls with the thickness"
+  "$(verdict 1 1 "$ours")" "not constant: it falls with the thickness"
 
 ours=$(for depth in 1 5; do for f0 in 0.05 0.1; do car_joint $depth $f0; done
   done | interval %.1f)
@@ -334,7 +334,7 @@ ours=$(for angle in 10 47 84; do pin_calculators 50 $angle; done |
 row "$(ref Roark roark)'s cylinder in a socket, as $(ref calculators socket-calculators) have it" \
   calculator "0.798 sqrt(p/(K_D C_E))" \
   "steel pin of 50 mm, radial clearance of 50 um, half-angles of 10, 47 and 84 deg" \
-  "the formula is off by $ours %" outside "it is Hertz', for narrow contacts"
+  "the formula is off by $ours %" outside "it equals Hertz, for narrow contacts"
 ours=$(for clearance in 20 100; do for angle in 10 47 84; do
   pin_calculators $clearance $angle; done; done | cut -d' ' -f2 | interval %.1f)
 row "$(ref "A pin calculator" efi-tools), max(Hertz, 4 F/(pi D L))" calculator \
@@ -408,7 +408,7 @@ printf '[seat]\nring_width_mm = 28\n' >>ball66.toml
 of_steel=$(in_ring ball66.toml)
 row "$(ref "A bearing calculator" efi-tools), max(Hertz, 3 F/(2 pi R^2))" calculator \
   "steel on steel: $steel MPa" "the same in a ring of 28 mm" \
-  "$of_steel" outside "and the seat ends"
+  "$of_steel" outside "and the seat has edges"
 read -r ball rod_end < <(ball_calculator 207 3.1 0.4 10 1e5)
 of_lined=$(in_ring "$lined")
 row "$(ref "A bearing calculator" efi-tools), max(Hertz, 3 F/(2 pi R^2))" calculator \
@@ -436,7 +436,7 @@ ours=$(for load in 30 80; do door_pin 0.3 $load; done | interval %.3f)
 row "$(ref "Drake" drake-door), dishwasher door" "measured by hand" \
   "hinge friction 2 N m at rest, 3 N m moving" \
   "pins of 8 mm of steel in acetal, f0 0.3, 30 to 80 N" "$ours N m" \
-  "$(verdict 2 3 "$ours")" "the pins are not what resists"
+  "$(verdict 2 3 "$ours")" "the resistance does not come from the pins"
 row "$(ref "Durom cups" durom-deformed), 42 um out of round" measured \
   "wears 7.5 times as much as a round one" "Archard, one wear coefficient" \
   "1.0 times, by the form of the law" outside "film and rim, not pressure"

@@ -179,9 +179,8 @@ void compare(const BallLaw<Real>& law, const Vector3d& R, const Vector3d& w,
                    (M.template cast<double>() - exact).norm() / exact.norm());
 }
 
-// The largest errors over many states, those of a sequence that fills the
-// square of load and direction evenly; a third of the directions is close to
-// the load.
+// The largest errors over many states, from a sequence that fills the square of
+// load and direction evenly; a third of the directions is close to the load.
 void measure(const Joint& ball, double enough, BallLoadLaw& of) {
   constexpr int states = 100'000;
   const BallLaw<float> single = in_float(of.law);

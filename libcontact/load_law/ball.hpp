@@ -6,19 +6,19 @@
 
 namespace contact::detail {
 
-/// The largest coefficient that a ball's law is for.
+/// Largest coefficient of friction in a ball's law.
 double most_friction(const Joint& ball);
 
-/// The load law of a ball, and its errors as those of PinLoadLaw: of the vector
-/// M, over |M|.
+/// The load law of a ball, with its errors: of the vector M, over |M|, in
+/// double and float as in PinLoadLaw.
 struct BallLoadLaw {
   BallLaw<double> law = {};
   double error = 0;
   double float_error = 0;
 };
 
-/// The one with the fewest numbers whose error is as wanted.
-/// @throws Error for balls that it is not made for, and an error out of reach
+/// Finds the law with the fewest numbers that has the required error.
+/// @throws Error for unsupported balls and for an unattainable error
 BallLoadLaw ball_load_law(const Joint& ball, const LoadLawOptions& options);
 
 }  // namespace contact::detail

@@ -7,7 +7,7 @@
 
 #include "libcontact/load_law/formula.hpp"
 
-/// The friction of a ball by its load.
+/// The friction of a ball as a function of its load.
 ///
 /// T = tan(theta0/2) is a polynomial in t, the logarithm of R_n. The power
 /// Phi of friction over rho R_n |Dw| is a polynomial in e and x on each side of
@@ -15,8 +15,8 @@
 /// moment. e is t, T (on [-1, 1]) or their mean. Near the rim Phi has a term
 /// x^(7/2), by which it is smooth: inside by 1 - cos a over the contact's.
 ///
-/// Slopes stand beside what they are slopes of, in CONTACT_KEPT() where they
-/// are wanted: Vx is dV/dx, Vxe its slope over e.
+/// Derivatives follow their functions, in CONTACT_KEPT() if they are needed: Vx
+/// is dV/dx, Vxe its slope over e.
 // clang-format off
 #define CONTACT_KEPT(...) __VA_ARGS__
 #define CONTACT_LEFT_OUT(...)
@@ -158,7 +158,7 @@
 
 // Slopes of Phi and of the force over a and l = ln R_n, by those over x and e,
 // and the derivatives of M as in docs/explanation/joint.md: sums of products of
-// two vectors each, of which A is a component.
+// two vectors each; A stands for a component.
 #define CONTACT_BALL_SLOPES                                                  \
   CONTACT_BALL_AT(CONTACT_KEPT)                                              \
   Tl = load == held ? Te / half : 0;                                         \

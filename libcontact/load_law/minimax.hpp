@@ -11,11 +11,11 @@ namespace contact::detail {
 
 struct MinimaxFit {
   Eigen::VectorXd numbers;
-  double error;  ///< the largest residual; of pairs the root of both squares
+  double error;  ///< largest residual; for pairs the norm of both
 };
 
-/// The numbers x with the least largest residual |A x - b|, to some per cent,
-/// by least squares whose weights grow with the residuals (Lawson 1961).
+/// Numbers x that minimise the largest residual |A x - b|, to some per cent, by
+/// least squares with weights that grow with the residuals (Lawson 1961).
 /// @param rows_of_one  1, or 2: the upper and the lower half of the rows are
 ///                     components of one residual
 MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
@@ -24,19 +24,20 @@ MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
 /// Columns y, x y, x^2 y, ...
 Eigen::MatrixXd powers(const Eigen::ArrayXd& x, int count,
                        const Eigen::ArrayXd& y);
-/// Points of (0, 1), denser at both ends.
+/// Points in (0, 1), denser at both ends.
 Eigen::ArrayXd nodes(int count);
 
-/// f0 and adhesion of dry friction, else 0: of other laws the caller knows f.
+/// f0 and adhesion of dry friction, else 0: for other laws the caller knows f.
 FrictionLaw dry_friction(const Joint& joint);
-/// @throws Error of a joint with rims or ends, which no load alone decides on
+/// @throws Error for a joint with rims or ends, whose friction does not depend
+///         on the load alone
 void check_endless(const Joint& joint);
-/// The loads given, or else usual ones, as multiples of `unit`.
+/// The given loads, or default loads as multiples of `unit`.
 /// @throws Error unless 0 < low < high
 std::pair<double, double> loads_of(
     const std::optional<std::pair<double, double>>& given, double unit,
     double low, double high);
-/// A law with all its numbers has errors of `best`.
+/// Message for an error that a law with all its numbers, `best`, cannot reach.
 Error out_of_reach(double wanted, double best);
 
 }  // namespace contact::detail

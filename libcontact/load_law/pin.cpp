@@ -135,7 +135,7 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
   const JointContact& contact = pin.contact();
   const bool sticks = detail::dry_friction(pin).adhesion() > 0;
   PinLoadLaw law;
-  // What a clearance needs is known for all loads.
+  // Pins with a clearance need no range: one law holds for all loads.
   law.loads = detail::loads_of(loads, unit_force(contact), sticks ? 1e-3 : 1e-6,
                                sticks ? 10 : 1e4);
   law.radius = contact.geometry().radius();

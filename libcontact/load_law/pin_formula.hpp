@@ -8,12 +8,12 @@
 
 namespace contact::detail {
 
-/// The formula of a law, of `load` and `f` for `moment` and `slope`, and what
-/// its constants are.
+/// The formula of a law, from `load` and `f` to `moment` and `slope`, and its
+/// constants.
 std::string_view pin_formula(const PinLoadLaw& law);
 Constants pin_constants(const PinLoadLaw& law);
 
-/// {M, N m, dM/dR, m} of the formula in double or float.
+/// {M in N m, dM/dR in m} by the formula in double or float.
 template <class Real>
 std::pair<Real, Real> pin_moment(const PinLoadLaw& law, Real load, Real f);
 

@@ -7,8 +7,8 @@
 
 namespace contact::detail {
 
-/// The polar angles that a grid covers: a zone, or the part of it about a
-/// contact that is much narrower, which has no rim at its other end.
+/// Polar angles that a grid covers: a zone, or the part of a zone about a much
+/// narrower contact, which has no rim at its other end.
 struct SeatWindow {
   explicit SeatWindow(const SeatZone& zone)
       : from(zone.from()),
@@ -29,11 +29,11 @@ struct SeatWindow {
 ///
 ///     g = prod sqrt(1 + b/s),   s = distance from the rim, rad,
 ///
-/// and the mean of w_i over the cell's surface 1. Where the body ends at the
-/// rim too there is no punch, and g = 1.
+/// and the mean of w_i over the cell's surface is 1. If the body ends at the
+/// rim too, the pressure has no singularity, and g = 1.
 struct SeatCells {
-  /// @param count      of even cells over the window; those near a rim shrink
-  ///                   by 1.25 from one to the next, so that there are more
+  /// @param count      of even cells over the window; cells near a rim shrink
+  ///                   by 1.25 from one to the next, so the grid has more cells
   /// @param thickness  of the thinner surface layer over the radius; infinite
   ///                   without layers
   SeatCells(const SeatWindow& window, int count, double thickness);
@@ -41,7 +41,7 @@ struct SeatCells {
   int size() const { return static_cast<int>(mean_shape.size()); }
   /// g(v)
   double shape(double v) const;
-  /// lim g sqrt(s) at a rim: 0 the lower, 1 the upper one; 0 where g = 1.
+  /// lim g sqrt(s) at the lower (0) or upper (1) rim; 0 if g = 1.
   double rim_shape(int rim) const;
   int rim_cell(int rim) const { return rim == 0 ? 0 : size() - 1; }
   /// Smallest cell, rad.
@@ -53,12 +53,12 @@ struct SeatCells {
     Eigen::ArrayXd weight;  ///< w_i sin v dv
     Eigen::ArrayXi cell;
   };
-  /// @param degree  of the Legendre functions that it has to take
+  /// @param degree  of the Legendre functions that the rule integrates
   Rule rule(int degree) const;
 
   SeatWindow window;
   double edge_width;     ///< b, rad
-  Eigen::ArrayXd bound;  ///< v between the cells, size() + 1
+  Eigen::ArrayXd bound;  ///< boundaries v of the cells, size() + 1
   /// a_i, and the moments of w_i sin v: of 1, sin v, cos v.
   Eigen::ArrayXd mean_shape, unit, sine, cosine;
   /// The means of v and v^2 with the weight w_i sin v.

@@ -16,17 +16,17 @@ namespace contact::detail {
 ///     A_m = sum_{n >= m} c_n B_n B_n^T,  B_i,n = ∫ w_i N_nm(cos v) sin v dv,
 ///
 /// c_n of LayerCompliance for both bodies, N_nm normalised Legendre functions,
-/// ∫ N_nm^2 dz = 1. Beyond the degree where the sum stops it goes on with
-/// c_n = 1/n and the singularities of w_i at rims and its jumps between cells.
+/// ∫ N_nm^2 dz = 1. Beyond the last degree the sum continues with c_n = 1/n,
+/// the singularities of w_i at rims and its jumps between cells.
 struct SeatCompliance {
   /// @param order      M, the largest m
-  /// @param side_face  what is added where the body ends at the rims; may be
-  ///                   null
+  /// @param side_face  compliance of side faces if the body ends at the rims;
+  ///                   may be null
   SeatCompliance(const LayeredPair& pair, const SeatCells& cells, int order,
                  const SideFaceCompliance* side_face = nullptr);
 
   std::vector<Eigen::MatrixXd> matrix;   ///< A_m
-  std::vector<Eigen::MatrixXd> inverse;  ///< A_m^-1, made regular: see there
+  std::vector<Eigen::MatrixXd> inverse;  ///< A_m^-1, regularised, see there
   int degree;                            ///< degree of the last harmonic
 };
 

@@ -418,7 +418,7 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   return all;
 }
 
-// Of a rim whose side face counts.
+// Adds notes for a rim with a side face that has an effect.
 void SeatContact::add_side_face_notes(const SeatState& state, int rim,
                                       std::vector<std::string>& all) const {
   const double corner = zone_.side_angle(rim);
@@ -452,7 +452,8 @@ void SeatContact::add_rounding_notes(const SeatState& state, int rim,
                                   rim_names[rim], note));
   }
   constexpr double millimetre = 1e-3;
-  // The punch's edge is that of a half-space, and a small part of the contact.
+  // The formula assumes a half-space and an edge that is a small part of the
+  // contact.
   constexpr double largest_share = 0.1;
   const double width = radius_ * (state.upper_end - state.lower_end);
   if (of.reach <= largest_share * std::min(width, surface_layer_)) return;

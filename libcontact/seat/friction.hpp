@@ -10,16 +10,16 @@
 
 namespace contact::detail {
 
-/// Sums over a contact for one slip axis w, e = w x r/|w x r| the direction of
-/// slip at the unit vector r.
+/// Integrals over a contact for one slip axis w; e = w x r/|w x r| is the
+/// direction of slip at the unit vector r.
 struct SeatSlip {
   Eigen::Vector3d force;   ///< f = ∫ e dm
   Eigen::Vector3d moment;  ///< m = ∫ r x e dm
 };
 
-/// The harmonics N_nm(cos v) cos(m phi), n < degrees, of what is alike on both
-/// sides of the plane of the load. Their numbers lie in blocks of `lanes`
-/// orders, which are reckoned at once; those of n < m are 0.
+/// The harmonics N_nm(cos v) cos(m phi), n < degrees, for functions symmetric
+/// about the plane of the load. Their coefficients lie in blocks of `lanes`
+/// orders, which are computed at once; coefficients with n < m are 0.
 class SeatBasis {
  public:
   static constexpr int lanes = 8;
@@ -30,19 +30,19 @@ class SeatBasis {
 
   int degrees() const { return degrees_; }
   Eigen::Index size() const { return up_.size(); }
-  /// Index of the number of N_nm, n >= m.
+  /// Index of the coefficient of N_nm, n >= m.
   Eigen::Index index(int n, int m) const;
   /// N_nm at a polar angle.
   Eigen::ArrayXd functions(double v) const;
 
-  /// Factors that turn the harmonics of dm (p dS, or dS) into those of
+  /// Factors that turn the harmonics of dm (p dS, or dS) into the harmonics of
   ///
   ///     Phi = ∫ |w x r| dm (n even),   Xi = ∫ asin(w.r) dm (n odd)
   ///
   /// as functions of w (Funk and Hecke).
   const Eigen::ArrayXd& factors() const { return factors_; }
 
-  /// Turns harmonics into those of the mirror image across the equator.
+  /// Turns harmonics into the harmonics of the mirror image across the equator.
   void mirror(Eigen::ArrayXd& c) const;
 
   /// m = w Phi + grad Phi, f = w x grad Xi.
@@ -61,7 +61,7 @@ class SeatBasis {
 };
 
 /// Contribution of each cell of a grid to each harmonic, from pressures and
-/// from covered area: a number of the basis in each column.
+/// from covered area: a coefficient of the basis in each column.
 struct SeatMoments {
   SeatMoments(const SeatCells& cells, const SeatBasis& basis);
 
@@ -82,14 +82,14 @@ struct SeatMoments {
                            const Eigen::MatrixXd& of) const;
 };
 
-/// The harmonics of contacts, times factors(): those of p dS in N, those of
-/// dS over the squared radius.
+/// Harmonics of contacts, times factors(): harmonics of p dS in N, and of dS
+/// over the squared radius.
 struct SeatHarmonics {
   Eigen::ArrayXd pressure, area;
 };
 
-/// Makes them, with the moments of each grid, which it keeps. Any number of
-/// threads may ask.
+/// Computes SeatHarmonics with the moments of each grid, which it keeps. Any
+/// number of threads may share it.
 class SeatSums {
  public:
   explicit SeatSums(int degrees) : basis_(degrees) {}
@@ -111,7 +111,7 @@ inline double polar_angle(const Eigen::Vector3d& force) {
   return std::atan2(std::hypot(force.x(), force.y()), force.z());
 }
 
-/// Axes of the plane of a force: x is that of its component across the seat's
+/// Axes of the plane of a force: x lies along its component across the seat's
 /// axis z.
 inline Eigen::Matrix3d plane_axes(const Eigen::Vector3d& force) {
   const double across = std::hypot(force.x(), force.y());

@@ -65,8 +65,8 @@ double SeatPatchSolver::overlap(Eigen::Vector2d shift) const {
   return gap_side(shift).cwiseQuotient(unit_).maxCoeff();
 }
 
-// Q A_m Q of what is 0 beyond some columns; the same columns of the result, or
-// all of them.
+// Q A_m Q applied to a matrix that is 0 beyond some columns; returns the same
+// columns of the result, or all of them.
 SeatPatchSolver::Map SeatPatchSolver::apply(const std::vector<Map>& by_order,
                                             const Map& of, int columns) const {
   const auto leading = std::min<Eigen::Index>(columns, of.cols());

@@ -7,14 +7,13 @@
 
 namespace contact::detail {
 
-/// A pressure on a seat and what it carries, in the plane of load and shift.
+/// A pressure on a seat with its force and shift, in the plane of the load.
 struct SeatPatch {
   SeatPatch() = default;
   explicit SeatPatch(const Eigen::Vector2d& at) : shift(at) {}
 
   /// p_i at the longitudes pi j/M, (i, j), in units of E/(4 rho) per metre of
-  /// shift: a cosine polynomial in the longitude, alike on both sides of the
-  /// plane.
+  /// shift: a cosine polynomial in the longitude, symmetric about the plane.
   Eigen::MatrixXd pressure;
   /// 1 in contact, 0 outside.
   Eigen::ArrayXXd contact;
@@ -25,13 +24,13 @@ struct SeatPatch {
 };
 
 /// The contact of a ball in a seat that ends, for a given shift D of its centre
-/// from where the two are concentric:
+/// from the concentric position:
 ///
 ///     u = D.r - eps, p > 0   or   u >= D.r - eps, p = 0      in the zone,
 ///
-/// u what p presses in, as mean over each cell at each longitude. Solved by
-/// conjugate gradients on the set of cells in contact, which is improved until
-/// no pressure pulls and nothing overlaps outside
+/// with the displacement u under p, as the mean over each cell at each
+/// longitude. Conjugate gradients solve on the set of cells in contact, which
+/// changes until no pressure is negative and no cell outside overlaps
 /// (docs/internals/seat_methods.md).
 class SeatPatchSolver {
  public:
@@ -42,24 +41,24 @@ class SeatPatchSolver {
                   int order, double clearance,
                   const SideFaceCompliance* side_face = nullptr);
 
-  /// The contact at a shift, from the contact that it was in before.
+  /// Contact at a shift, starting from the contact in `patch`.
   void solve(Eigen::Vector2d shift, SeatPatch& patch) const;
 
-  /// The contact under a force, from the shift that the patch has.
+  /// Contact under a force, starting from the shift of the patch.
   /// @param force  F_x, F_z in the units of SeatPatch
   void balance(Eigen::Vector2d force, SeatPatch& patch) const;
 
-  /// dF/dD of the set in contact: within 1e-3 to 5e-3, as its edge moves by
-  /// whole cells.
+  /// dF/dD of the set in contact: within 1e-3 to 5e-3, because its edge moves
+  /// by whole cells.
   Eigen::Matrix2d tangent(const SeatPatch& patch) const;
 
-  /// The largest D.r - eps over the cells, m; below 0 there is no contact.
+  /// Largest D.r - eps over the cells, m; negative: no contact.
   double overlap(Eigen::Vector2d shift) const;
 
   const SeatCells& cells() const { return cells_; }
   int order() const { return order_; }
   double longitude(int j) const;
-  /// Weight of a node in sums over the whole turn, rad.
+  /// Weight of a node in integrals over all longitudes, rad.
   double longitude_weight(int j) const;
 
  private:

@@ -23,8 +23,8 @@ bool lies_in(double x, double from, double to) {
   return x >= from - rounding && x <= to + rounding;
 }
 
-// Displacement of a wedge's tip under a force there, over that of a half-plane
-// and less it: how much a corner yields more than the seat that goes on.
+// Displacement of a wedge's tip under a force there minus the displacement of a
+// half-plane: additional compliance of a corner over the continued seat.
 double yielding(double corner) {
   const double s = std::sin(corner / 2), c = std::cos(corner / 2);
   return 2 * s * s / (corner + std::sin(corner)) +

@@ -35,8 +35,8 @@ Shape shape(double x, double y) {
   return n;
 }
 
-// Of an elastic body, with the strains of ring_stiffness: along x, z, around,
-// then twice the shears xz, x around, z around.
+// Elastic matrix for the strains of ring_stiffness: along x, z, around, then
+// twice the shears xz, x around, z around.
 Eigen::Matrix<double, 6, 6> stiffness_of(const Material& material,
                                          double unit) {
   // Nearer to 1/2 only rounding would change.

@@ -15,7 +15,7 @@
 
 namespace contact::detail {
 
-/// The grids of a seat that ends: alike for all frictions.
+/// Grids of a seat that ends; they do not depend on friction.
 struct SeatGrids {
   /// @throws Error as SeatContact
   explicit SeatGrids(const JointSpec& joint,
@@ -25,12 +25,12 @@ struct SeatGrids {
   SeatSums sums;
 };
 
-/// A contact that was found at a rim, with what friction needs of it; or the
-/// axes alone of a contact that is off the rims.
+/// A contact at a rim with the data for friction; or only the axes of a contact
+/// away from the rims.
 struct SeatFound final : ContactWork {
   std::shared_ptr<const ContactWork> without_grid() const override;
 
-  /// From the seat's axes, z its own, to those of the solution.
+  /// Rotation from the seat's axes, z along its axis, to the solution's axes.
   Eigen::Matrix3d to_solution = Eigen::Matrix3d::Identity();
   bool is_at_rim = false;
   SeatState state;  ///< in the seat's axes
@@ -39,9 +39,9 @@ struct SeatFound final : ContactWork {
   int evaluations = 0;
 };
 
-/// A joint (docs/explanation/joint.md) whose seat ends: with the force F on the
-/// seat, any vector, and s = 1 if the carrier has the ball, -1 if the body has
-/// it,
+/// A joint (docs/explanation/joint.md) with a seat that ends: for the force F
+/// on the seat, any vector, and s = 1 if the carrier has the ball, -1 if the
+/// body has it,
 ///
 ///     R = s F + R_t(F, Dw).
 ///
@@ -115,7 +115,7 @@ class SeatModel final : public ContactModel {
   std::shared_ptr<const SeatGrids> grids_;
   Joint endless_;
   double side_;              // s
-  Eigen::Matrix3d to_body_;  // from the seat's axes to those of its body
+  Eigen::Matrix3d to_body_;  // from the seat's to its body's axes
   std::shared_ptr<const SeatTable> table_;
 };
 

@@ -14,12 +14,13 @@ namespace {
 
 using Eigen::MatrixXd;
 
-// The two parts of the body: what is left, and what the side faces cut off.
+// The two parts of the body: the remaining part, and the part cut off by the
+// side faces.
 enum Part { left, cut_off };
 
-// Numbers of the displacements of one part, column by column, so that its
-// stiffness has blocks on three diagonals only; those of the faces between the
-// parts have numbers of their own.
+// Numbering of the displacements of one part, column by column, so that its
+// stiffness has blocks on only three diagonals; displacements of the faces
+// between the parts are numbered separately.
 class Numbering {
  public:
   Numbering(const SideFaceMesh& mesh, int m)
@@ -79,8 +80,8 @@ class Numbering {
   int faces_ = 0;
 };
 
-// Stiffness of a part in its blocks, with the loads it is to be solved for;
-// the first ones are those of the faces.
+// Stiffness of a part in its blocks, with the loads of the solution; the loads
+// of the faces come first.
 struct Blocks {
   Blocks(const std::vector<int>& sizes, int loads) {
     for (std::size_t k = 0; k < sizes.size(); ++k) {
@@ -240,9 +241,9 @@ SideFaceCompliance::SideFaceCompliance(const LayeredPair& pair,
   }
 }
 
-// Of those between two orders that are solved: the cubic through four of these
-// over the logarithm of m + 1. Beside all orders of a cup, a ring and a liner
-// within 6e-3 of the largest.
+// Interpolates between solved orders by the cubic through four of them over the
+// logarithm of m + 1. Within 6e-3 of the largest, compared with all orders of a
+// cup, a ring and a liner.
 void SideFaceCompliance::for_parts(
     int m, const std::function<void(double, std::size_t)>& take) const {
   const auto at = std::lower_bound(orders_.begin(), orders_.end(), m);

@@ -11,28 +11,28 @@
 
 namespace contact::detail {
 
-/// How much more the body of a seat yields that ends at its rims, with side
-/// faces that are free, than the one of SeatCompliance, which goes on beyond
-/// them. Order by order in longitude
+/// Additional compliance of a seat whose body ends at its rims, with free side
+/// faces, over SeatCompliance, whose body extends beyond them. For each order m
+/// in longitude
 ///
-///     dA_m = (A_m of the body that ends) - (A_m of the body that goes on)
+///     dA_m = (A_m of the truncated body) - (A_m of the continued body)
 ///          = G^T (H_m + S_m^-1) ^-1 G,
 ///
-/// G the displacement of the side faces of the body that ends under pressures
-/// on the seat, H_m its compliance there, S_m the stiffness of what would go
-/// on: a difference without cancellation, never negative at the orders that are
-/// solved; those between are interpolated. From finite elements
-/// of eight nodes on one mesh for both parts, with walls, liners and backing as
-/// they are. Side faces are cones, SeatZone::side_angle() to the seat; they cut
-/// the layers, and of a body without layers all of it. An elastic backing
-/// behind layers goes on beside them, or ends as SeatEdge::housing has it.
+/// with the displacement G of the side faces of the truncated body under
+/// pressures on the seat, its compliance H_m there, and the stiffness S_m of
+/// the removed part. The difference has no cancellation and is never negative
+/// at the solved orders; the others are interpolated. Eight-node finite
+/// elements on one mesh serve both parts, with walls, liners and backing. Side
+/// faces are cones at SeatZone::side_angle() to the seat; they cut all layers,
+/// or the whole body if it has no layers. An elastic backing behind layers
+/// continues beside them, or ends according to SeatEdge::housing.
 ///
 /// Elements follow the rim down to a thousandth of the radius or a 15th of the
-/// surface layer. Measured: docs/explanation/seats.md, "Free side faces".
+/// surface layer. Measured errors: docs/explanation/side_faces.md.
 class SideFaceCompliance {
  public:
-  /// Of a mesh without a SideFaceMesh::refusal().
-  /// @param coarser  elements at the rim, times
+  /// Requires a mesh without a SideFaceMesh::refusal().
+  /// @param coarser  factor on the size of elements at the rim
   SideFaceCompliance(const LayeredPair& pair, const SeatZone& zone, int order,
                      double coarser = 1);
 
@@ -44,9 +44,9 @@ class SideFaceCompliance {
   struct Point {
     double angle, longitude, force;
   };
-  /// How much more the points of a pressure's rule are pressed in, in units of
-  /// 4 rho/E. The pressure is alike on both sides of longitude 0; the points
-  /// are those of one side, with the forces of both.
+  /// Additional displacement at the points of a pressure's rule, in units of 4
+  /// rho/E. The pressure is symmetric about longitude 0; the points are on one
+  /// side and have the forces of both.
   Eigen::VectorXd under(const std::vector<Point>& points) const;
 
  private:
@@ -57,7 +57,7 @@ class SideFaceCompliance {
                  const std::function<void(double, std::size_t)>& take) const;
 
   Eigen::ArrayXd nodes_;                 // polar angles on the seat
-  std::vector<int> orders_;              // those that are solved
+  std::vector<int> orders_;              // solved orders
   std::vector<Eigen::MatrixXd> matrix_;  // by nodes
 };
 

@@ -33,9 +33,9 @@ std::vector<double> reversed(std::vector<double> sizes) {
   return sizes;
 }
 
-// What an infinite body is held at: displacements there are as small. Behind
-// layers, in their thicknesses: what is cut off of them moves the backing near
-// to it only, dA to 6e-3.
+// Distance at which an infinite body is held: displacements there are small.
+// Behind layers, in units of their thickness: the removed part of the layers
+// moves the backing only nearby, dA to 6e-3.
 constexpr double far_end = 1e3;
 constexpr double far_layers = 30;
 

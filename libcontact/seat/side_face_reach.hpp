@@ -10,31 +10,32 @@
 namespace contact::detail {
 
 /// Contacts that are too far from free side faces for these to change their
-/// pressures. What such a side face yields more beneath them, du, is that of a
-/// shift of the ball, du = D.r, but for a rest that is small beside the
-/// approach: in first order the pressure stays, and the shift grows by D.
-/// From coarse elements (du to 1e-2), with a pressure of Hertz' shape.
+/// pressures. The additional displacement du under such a contact equals a
+/// shift of the ball, du = D.r, except for a remainder that is small compared
+/// with the approach: in first order the pressure does not change, and the
+/// shift grows by D. Uses coarse elements (du to 1e-2) and a pressure of Hertz'
+/// shape.
 class SideFaceReach {
  public:
-  /// Largest rest, root of the mean square, over the approach: pressures change
+  /// Largest remainder (root mean square) over the approach: pressures change
   /// by less than the grid's error, 3e-3 (seat/side_face_test.cpp).
   static constexpr double largest_rest = 5e-4;
 
-  /// dF/da of a half-angle, N/m; NaN where it is unknown: such contacts are
-  /// near at any distance.
+  /// dF/da of a half-angle, N/m; NaN if unknown: such contacts count as near at
+  /// any distance.
   using Stiffness = std::function<double(double half_angle)>;
 
   SideFaceReach(const LayeredPair& pair, const SeatZone& zone,
                 const Stiffness& stiffness);
 
-  /// Largest half-angle of contacts that are far, rad.
+  /// Largest half-angle of far contacts, rad.
   /// @param direction  polar angle of the load, in the zone
   double half_angle(double direction) const;
 
-  /// How much more a contact yields.
+  /// Additional displacement of a contact.
   struct More {
     Eigen::Vector2d shift;  ///< D over the load, in its plane: x, z; m/N
-    double rest;            ///< the rest of du, over the load
+    double rest;            ///< remainder of du over the load
   };
   More more(double direction, double half_angle) const;
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -19,34 +20,34 @@ class SeatSums;
 struct SeatHarmonics;
 }  // namespace detail
 
-/// The contacts of a seat that reach a rim, over the size and the direction of
-/// the load: made once, then read in 8 to 12 us, 17 us with adhesion, for
-/// friction about any slip axis in 4 to 6 us more. Squares of 4 x 4 states,
-/// which are halved until a state in the middle of each is found with a quarter
-/// of the accuracy that is asked for; cubic between.
+/// Contacts of a seat that reach a rim, over the size and the direction of the
+/// load. The table is built once; reading a contact takes 8 to 12 us, 17 us
+/// with adhesion, and friction about any slip axis 4 to 6 us more. It consists
+/// of squares of 4 x 4 states with cubic interpolation. Squares are halved
+/// until the error in the middle of each is a quarter of the required accuracy.
 ///
-/// Across the seat's axis all directions are alike, and the two sides of a zone
-/// that is symmetric too.
+/// All directions across the seat's axis are equivalent, and so are the two
+/// sides of a symmetric zone.
 class SeatTable {
  public:
   using Options = RimTableOptions;
   using Check = RimTableCheck;
 
-  /// @param contact  has to outlive the table
+  /// @param contact  must outlive the table
   /// @throws Error without a clearance, and for options out of range.
   SeatTable(const SeatContact& contact, const Options& options);
-  /// A table that was made before.
-  /// @param bytes  what bytes() gave on a machine of the same kind
-  /// @throws Error if they are not a table, or one of another joint.
+  /// Restores a table.
+  /// @param bytes  from bytes() on a machine of the same kind
+  /// @throws Error if they are no table, or a table of another joint.
   SeatTable(const SeatContact& contact, const JointSpec& joint,
             std::string_view bytes);
   ~SeatTable();
 
-  /// The table for a file: the joint's canonical text, then its numbers.
-  /// @param joint  that the contact was made for
+  /// The table as bytes for a file: the joint's canonical text, then numbers.
+  /// @param joint  of the contact
   std::string bytes(const JointSpec& joint) const;
 
-  /// States that were found.
+  /// Number of states.
   int size() const;
   const Check& check() const { return check_; }
 
@@ -54,14 +55,14 @@ class SeatTable {
   /// within 10 % of the largest that a seat carries are never covered.
   bool covers(const Eigen::Vector3d& force) const;
 
-  /// A contact that is covered; longitudes of maxima, and where the load
-  /// pierces the seat, are not known.
-  /// @return whether it is covered; else nothing happens
+  /// Reads a covered contact; longitudes of maxima, and the pressure where the
+  /// load pierces the seat, are unknown.
+  /// @return whether it is covered; if not, `state` does not change
   bool find(const Eigen::Vector3d& force, SeatState& state) const {
     return find(force, state, nullptr, false);
   }
-  /// The same with its harmonics, which Joint takes.
-  /// @param has_area  whether those of the area are wanted
+  /// As above, with the harmonics for Joint.
+  /// @param has_area  whether the harmonics of the area are needed
   bool find(const Eigen::Vector3d& force, SeatState& state,
             detail::SeatHarmonics* harmonics, bool has_area) const;
   const detail::SeatBasis& basis() const;

@@ -126,7 +126,7 @@ class SeatTable::Maker {
     return found->second;
   }
 
-  // A square of which a part reaches a rim.
+  // Whether a part of a square reaches a rim.
   bool is_wanted(const Square& s) const {
     for (int n = 0; n < 16; ++n) {
       const double part = s.size / 3.0;

@@ -9,7 +9,7 @@
 namespace contact {
 namespace detail {
 
-/// Steps of the largest squares, which may be halved this often.
+/// Steps of the largest squares; they may be halved this many times.
 inline constexpr int table_halvings = 6;
 inline constexpr int largest_square = 3 << table_halvings;
 

@@ -13,26 +13,26 @@
 
 namespace contact::detail {
 
-/// A contact on a seat with the grid that it was found on.
+/// A contact on a seat with its grid.
 struct SeatSolution {
   std::shared_ptr<const SeatPatchSolver> solver;
   SeatPatch patch;
 };
 
-/// The grids of one seat: one over its whole zone, and for contacts that lie at
-/// one rim and are much narrower than the zone finer ones about them, all made
-/// when first asked for and kept. Any number of threads may ask.
+/// Grids of one seat: one over its whole zone, and finer grids about contacts
+/// at one rim that are much narrower than the zone. Grids are built on first
+/// use and kept. Any number of threads may share the object.
 class SeatWindows {
  public:
   SeatWindows(const LayeredPair& pair, const SeatZone& zone, int cells,
               int order, double clearance);
 
-  /// The contact under a force, from the one that is there, if there is one.
+  /// Contact under a force, starting from `solution`, if any.
   /// @param force  F_x >= 0, F_z, N
-  /// @return whether it was found to full accuracy
+  /// @return whether it converged to full accuracy
   bool balance(Eigen::Vector2d force, SeatSolution& solution) const;
 
-  /// Number of those that were made.
+  /// Number of grids built so far.
   std::size_t grids() const;
 
   const LayeredPair& pair() const { return pair_; }

@@ -11,10 +11,10 @@
 
 namespace multibody {
 
-/// One body on an axis, (1.6)-(1.8), eliminating the turn about the axis
-/// only: the body counts as one piece with the carrier, less p p^T/J_zz for
-/// the turn it is free to make. J_i is never inverted, so its inertia may
-/// vanish. With w the angular velocity and t' the rate of the angle,
+/// One body on an axis, (1.6)-(1.8), eliminating only the rotation about the
+/// axis: the body counts as one piece with the carrier, minus p p^T/J_zz for
+/// its free rotation. J_i is never inverted, so its inertia may vanish. With w
+/// the angular velocity and t' the rate of the angle,
 ///   G = F - m a,           a: acceleration of the centre of mass,
 ///   K = M_com - I (w' bias) - w x I w,
 ///   tau = M_t,z + K_z - arm G_y   (both for V' = w' = t'' = 0),
@@ -72,8 +72,8 @@ class AxisLink {
     tau_ = friction_.z + moment_.z - k_.arm * g_.y;
   }
 
-  /// The body's part of the carrier's right-hand sides: force and moment
-  /// about the foot that the body cannot take up by turning.
+  /// The body's part of the carrier's right-hand sides: force and moment about
+  /// the foot that the rotation of the body does not balance.
   void add_to(CarrierForces<T>& forces) const {
     const Sym3<P>& i = k_.inertia;
     const T t = k_.inverse_jzz * tau_;
@@ -106,7 +106,7 @@ class AxisLink {
     matrix.f.yz += entry(&Sym3<P>::yz);
   }
 
-  /// Another moment of friction: only what it adds.
+  /// Changes the friction moment: computes only its effect.
   void add_friction(const Vec3<T>& change, CarrierForces<T>& forces) {
     friction_ += change;
     tau_ += change.z;
@@ -173,7 +173,7 @@ class HeldAxis : public HeldLink<T, P> {
   static constexpr bool serves(HingeKind kind, JointMode mode) {
     return kind == HingeKind::axis && mode == JointMode::held;
   }
-  /// Its numbers stay.
+  /// Its numbers do not change.
   template <class N>
   [[gnu::always_inline]] static void put_rates(const N*, int at, const Vec3<N>&,
                                                const BodyAcceleration<N>&,

@@ -98,7 +98,7 @@ class BallLink {
     matrix.f.yz += r.z * sx.z - r.x * sz.z;
   }
 
-  /// Another moment of friction: only what it adds.
+  /// Changes the friction moment: computes only its effect.
   void add_friction(const Vec3<T>& change, CarrierForces<T>& forces) {
     const T dx = k_.inverse_dx * (change.x - k_.ux * change.z);
     const T dy = k_.inverse_dy * (change.y - k_.uy * change.z);
@@ -167,7 +167,7 @@ class HeldBall : public HeldLink<T, P> {
   static constexpr bool serves(HingeKind kind, JointMode mode) {
     return kind == HingeKind::ball && mode == JointMode::held;
   }
-  /// Its numbers stay.
+  /// Its numbers do not change.
   template <class N>
   [[gnu::always_inline]] static void put_rates(const N*, int at, const Vec3<N>&,
                                                const BodyAcceleration<N>&,

@@ -20,30 +20,30 @@ class TreeKernel;
 /// tree by Forest. The work is proportional to the number of bodies; no call
 /// but the constructor, set_mode and the first evaluation allocates.
 ///
-/// Everything is in link axes (Link::axes). NaN in gives NaN out.
+/// All vectors are in link axes (Link::axes). NaN in gives NaN out.
 ///
 /// Accuracy: errors in units of the largest component of a quantity are at
 /// most 3.1e-14 against the dense reference in long double, L = 1 to 64, all
 /// kinds of joints (multibody/dynamics_test.cpp).
 class Dynamics {
  public:
-  /// All joints turn at first, bodies of their own are released.
+  /// At first all joints turn; bodies without a hinge are released.
   /// @param set  instruction set, a supported one
   explicit Dynamics(const System& system,
                     contact::InstructionSet set = contact::instruction_set());
 
   int size() const { return static_cast<int>(modes_.size()); }
-  /// Bodies hang on bodies.
+  /// Whether bodies hang on bodies.
   bool is_tree() const { return tree_ != nullptr; }
   JointMode mode(int body) const { return modes_[body]; }
   const std::vector<JointMode>& modes() const { return modes_; }
-  /// Changes what a joint does. Turning and held joints have the same numbers
-  /// in the state; releasing one changes the layout.
+  /// Changes the mode of a joint. Turning and held joints have the same numbers
+  /// in the state; releasing a joint changes the layout.
   void set_mode(int body, JointMode mode);
   const StateLayout& layout() const { return layout_; }
 
-  /// Full evaluation. Positions, velocities of the centres of mass and the
-  /// carrier's rotation do not matter here. Not for a fixed carrier, whose
+  /// Full evaluation, independent of positions, velocities of the centres of
+  /// mass and the carrier's rotation. Not for a fixed carrier, whose
   /// acceleration is prescribed: the opposite of gravity.
   /// @param state    layout().size() numbers
   /// @param forces  size() bodies
@@ -54,10 +54,10 @@ class Dynamics {
                            const ActiveForces<double>& forces,
                            const CarrierAcceleration<double>& carrier);
 
-  /// After evaluate(): moments of friction changed by `change`, link axes, one
-  /// for each body, ignored where a joint is held or released. Motion,
-  /// matrices and factors stay: only what the change adds is computed. Agrees
-  /// with a full evaluation to 1e-14 (multibody/dynamics_test.cpp).
+  /// After evaluate(): changes friction moments by `change`, link axes, one for
+  /// each body, ignored for held and released joints. Motion, matrices and
+  /// factors are reused: only the effect of the change is computed. Agrees with
+  /// a full evaluation to 1e-14 (multibody/dynamics_test.cpp).
   void add_friction(std::span<const Vec3<double>> change) {
     assert(static_cast<int>(change.size()) == size());
     kernel_->add_friction(change.data());
@@ -69,10 +69,9 @@ class Dynamics {
   const CarrierAcceleration<double>& carrier() const {
     return kernel_->carrier();
   }
-  /// After an evaluation in the present modes.
-  /// Angular acceleration of a body, link axes: derivative in link axes of the
-  /// relative angular velocity, (0, 0, t'') on an axis, 0 while held; of a
-  /// released body the absolute one. rad/s^2
+  /// After an evaluation in the present modes. Angular acceleration of a body,
+  /// link axes: derivative in link axes of the relative angular velocity, (0,
+  /// 0, t'') on an axis, 0 while held; absolute for a released body. rad/s^2
   Vec3<double> relative_acceleration(int body) const {
     return kernel_->relative_acceleration(body);
   }
@@ -99,17 +98,18 @@ class Dynamics {
     assert(static_cast<int>(to.size()) == size());
     kernel_->reactions(to.data());
   }
-  /// The same in rows; numbers beyond size() in the last packet may be written.
-  /// @param moment  null: not wanted
+  /// Reactions in rows; numbers beyond size() in the last packet may be
+  /// written.
+  /// @param moment  null: not needed
   void reactions(const VectorRows& force, const VectorRows* moment) const {
     kernel_->reactions(force, moment);
   }
   /// C_i: link axes to parent axes; 0 if released.
   Mat3<double> axes(int body) const { return kernel_->axes(body); }
 
-  /// Of a deeper tree alone, after an evaluation, which stays as it is: moments
-  /// of friction M_i = m_i + S_i R_i with the reactions R_i that all of them
-  /// cause, in O(size). Link axes.
+  /// Only for a deeper tree, after an evaluation, which does not change:
+  /// friction moments M_i = m_i + S_i R_i with the reactions R_i caused by all
+  /// of them, in O(size). Link axes.
   /// @param moments  m_i; ignored where a joint is held or released
   /// @param slopes   S_i, m; on an axis the row of z counts
   /// @param to       M_i; 0 where a joint is held or released
@@ -123,7 +123,7 @@ class Dynamics {
   StateLayout layout_;
   std::unique_ptr<const SystemConstants> constants_;
   std::unique_ptr<detail::DynamicsKernel> kernel_;
-  detail::TreeKernel* tree_ = nullptr;  // the kernel, of a deeper tree
+  detail::TreeKernel* tree_ = nullptr;  // kernel of a deeper tree
 };
 
 }  // namespace multibody

@@ -2,31 +2,31 @@
 
 #include "multibody/system/linear3.hpp"
 
-/// What the kernels of a forest work on (kernel/forest_kernel.hpp): numbers
-/// alone, the same for all instruction sets.
+/// Data of the kernels of a forest (kernel/forest_kernel.hpp): only numbers,
+/// the same for all instruction sets.
 namespace multibody {
 
 /// Motion and loads of a body, its own axes.
 struct ForestState {
-  /// v_parent = rotation v_body; of a root: v_inertial.
+  /// v_parent = rotation v_body; for a root v_inertial.
   Mat3<double> rotation{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-  /// Against the parent, rad/s; of a root: absolute. Held: not used.
+  /// Relative to the parent, rad/s; for a root absolute. Held: not used.
   Vec3<double> angular_velocity{};
   Vec3<double> force{};   ///< without gravity, N
   Vec3<double> moment{};  ///< about the com, N m
-  /// Moment of the hinge on the body about the hinge's centre, the opposite
-  /// on the parent: M = hinge_moment + slope R, with the reaction R. On an
-  /// axis the part along the axis counts; held: nothing.
+  /// Moment of the hinge on the body about the hinge's centre, the opposite on
+  /// the parent: M = hinge_moment + slope R, with the reaction R. On an axis
+  /// only the component along the axis has an effect; held: none.
   Vec3<double> hinge_moment{};
   Mat3<double> slope{};  ///< dM/dR, m
-  /// Of a fixed root: its accelerations, as ForestMotion has them.
+  /// Accelerations of a fixed root, as in ForestMotion.
   Vec3<double> acceleration{};
   Vec3<double> angular_acceleration{};
 };
 
 namespace detail {
 
-/// A vector as lanes of four load it.
+/// A vector padded for lanes of four.
 struct alignas(32) Padded {
   double x = 0, y = 0, z = 0, none = 0;
 };
@@ -36,39 +36,40 @@ struct PaddedMatrix {
 
 enum class ForestTurn { none, axis, ball };
 
-/// Constants of a body while its hinge does what it does, its own axes. The
-/// origin is the centre of its hinge, of a root that of mass.
+/// Constants of a body in a mode of its hinge, in its own axes. The origin is
+/// the centre of its hinge, for a root the centre of mass.
 struct ForestHinge {
   int parent;  ///< -1: a root
   ForestTurn turn;
   double mass;
-  Vec3<double> r;            ///< of the origin from the centre of mass
+  Vec3<double> r;            ///< origin from the centre of mass
   Vec3<double> mass_r;       ///< m r
-  Vec3<double> from_parent;  ///< of it from the parent's com, parent's axes
+  Vec3<double> from_parent;  ///< origin from parent's com, parent's axes
   Vec3<double> axis;         ///< unit vector of the turn
   Mat3<double> inertia;      ///< about the origin
 };
 
-/// A body of a forest between the two steps, in the axes of its root. What
-/// hangs on it included,
+/// A body of a forest between the two steps, in the axes of its root. Including
+/// its descendants,
 ///   R = a v' + b w' + force,   M = c v' + d w' + moment
-/// act on it at the origin. The row e = T^T (-S, 1) of its hinge's law
-/// M = m + S R takes the turn out of this.
+/// act on it at the origin. The row e = T^T (-S, 1) of its hinge's law M = m +
+/// S R eliminates the rotation.
 struct alignas(32) ForestPart {
   PaddedMatrix rotation;  ///< from its own axes
-  Padded r;               ///< of the origin from the centre of mass
-  Padded from_parent;     ///< of the origin from the parent's
+  Padded r;               ///< origin from the centre of mass
+  Padded from_parent;     ///< origin from the parent's origin
   Padded w;               ///< absolute angular velocity
-  /// Accelerations for those of the parent 0 and no turn.
+  /// Accelerations if the parent has none and the hinge does not turn.
   Padded linear_bias, angular_bias;
   PaddedMatrix a, b, c, d;
-  Padded own_force, own_moment;  ///< without those of the children
+  Padded own_force, own_moment;  ///< without the children
   Padded force, moment;
-  PaddedMatrix slope;  ///< S, where it is asked for
-  // What the elimination keeps, y and the rows about the parent's origin. A
-  // turn of 1 needs x and y; the rows say what motions of the parent turn it.
+  PaddedMatrix slope;  ///< S, if required
+  // Results of the elimination, y and the rows about the parent's origin. A
+  // unit rotation requires the load x and y; the rows give the rotation caused
+  // by motions of the parent.
   Padded axis, e;  ///< axis: T; -S^T T
-  double inverse;  ///< axis: 1 over what it needs about itself
+  double inverse;  ///< axis: 1 over its own inertia
   Padded x_force, y_moment, row_force, row_moment;  ///< axis
   PaddedMatrix inverse_ball, x_ball, y_ball;        ///< ball
   PaddedMatrix row_ball, row_arm;                   ///< ball

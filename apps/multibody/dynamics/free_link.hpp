@@ -8,7 +8,7 @@
 
 namespace multibody {
 
-/// A body of its own: Euler's equations, link axes. It takes no part in the
+/// A body without a hinge: Euler's equations, link axes. It does not enter the
 /// carrier's equations.
 template <class T, class P>
 class FreeLink {
@@ -48,7 +48,7 @@ class FreeLink {
   }
   /// Acceleration of the centre of mass without gravity, link axes.
   const Vec3<T>& linear_acceleration() const { return linear_; }
-  /// Absolute: there is nothing to be relative to.
+  /// Absolute, because the body has no hinge.
   Vec3<T> relative_acceleration(const CarrierAcceleration<T>&) const {
     return angular_;
   }

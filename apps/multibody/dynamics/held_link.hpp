@@ -7,9 +7,9 @@
 
 namespace multibody {
 
-/// One body that does not turn in its joint: the formulas of the axis with
-/// D = E, in which the body counts as one piece with the carrier and its
-/// moment M is what has to be held. A friction moment has no place here.
+/// One body that does not turn in its joint: the formulas of the axis with D =
+/// E, in which the body counts as one piece with the carrier and M is the held
+/// moment. Friction moments have no effect.
 template <class T, class P>
 class HeldLink {
  public:

@@ -39,8 +39,8 @@ struct Lanes {
   static Vec3<T> at(const Vec3<S>& v, int lane) {
     return {at(v.x, lane), at(v.y, lane), at(v.z, lane)};
   }
-  /// Vectors of a packet's bodies; of empty lanes what is beyond the last body,
-  /// or 0.
+  /// Vectors of a packet's bodies; in empty lanes the numbers beyond the last
+  /// body, or 0.
   template <class Packet>
   [[gnu::always_inline]] static Vec3<S> read(const Packet& packet,
                                              const VectorRows& rows) {
@@ -147,7 +147,7 @@ struct Lanes {
   }
 };
 
-/// The bodies of one kind in packets. Kernel is one of those of TwoStep.
+/// The bodies of one kind in packets. Kernel is a kernel of TwoStep.
 template <class T, class S, template <class, class> class KernelTemplate>
 class LinkGroup {
  public:
@@ -170,7 +170,7 @@ class LinkGroup {
   static constexpr bool serves(HingeKind kind, JointMode mode) {
     return Kernel::serves(kind, mode);
   }
-  /// Appends a body and says where it went; finish() makes the kernels.
+  /// Appends a body and returns its place; finish() builds the kernels.
   void add(int body, int offset, int& packet_index, int& lane) {
     if (lanes_used_ == width) {
       Packet& packet = packets_.emplace_back();

@@ -47,17 +47,17 @@ template <class T>
   turn_rates(state, q, at + StateLayout::angular_velocity, angular, to);
 }
 
-/// Rates of a hinge that is held.
+/// Rates of a held hinge.
 template <HingeKind kind, class T>
 [[gnu::always_inline]] inline void put_zeros(int at, T* to) {
   constexpr int n = StateLayout::link_size(kind, JointMode::held);
   for (int k = 0; k < n; ++k) to[at + k] = T(0.0);
 }
 
-/// Accelerations of a body that its rates are made of, its own axes.
+/// Accelerations of a body for its rates, in its own axes.
 template <class T>
 struct BodyAcceleration {
-  Vec3<T> linear;  ///< acceleration of a body of its own
+  Vec3<T> linear;  ///< acceleration of a body without a hinge
   Vec3<T> turn;    ///< relative angular acceleration
 };
 

@@ -98,7 +98,7 @@ void TreeKernel::set_state(const double* state,
                            const LinkForces<double>* bodies) {
   state_[0].angular_velocity = vector_at(state + StateLayout::angular_velocity);
   for (int i = 0; i < size(); ++i) {
-    // Of a released body it is a position.
+    // For a released body this number is a position.
     if (kinds_[i] == HingeKind::axis && modes_[i] != JointMode::released) {
       angles_[i] = state[layout_.offset(i)];
     }

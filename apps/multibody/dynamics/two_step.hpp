@@ -23,7 +23,7 @@ class TwoStep {
   using L = Lanes<T, S>;
 
  public:
-  /// @param system  has to outlive this object
+  /// @param system  must outlive this object
   explicit TwoStep(const SystemConstants& system) : system_(system) {
     bodies_.resize(system.size());
     for (int i = 0; i < size(); ++i) {
@@ -44,8 +44,8 @@ class TwoStep {
     sort_bodies();
   }
 
-  /// Full evaluation. Positions, velocities of the centres of mass and the
-  /// carrier's rotation do not matter here.
+  /// Full evaluation, independent of positions, velocities of the centres of
+  /// mass and the carrier's rotation.
   /// @param state  StateLayout::size() numbers
   /// @param bodies  size() times the 9 numbers of LinkForces
   void evaluate(const T* state, const CarrierActiveForces<T>& carrier,
@@ -77,9 +77,9 @@ class TwoStep {
     carrier_ = carrier;
   }
 
-  /// After evaluate(): moments of friction changed by `change`, link axes, 3
-  /// numbers for each body, ignored where a joint is held or released. Motion,
-  /// matrices and factors stay.
+  /// After evaluate(): changes friction moments by `change`, link axes, 3
+  /// numbers for each body, ignored for held and released joints. Motion,
+  /// matrices and factors are reused.
   void add_friction(const T* change) {
     [[maybe_unused]] static constexpr double none[3] = {};
     add_changes([&](const auto& packet) {
@@ -224,7 +224,7 @@ class TwoStep {
     return result;
   }
 
-  // Every body into the packets of what it does at the moment.
+  // Puts every body into the packets of its present mode.
   void sort_bodies() {
     for_groups([](auto& group) { group.clear(); });
     int offset = StateLayout::body_size;

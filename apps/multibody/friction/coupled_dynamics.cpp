@@ -25,7 +25,7 @@ constexpr double near_one = 0.5;
 bool is_unique_in_tree(Hinges& at) {
   FrictionMemory& memory = at.memory();
   if (memory.response_is_good_for-- <= 0) {
-    // A part of a turn at most, if steps are what they are elsewhere.
+    // Less than a turn, with steps of the usual length.
     constexpr int evaluations = 64;
     memory.response_is_good_for = evaluations;
     memory.tree_response = at.tree_response();
@@ -84,9 +84,9 @@ void fail_at(int body, Hinges& at) {
   report.force = force;
 }
 
-// Change of what was solved over that of all moments, each in units of its own
-// size; and the slopes of those hinges whose own moment changed notably, by
-// Broyden's update. Others changed with their neighbours.
+// Change of the solved moments over the change of all moments, each in units of
+// its size; and the slopes of hinges whose own moment changed notably, by
+// Broyden's update. Other hinges changed with their neighbours.
 void update_slopes(Hinges& at) {
   CoupledProgress& report = at.report();
   double dx = 0;
@@ -154,7 +154,7 @@ void set_steps(Hinges& at) {
   }
 }
 
-// What a hinge cannot hold, N m.
+// Moment that a hinge cannot hold, N m.
 double excess(int body, double tau, Hinges& at) {
   const Vec3<double>& held = at.reaction(body).moment;
   const double moment =
@@ -223,7 +223,7 @@ const CoupledReport& CoupledDynamics::find_friction(const double* state,
   }
   if (report.status == CoupledStatus::out_of_range ||
       report.status == CoupledStatus::no_contact) {
-    // The next evaluation does not start from what failed.
+    // The next evaluation does not start from the failed result.
     for (const int i : at.active()) at.memory(i).moment.setZero();
   } else if (report.status != CoupledStatus::ok || !is_unique(at)) {
     search(at);
@@ -384,14 +384,14 @@ Onset CoupledDynamics::begin_to_slide(int body, Hinges& at) {
   return onset;
 }
 
-// The resting hinge that is furthest beyond what it can hold; in a deeper tree,
-// where that of one is much to a neighbour, as a moment. -1: none is; or the
-// report says that one has no contact.
+// The resting hinge that exceeds its limit most; in a deeper tree by its excess
+// as a moment, because the excess of one hinge may be large for a neighbour.
+// -1: none, or the report names a hinge without a contact.
 int CoupledDynamics::worst_resting(bool due, Hinges& at) const {
-  // Half of the threshold: what the motion found on its way is above all of
-  // it, but for the error of dense output. Where that is larger the hinge goes
-  // on resting, and is looked at again from here. Hinges that are due at one
-  // instant, as those of bodies that mirror each other, are so together.
+  // Half of the threshold: a hinge found along the motion exceeds all of it,
+  // except for the error of dense output. If this error is larger, the hinge
+  // continues to rest, and is checked again from here. Hinges that are due at
+  // one instant, as in mirrored bodies, begin to slide together.
   const double share = due ? 0.5 : 1;
   int worst = -1;
   double most = at.is_tree() ? 0 : 1;
@@ -418,10 +418,10 @@ const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
   Hinges here = at(memory, evaluation);
   CoupledProgress& report = evaluation.report;
   std::vector<Onset> begun;  // in this call
-  // One change at a time, the worst first. For hinges whose friction is not
-  // so strong that several answers are possible, each change brings the rest
-  // nearer to what it should be; coming back to the same hinge again and
-  // again says otherwise.
+  // One change at a time, the worst first. If friction is not so strong that
+  // several solutions are possible, each change brings the other hinges closer
+  // to their final modes; returning to the same hinge repeatedly indicates
+  // several solutions.
   const int change_limit = (here.is_tree() ? 8 : 4) * size() + 8;
   for (int change = 0; change < change_limit; ++change) {
     find_friction(state, here);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -10,54 +11,55 @@ namespace multibody {
 
 /// When the outer loop stops.
 struct CoupledOptions {
-  /// Stop when every hinge's |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|),
-  /// or is sure to be after the step that has been made.
+  /// Stop when |M_t - M_t(R)| <= tolerance (|M_t| + |M_t(R)|) for every hinge,
+  /// or will certainly hold after the last step.
   double tolerance = 1e-10;
   int iteration_limit = 60;
-  /// A resting hinge begins to slide when its utilisation exceeds 1 by this:
-  /// above the rounding of tau, so that a moment right at the limit holds.
+  /// A resting hinge begins to slide when its utilisation exceeds 1 by this
+  /// amount: it is above the rounding of tau, so that a moment exactly at the
+  /// limit holds.
   double slip_threshold = 1e-10;
-  /// The same of a ball joint: above what the direction found for its sliding
-  /// leaves uncertain of its acceleration, so that it is clear where it goes.
+  /// The same for a ball joint: above the uncertainty of its acceleration from
+  /// the solved direction of sliding, so that the direction of its motion is
+  /// well defined.
   double ball_slip_threshold = 1e-8;
 };
 
-/// How an instant with friction came out.
+/// Outcome of an instant with friction.
 enum class CoupledStatus {
   ok,
-  /// The outer loop did not get there, and no search settled the matter.
+  /// The outer loop did not converge, and no search decided.
   not_converged,
-  /// No friction moments were found that fit the reactions they cause; on a
-  /// single axis there are none.
+  /// No friction moments consistent with their reactions were found; on a
+  /// single axis none exist.
   no_solution,
-  /// There are several; none is preferred.
+  /// Several exist; none is preferred.
   several_solutions,
   /// A number is not finite.
   out_of_range,
-  /// A joint's contact has no finite values under the force on it: its laws
-  /// end below.
+  /// A joint's contact has no finite values under its force: its laws end at
+  /// lower loads.
   no_contact,
 };
 
-/// Friction moments that fit the reactions they cause.
+/// Friction moments consistent with the reactions that they cause.
 struct CoupledSolution {
-  /// Moment of each body, link axes, N m; 0 where no friction is looked for.
+  /// Moment on each body, link axes, N m; 0 without unknown friction.
   std::vector<Eigen::Vector3d> moments;
 };
 
-/// How an evaluation went.
+/// Report of an evaluation.
 struct CoupledReport {
   CoupledStatus status = CoupledStatus::ok;
   int iterations = 0;  ///< friction of all hinges, then motion
-  /// Largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|), after the last step as it is
-  /// expected.
+  /// Largest |M_t - M_t(R)|/(|M_t| + |M_t(R)|), estimated after the last step.
   double residual = 0;
-  /// Largest ratio of the changes of M_t(R) to those of M_t between two
-  /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
+  /// Largest ratio of the changes of M_t(R) to the changes of M_t between two
+  /// iterations; at most kappa = |dM/dR||dR/dM| for one hinge.
   double contraction = 0;
   int body = -1;  ///< body that failed, -1: none in particular
-  /// no_contact: which joint of that body's hinge, what came of its contact,
-  /// and the force on it, N.
+  /// no_contact: the joint of that body's hinge, the status of its contact, and
+  /// its force, N.
   int joint = -1;
   contact::Status contact = contact::Status::ok;
   double force = 0;
@@ -77,7 +79,7 @@ struct OuterStep {
 
 /// Report of an evaluation in progress.
 struct CoupledProgress : CoupledReport {
-  std::vector<OuterStep>* trace = nullptr;  ///< null: none is wanted
+  std::vector<OuterStep>* trace = nullptr;  ///< null: no trace
   void start() { *this = {{}, trace}; }
   void add_step() {
     if (trace) trace->push_back({iterations, residual});

@@ -12,37 +12,37 @@ namespace multibody {
 /// One hinge at one instant, link axes.
 struct HingeInstant {
   Eigen::Vector3d rate = Eigen::Vector3d::Zero();
-  /// M_t(R) for the moment that the motion has been worked out with.
+  /// M_t(R) for the moment of the computed motion.
   Eigen::Vector3d solved = Eigen::Vector3d::Zero();
-  Eigen::Vector3d last_moment, last_solved;  ///< a step of the loop before
-  /// The joints' solutions are not those of this evaluation.
+  Eigen::Vector3d last_moment, last_solved;  ///< previous step of the loop
+  /// The joints' solutions belong to an earlier evaluation.
   bool solver_is_behind = false;
-  int push = 0;  ///< Hinge::push_at(), of a held one
+  int push = 0;  ///< Hinge::push_at() of a held hinge
   double utilisation = 0;
   long utilisation_of = -1;  ///< Evaluation::number that it belongs to
 };
 
-/// One instant with friction: what is given, and what an evaluation makes of
-/// it. The next one finds nothing here but memory to use again.
+/// One instant with friction: input and results of an evaluation. The next
+/// evaluation reuses only the allocated memory.
 struct Evaluation {
   explicit Evaluation(const System& system);
 
   /// The state evaluated.
   std::vector<double> state;
-  /// Given; the friction moments are those found.
+  /// Input; friction moments are results.
   ActiveForces<double> forces;
-  /// The carrier's accelerations are given, or (nullopt) result.
+  /// The carrier's accelerations: input, or (nullopt) a result.
   std::optional<CarrierAcceleration<double>> prescribed;
 
   Dynamics dynamics;
   CoupledProgress report;
-  /// Solutions of a search; empty if there was none.
+  /// Solutions of a search; empty without a search.
   std::vector<CoupledSolution> solutions;
 
   // Members below are for Hinges.
   std::vector<HingeInstant> hinges;
   std::vector<int> active;           ///< hinges that slide with friction
-  std::vector<Vec3<double>> change;  ///< changes of moments, about to be made
+  std::vector<Vec3<double>> change;  ///< pending changes of moments
   std::vector<Reaction<double>> reactions;
   std::vector<Eigen::Matrix3d>
       slopes;                   ///< dM/dR of the active hinges of a tree

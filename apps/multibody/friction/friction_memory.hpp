@@ -10,29 +10,30 @@ namespace multibody {
 
 /// Memory of a hinge, link axes.
 struct HingeMemory {
-  /// M_t found last.
+  /// Last M_t.
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
-  /// Direction of sliding where the state's relative velocity is exactly 0,
-  /// and on an axis always: its z is the sign. Unit vector.
+  /// Direction of sliding if the state's relative velocity is exactly 0, and
+  /// always on an axis, where z is the sign. Unit vector.
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
-  /// Size of the accelerations by which the direction of a ball joint is
-  /// judged that begins to slide, rad/s^2.
+  /// Scale of the accelerations in the equation for the direction of a ball
+  /// joint that begins to slide, rad/s^2.
   double pace = 1;
   /// Estimate of dM_t(R)/dM_t.
   Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
   HingeSolver::Memory solver;
 };
 
-/// Start of an evaluation of friction: the results of those before it along the
-/// motion. A value: an evaluation with a copy leaves no trace.
+/// Start of an evaluation of friction: results of earlier evaluations along the
+/// motion. A value type: an evaluation with a copy has no side effects.
 struct FrictionMemory {
   std::vector<HingeMemory> hinges;
   TrackedLoop tracked;
-  /// Residual after a step of the loop without tracking over that before.
+  /// Residual after a step of the loop without tracking over the residual
+  /// before.
   double usual_gain = 1;
   int loops = 0;
-  /// Of a deeper tree: Hinges::tree_response(), and the evaluations until it is
-  /// worked out again.
+  /// For a deeper tree: Hinges::tree_response(), and the number of evaluations
+  /// until it is computed again.
   double tree_response = 0;
   int response_is_good_for = 0;
 
@@ -41,7 +42,7 @@ struct FrictionMemory {
     hinges[body].moment = moment;
     tracked.forget_path();
   }
-  /// The hinge does something else.
+  /// Call after the mode of the hinge changes.
   void forget(int body) {
     hinges[body].slope.setZero();
     tracked.stop(body);

@@ -11,21 +11,20 @@
 namespace multibody {
 
 /// Friction of all hinges side by side, tracked from evaluation to evaluation
-/// (JointTracker): moments as functions of the reactions nearby, with
-/// one evaluation of every contact. Link axes. This is how hinges and the
-/// joints in them correspond; where joints cannot be tracked the HingeSolvers
-/// have to be asked.
+/// (JointTracker): moments as functions of the reactions nearby, with one
+/// evaluation of every contact. Link axes. Maps hinges to their joints; joints
+/// that cannot be tracked need their HingeSolver.
 class FrictionTracker {
  public:
   explicit FrictionTracker(const std::vector<HingeFriction>& friction);
 
-  /// From a hinge's last solution.
-  /// @param rate  with which that was found
+  /// Starts from a hinge's last solution.
+  /// @param rate  of that solution
   void start(int hinge, const HingeSolver& solver,
              const HingeSolver::Memory& last, const Eigen::Vector3d& rate);
   void stop(int hinge);
   bool is_tracked(int hinge) const;
-  /// How many hinges are tracked.
+  /// Number of tracked hinges.
   int count() const { return count_; }
 
   void set_rate(int hinge, const Eigen::Vector3d& rate) {
@@ -33,7 +32,7 @@ class FrictionTracker {
       joints_.set_rate(joint(hinge, k), rate);
     }
   }
-  /// M_t that the motion has been worked out with (axis: along z).
+  /// M_t of the computed motion (axis: along z).
   void set_applied_moment(int hinge, const Eigen::Vector3d& moment);
   Eigen::Vector3d applied_moment(int hinge) const {
     const auto [count, is_axis] = hinges_[hinge];
@@ -46,7 +45,7 @@ class FrictionTracker {
 
   /// Reactions that the motion causes.
   void take_reactions(const Dynamics& dynamics);
-  /// The force on a hinge among them.
+  /// Force on a hinge among these reactions.
   Vec3<double> force(int hinge) const {
     if (is_direct_) {
       const Eigen::Vector3d r = joints_.reaction(hinge);
@@ -59,7 +58,7 @@ class FrictionTracker {
 
   /// The joints of all hinges.
   JointTracker& joints() { return joints_; }
-  /// Makes the motion follow the changes by joints().apply().
+  /// Changes the motion after joints().apply().
   void move(Dynamics& dynamics);
 
  private:
@@ -67,7 +66,7 @@ class FrictionTracker {
     int joints;  ///< 0: cannot be tracked
     bool is_axis;
   };
-  /// How joints share the force on a hinge and the moment of it, as
+  /// Shares of the joints in the force and moment of a hinge, as in
   /// contact::JointGroup::Share; a number for each joint.
   struct Shares {
     std::vector<double> force, moment, axial;
@@ -80,7 +79,7 @@ class FrictionTracker {
     return {rows_[0].*vector, sizeof(HingeRows) / sizeof(double)};
   }
   /// The k-th joints of all hinges lie side by side, so that lanes over hinges
-  /// are lanes over joints; those that are missing are never tracked.
+  /// are lanes over joints; missing joints are never tracked.
   int joint(int hinge, int k) const { return k * row_ + hinge; }
   std::vector<contact::JointContact> lay_out(
       const std::vector<HingeFriction>& friction);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <array>
@@ -10,25 +11,25 @@
 /// Friction in the hinge of a body.
 namespace multibody {
 
-/// Force that friction is computed from.
+/// Force from which friction is computed.
 enum class FrictionEstimate {
-  consistent,   ///< R_n, with R = R_n n + R_t: friction as it is
-  traditional,  ///< R in place of R_n, as is customary: too much friction
+  consistent,   ///< R_n, with R = R_n n + R_t: full friction
+  traditional,  ///< R in place of R_n, the usual estimate: too much
 };
 
 /// A ball alone on a ball body (HingeKind::ball), or a pin on the axis of an
-/// axis body (HingeKind::axis). The pin takes the radial force; the axial force
-/// and moments across the axis are taken by something without friction. A ball
-/// in a seat that ends is in it, with the consistent estimate alone.
+/// axis body (HingeKind::axis). The pin carries the radial force; parts without
+/// friction carry the axial force and moments across the axis. A seat that ends
+/// confines its ball, only with the consistent estimate.
 struct JointFriction {
   contact::Joint joint;
   FrictionEstimate estimate = FrictionEstimate::consistent;
 };
 
 /// Several joints on the axis of an axis body (HingeKind::axis); positions
-/// along the axis (z of the hinge axes) from the centre of the hinge.
-/// The traditional estimate shares the forces among the joints as friction
-/// does, and takes each joint's friction from its whole force.
+/// along the axis (z of the hinge axes) from the centre of the hinge. The
+/// traditional estimate distributes the forces among the joints in the same
+/// way, and computes each joint's friction from its whole force.
 struct GroupFriction {
   contact::JointGroup group;
   FrictionEstimate estimate = FrictionEstimate::consistent;
@@ -50,7 +51,7 @@ enum class HingeMode {
   latched,   ///< held by a latch
 };
 
-/// All of them, in order.
+/// All modes, in order.
 inline constexpr std::array hinge_modes = {
     HingeMode::sliding, HingeMode::resting, HingeMode::locked,
     HingeMode::released, HingeMode::latched};

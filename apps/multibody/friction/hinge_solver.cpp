@@ -26,7 +26,7 @@ Vector3d nan_vector() {
   return Vector3d::Constant(std::numeric_limits<double>::quiet_NaN());
 }
 
-// Tolerance of the joints' own iteration: well below that of the outer loop.
+// Tolerance of the joints' own iteration, well below the outer loop's.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
 // Whether its friction is more than none at speed 0: neither viscous nor 0.
@@ -85,7 +85,7 @@ HingeSolver::Memory HingeSolver::make_memory() const {
   return memory;
 }
 
-// Of a joint alone.
+// Slip of a hinge with a single joint.
 contact::Joint::Slip HingeSolver::slip_of(const Reaction<double>& reaction,
                                           const Vector3d& rate,
                                           const Memory& memory) const {

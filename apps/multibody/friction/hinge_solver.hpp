@@ -11,16 +11,16 @@
 namespace multibody {
 
 /// Friction of one hinge under a known reaction, between link axes and the
-/// joint solvers of libcontact, which work in body axes. Does not allocate but
-/// in seats that end.
+/// joint solvers of libcontact, which use body axes. Allocates only in seats
+/// that end.
 class HingeSolver {
  public:
-  /// The last solutions, from which the next ones start; body axes.
+  /// Last solutions, from which the next ones start; body axes.
   struct Memory {
     std::vector<contact::JointSolution> joints;
     contact::JointGroup::Solution group;
     contact::RestSolution rest;
-    /// From the seat's body to the body: of a carrier's seat.
+    /// Rotation from the seat's body to the body, for a seat on the carrier.
     contact::Placement placement;
     /// Direction of impending slip in the last utilisation(), unit vector; 0
     /// without a driving moment.
@@ -28,17 +28,17 @@ class HingeSolver {
   };
 
   /// @param body  for messages
-  /// @throws contact::Error if friction and kind of hinge do not go together
+  /// @throws contact::Error if friction does not suit the kind of hinge
   HingeSolver(HingeFriction friction, const Link& link, int body);
 
   /// Without solutions.
   Memory make_memory() const;
-  /// A hinge that turns: before the calls that follow.
+  /// Sets the rate of a turning hinge; call before the functions below.
   void set_state(const double* link_state, Memory& memory) const {
     if (turns_seat_) place_seat(link_state, memory);
   }
   bool has_friction() const { return !contacts_.empty(); }
-  /// Dry friction, above 0, in at least one joint.
+  /// Whether at least one joint has dry friction above 0.
   bool can_rest() const { return can_rest_; }
   bool is_axis() const { return is_axis_; }
 
@@ -47,29 +47,28 @@ class HingeSolver {
   Eigen::Vector3d slide(const Reaction<double>& reaction,
                         const Eigen::Vector3d& rate, Memory& memory) const;
 
-  /// dM_t/dR after slide() with these, link axes (axis: row of z), m; none
-  /// where the joints do not tell.
+  /// dM_t/dR after slide() with the same arguments, link axes (axis: row of z),
+  /// m; none if the joints do not provide it.
   std::optional<Eigen::Matrix3d> slope(const Reaction<double>& reaction,
                                        const Eigen::Vector3d& rate,
                                        const Memory& memory) const;
 
-  /// tau: share of the moments that friction can hold which `held` needs; NaN
-  /// where a contact has no value.
-  /// @param held  what acts on the held body in the hinge, its moment about
-  ///              the hinge's centre included
+  /// tau: moment that `held` needs over the moment that friction can hold; NaN
+  /// if a contact has no value.
+  /// @param held  force on the held body in the hinge, and moment about the
+  ///              hinge's centre
   double utilisation(const Reaction<double>& held, Memory& memory) const;
 
-  /// The motion that friction leaves, for the contact of the last slide():
-  /// relative angular acceleration, see contact::MomentSet::prox(). Ball
-  /// joints only.
+  /// Motion with friction, for the contact of the last slide(): relative
+  /// angular acceleration, see contact::MomentSet::prox(). Ball joints only.
   Eigen::Vector3d prox(const Eigen::Matrix3d& inertia,
                        const Eigen::Vector3d& free, const Memory& memory) const;
 
-  /// M_t of a joint, last call, link axes.
+  /// M_t of a joint in the last call, link axes.
   Eigen::Vector3d joint_moment(int joint, const Memory& memory) const {
     return axes_.transpose() * memory.joints[joint].friction_moment;
   }
-  /// If the last call gave NaN: the joint that it comes from.
+  /// The joint that caused NaN in the last call.
   static int failed_joint(const Memory& memory);
   const contact::JointContact& contact(int joint) const {
     return contacts_[joint];
@@ -89,7 +88,7 @@ class HingeSolver {
                         const contact::Joint::Hold& hold, Memory& memory) const;
 
   void place_seat(const double* link_state, Memory& memory) const;
-  // Null where the seat's axes are those of the body.
+  // Null if the seat's axes are the body's axes.
   const contact::Placement* placement(const Memory& memory) const {
     return turns_seat_ ? &memory.placement : nullptr;
   }

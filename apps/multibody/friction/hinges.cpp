@@ -248,7 +248,7 @@ CoupledRounding Hinges::rounding() const {
     rate = is_tree ? rate + own : std::max(rate, own);
     force += length_of(forces().bodies[i].force);
     moment += length_of(forces().bodies[i].moment);
-    // What a moment causes further on may cancel as well.
+    // Effects of a moment further along the tree may cancel as well.
     if (is_tree) force += hinge.leverage * length_of(forces().bodies[i].moment);
     mass += hinge.mass;
     length = std::max(length, hinge.length);
@@ -365,7 +365,7 @@ Eigen::MatrixXd Hinges::responses() {
 double Hinges::tree_kappa() {
   Eigen::MatrixXd k = responses();
   for (Eigen::Index i = 0; i < k.rows(); ++i) {
-    // A group's share in what is held is looked at as that of a star is.
+    // A group's share in the held moment is treated as in a star.
     const auto [by_force, by_held] = slopes(active()[i]);
     k.row(i) *= by_force.norm();
     if (!by_held.isZero(0)) k(i, i) = std::max(k(i, i), kappa(active()[i]));

@@ -10,13 +10,13 @@
 
 namespace multibody {
 
-/// One hinge: what it is and what it does.
+/// One hinge: constants and mode.
 struct Hinge {
   Hinge(HingeFriction friction, const Link& link, int body);
 
   /// Slides with friction.
   bool is_active() const { return mode == HingeMode::sliding && has_friction; }
-  /// Sign of the moment that a stop gives at an angle; 0: it is at none.
+  /// Sign of the moment of a stop at an angle; 0: no stop there.
   int push_at(double angle) const {
     for (const HingeStop& stop : stops) {
       if (angle == stop.angle) return stop.side;
@@ -25,14 +25,14 @@ struct Hinge {
   }
 
   HingeMode mode = HingeMode::sliding;
-  bool straight = false;  ///< keeps its direction
-  bool follows = false;   ///< its direction is that of its acceleration
-  bool has_friction, can_rest, is_axis;  ///< as the solver says
+  bool straight = false;                 ///< keeps its direction
+  bool follows = false;                  ///< slides along its acceleration
+  bool has_friction, can_rest, is_axis;  ///< from the solver
   /// m arm/J: |dR/dM| on a fixed carrier.
   double leverage;
   double mass;
-  double inertia;  ///< least about the hinge of a turn that moves the body
-  double length;   ///< of the arms of its hinge, and of those it hangs on
+  double inertia;  ///< least about the hinge, for turns of the body
+  double length;   ///< sum of the arms of this hinge and its ancestors
   HingeSolver solver;
   std::vector<HingeStop> stops;
 };
@@ -40,24 +40,24 @@ struct Hinge {
 /// Mode of a hinge in the dynamics.
 JointMode joint_mode(HingeMode mode);
 
-/// @throws contact::Error if friction and kind of hinge do not go together
+/// @throws contact::Error if friction does not suit the kind of hinge
 std::vector<Hinge> make_hinges(const System& system,
                                const std::vector<HingeFriction>& friction);
 
-/// All hinges at one instant: the friction moments that they are given, and
-/// the motion and the reactions that follow from them. Does not check that the
-/// moments match the reactions: see CoupledDynamics.
+/// All hinges at one instant: given friction moments, and the resulting motion
+/// and reactions. Does not check that the moments match the reactions: see
+/// CoupledDynamics.
 class Hinges {
  public:
-  /// A part of this size of the largest moment in the system counts as scale
-  /// of every hinge's moment: smaller ones vanish in the rounding of the
+  /// This fraction of the largest moment in the system is the least scale of
+  /// every hinge's moment: smaller moments vanish in the rounding of the
   /// reactions.
   static constexpr double small_share = 1e-3;
-  /// Tolerance of moments that are to be as good as they can be: that of the
-  /// joints' own solutions.
+  /// Tolerance of moments of the highest accuracy, the tolerance of the joints'
+  /// own solutions.
   static constexpr double refined_tolerance = 1e-12;
 
-  /// Refers to all of them.
+  /// Keeps references to all arguments.
   Hinges(const std::vector<Hinge>& hinges, FrictionMemory& memory,
          Evaluation& evaluation)
       : hinges_(hinges), memory_(memory), at_(evaluation) {}
@@ -70,60 +70,61 @@ class Hinges {
   Evaluation& evaluation() const { return at_; }
   CoupledProgress& report() const { return at_.report; }
   ActiveForces<double>& forces() const { return at_.forces; }
-  /// Hinges that slide with friction, as of the last set_state().
+  /// Hinges that slide with friction since the last set_state().
   const std::vector<int>& active() const { return at_.active; }
   bool is_prescribed() const { return at_.prescribed.has_value(); }
   bool is_tree() const { return at_.dynamics.is_tree(); }
-  /// Whether a hinge has hardly begun to slide: its acceleration is what its
-  /// friction is short of, next to nothing.
+  /// Whether a hinge has just begun to slide: its acceleration is caused only
+  /// by the small excess over its friction.
   bool any_gets_under_way() const;
 
-  /// A new instant: rates of the active hinges. The state may be that of the
-  /// evaluation.
+  /// Sets a new instant: rates of the active hinges. `state` may be the state
+  /// of the evaluation.
   void set_state(const double* state);
-  /// The motion with the present moments, which are entered in forces().
+  /// Computes the motion with the present moments, which forces() then
+  /// contains.
   void start();
-  /// Change of a hinge's moment, about to be made.
+  /// Pending change of a hinge's moment.
   Vec3<double>& change(int body) { return at_.change[body]; }
   void apply_changes();
 
-  /// Joints that are tracked: they get the reactions, and what they change
-  /// moves the bodies.
+  /// Tracked joints: they receive the reactions, and their changes move the
+  /// bodies.
   void give_reactions(FrictionTracker& tracker);
   void take_moment(int body, const Eigen::Vector3d& moment);
   void move(FrictionTracker& tracker);
 
-  /// Worked out when first asked for.
+  /// Reactions, computed on first use.
   const Reaction<double>& reaction(int body) {
     know_reactions();
     return at_.reactions[body];
   }
   Eigen::Vector3d acceleration(int body) const;  ///< relative, rad/s^2
-  /// Fills `solved` of every active hinge.
-  /// @param floor  moments below it, times the tolerance, are rounding
-  /// @return largest of the relative differences of `solved` and `moment`
+  /// Computes `solved` of every active hinge.
+  /// @param floor  moments below this, times the tolerance, are rounding
+  /// @return largest relative difference of `solved` and `moment`
   double solve(double floor = 0);
-  /// The joints of a hinge under the reactions found.
+  /// Solves the joints of a hinge under the present reactions.
   std::span<const contact::JointSolution> joints(int body);
-  /// 0 on a stop that presses; infinite where an ideal hinge would leave it.
+  /// Utilisation: 0 on a pressing stop; infinite if an ideal hinge would leave
+  /// it.
   double utilisation(int body);
   CoupledRounding rounding() const;
-  /// Largest error of the moment that a hinge holds, with friction found to
-  /// refined_tolerance, N m: an upper estimate.
+  /// Upper estimate of the error of the moment that a hinge holds, with
+  /// friction solved to refined_tolerance, N m.
   double uncertain_moment() const;
   double kappa(int body);
-  /// Of a deeper tree: a bound of the spectral radius of K, with
-  /// K_ij = |dM_i/dR_i||dR_i/dM_j|. Below 1 the moments are the only ones.
-  /// Allocates.
+  /// For a deeper tree: a bound of the spectral radius of K, with K_ij =
+  /// |dM_i/dR_i||dR_i/dM_j|. Below 1 the moments are unique. Allocates.
   double tree_kappa();
   /// Largest row sum of |dR_i/dM_j|, 1/m.
   double tree_response() { return responses().rowwise().sum().maxCoeff(); }
-  /// Of a deeper tree: the steps of Newton's method over all hinges at once,
-  /// as changes about to be made. After solve().
+  /// For a deeper tree: steps of Newton's method over all hinges at once, as
+  /// pending changes. Call after solve().
   void set_tree_steps();
 
-  /// Inertia against which a sliding ball joint's friction works, and its
-  /// acceleration without friction.
+  /// Effective inertia of a sliding ball joint, and its acceleration without
+  /// friction.
   struct Felt {
     Eigen::Matrix3d inertia;
     Eigen::Vector3d free;
@@ -137,7 +138,7 @@ class Hinges {
   };
   Response response(int body);
   Eigen::MatrixXd responses();
-  /// Those of a hinge's friction over its reaction.
+  /// Slopes of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;
   };

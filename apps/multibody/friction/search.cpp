@@ -99,9 +99,9 @@ class Search {
       if (at_zero == 0) found.push_back(VectorXd::Zero(3));
       return found;
     }
-    // The mismatch is that of a norm and a line, nearly: two roots at most,
-    // and far from 0 it is straight. 1 % apart, two roots between neighbours
-    // differ by less than that.
+    // The mismatch is nearly the difference of a norm and a line: it has at
+    // most two roots, and is straight far from 0. Two roots between neighbours
+    // 1 % apart differ by less than 1 %.
     constexpr double factor = 1.01;
     constexpr double furthest = 1e6;
     double low = 0;

@@ -4,11 +4,11 @@
 
 namespace multibody {
 
-/// All friction moments that fit the reactions they cause, where the outer
-/// loop does not settle the matter: rare, and allowed to allocate. They become
-/// the evaluation's solutions, and its report says how many there are; if there
-/// is one alone the hinges get it. Where the report of the loop is ok the last
-/// moments are one of them.
+/// Searches for all friction moments consistent with their reactions, if the
+/// outer loop does not decide: rare, and allowed to allocate. They become the
+/// evaluation's solutions, and its report counts them; a single solution is
+/// written to the hinges. If the report of the loop is ok, the last moments are
+/// one of the solutions.
 void search(Hinges& hinges);
 
 }  // namespace multibody

@@ -127,8 +127,8 @@ bool SlipDirections::find() {
   return follow_excess();
 }
 
-// From where the moments on the bodies are just what the resting joints can
-// hold, so that the directions are known, to what they are, bit by bit.
+// Follows the moments on the bodies in small steps, from the limit of the
+// resting joints, where the directions are known, to their present values.
 bool SlipDirections::follow_excess() {
   std::vector<Vec3<double>> full;
   for (const Onset& ball : balls_) {

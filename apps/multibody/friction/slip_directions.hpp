@@ -8,23 +8,24 @@
 
 namespace multibody {
 
-/// A hinge that begins to slide: what it could not hold, and where it gave way.
+/// A hinge that begins to slide: the moment it could not hold, and its
+/// direction.
 struct Onset {
   int body;
   Eigen::Vector3d excess = Eigen::Vector3d::Zero();
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ();
 };
 
-/// Friction that drives what it should hold back, by more than the rounding of
-/// directions.
+/// Whether friction drives a hinge instead of holding it back, by more than the
+/// rounding of directions.
 bool is_driven(const Hinges& hinges, int body);
 
-/// Directions in which ball joints begin to slide: each that of its own
+/// Directions in which ball joints begin to slide: each joint slides along its
 /// acceleration, on which its contact and so its friction depend.
 class SlipDirections {
  public:
-  /// Refers to all of them.
-  /// @param evaluate  finds motion and friction; false if it cannot
+  /// Keeps references to its arguments.
+  /// @param evaluate  computes motion and friction; false if it fails
   /// @param balls     ball joints that slide
   SlipDirections(Hinges& hinges, std::function<bool()> evaluate,
                  std::vector<Onset> balls)
@@ -35,9 +36,9 @@ class SlipDirections {
 
   std::vector<Eigen::Vector3d> get() const;
   void set(const std::vector<Eigen::Vector3d>& directions);
-  /// From the present directions, by Newton's method. False: not found.
+  /// Newton's method from the present directions. False: not converged.
   bool settle();
-  /// From where the resting joints gave way; if that fails, from other starts.
+  /// Starts from the directions at onset; if this fails, from other directions.
   bool find();
 
  private:

@@ -145,7 +145,7 @@ bool TrackedLoop::track(Hinges& hinges) {
       largest_applied_ = std::max(largest_applied_, moment.squaredNorm());
     }
   }
-  // Half of what small moments count.
+  // Half of the least scale of moments.
   tracker_.joints().set_moment_floor(Hinges::small_share *
                                      std::sqrt(largest_applied_));
   const bool found = track_joints(hinges);

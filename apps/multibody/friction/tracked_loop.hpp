@@ -10,35 +10,35 @@ namespace multibody {
 
 class Hinges;
 
-/// Brings friction moments and reactions into agreement with an evaluation or
-/// two of every contact, by the joints tracked from one instant to the next:
-/// as long as they can be trusted, and where it is likely to work.
+/// Iterates friction moments and reactions to agreement with one or two
+/// evaluations of every contact, by joints tracked from one instant to the
+/// next, as long as the tracking is trusted and likely to succeed.
 class TrackedLoop {
  public:
   TrackedLoop(const std::vector<HingeFriction>& friction,
               const CoupledOptions& options)
       : tracker_(friction), tolerance_(options.tolerance) {}
 
-  /// After Hinges::set_state(): where the state goes on in the direction of
-  /// its last move, moments do too.
+  /// Call after Hinges::set_state(). If the state continues in the direction of
+  /// its last move, moments are extrapolated.
   void extrapolate(Hinges& hinges);
-  /// After Hinges::start().
-  /// @return false: others have to find the moments
+  /// Call after Hinges::start().
+  /// @return false: other methods must find the moments
   bool converge(Hinges& hinges);
-  /// After others have found them: from the last solutions of the hinges'
-  /// solvers, where tracking is likely to work the next time.
+  /// Call after other methods have found the moments: starts from the last
+  /// solutions of the hinges' solvers, if tracking is likely to succeed next
+  /// time.
   void start(const Hinges& hinges);
   /// Call after a hinge changed its mode; discards the tracked state.
   void stop(int body);
-  /// Forgets the path of the motion, which no longer tells where it goes.
+  /// Discards the path of the motion, which no longer predicts the next state.
   void forget_path();
-  /// Moments of hinges were changed by others.
+  /// Call after other code changed moments of hinges.
   void forget_applied() { applied_known_ = false; }
 
-  /// Largest (leverage |M_t|/|R|)^2 of the hinges, infinity if it is not
-  /// known.
+  /// Largest (leverage |M_t|/|R|)^2 of the hinges, infinity if unknown.
   double largest_leverage() const;
-  /// Ratio of the changes of M_t(R) to those of M_t, as a rule.
+  /// Records a ratio of the changes of M_t(R) to the changes of M_t.
   void learn_contraction(double contraction);
 
  private:
@@ -51,13 +51,13 @@ class TrackedLoop {
 
   FrictionTracker tracker_;
   double tolerance_;
-  // State of the last evaluation tracked, its move from the one before, that of
-  // the present one from it; how many have been kept since the path began.
+  // State of the last tracked evaluation, its move from the previous one, the
+  // move of the present one from it; number of states since the path began.
   Eigen::VectorXd path_end_, path_, step_;
   double path_square_ = 0, step_square_ = 0;  // squared lengths
   int kept_ = 0;
-  // Whether the tracker's applied moments are those of the hinges; as track()
-  // left them the largest, squared, and the largest of the leverages.
+  // Whether the tracker's applied moments equal the hinges' moments; the
+  // largest moment, squared, and the largest leverage after track().
   bool applied_known_ = false;
   double largest_applied_ = 0;
   double largest_leverage_ = 0;

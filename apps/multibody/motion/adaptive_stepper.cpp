@@ -122,7 +122,7 @@ class AdaptiveStepper final : public Stepper {
     // The last stage of a step may be at its end.
     end_known_ = last_time_ == end_ && last_state_ == to_;
     if (end_known_) end_rates_ = last_rates_;
-    // Now: its place is used by what comes between steps.
+    // Read now, because work between steps overwrites these numbers.
     ERKStepGetEstLocalErrors(memory_, errors_);
     // A step that a limit cuts short is not what the next one should be like.
     const double planned = end < limit ? 0 : next_step_;
@@ -253,8 +253,8 @@ class AdaptiveStepper final : public Stepper {
     std::vector<double> state, rates;
   };
   std::vector<Inside> inside_;  ///< rates that dense output has asked for
-  // Time without rates of the last try; that of the last step in which there
-  // was one, and how far before it such steps began.
+  // Time of the last try without rates; the same of the last step that had one,
+  // and the distance at which such steps began before it.
   double failed_at_ = std::numeric_limits<double>::quiet_NaN();
   double wall_ = -std::numeric_limits<double>::infinity();
   double first_way_ = 0;

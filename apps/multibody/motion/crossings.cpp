@@ -87,8 +87,8 @@ int turns_of(const Values& c) {
   return count;
 }
 
-// Size of what the polynomial has in its two highest degrees: what the values
-// do not say of the function is hardly more.
+// Size of the polynomial's two highest degrees: the error of the polynomial is
+// hardly larger.
 double uncertainty(const Values& values) {
   double sum = 0;
   for (const int degree : {last - 1, last}) {

@@ -121,7 +121,7 @@ bool Equations::rates_aside(double time, const double* state, double* to) {
   return rates(before_break(time), state, aside_, here_, to);
 }
 
-// The forces at this state are those of an evaluation of it.
+// The forces at this state come from an evaluation of it.
 CoupledReport Equations::resolve_rest(double time, const double* state,
                                       bool due) {
   std::vector<double> unused(number_count());

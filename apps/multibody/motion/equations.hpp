@@ -11,8 +11,7 @@
 
 namespace multibody {
 
-/// One instant of a motion: where everything is, and what an evaluation makes
-/// of it.
+/// One instant of a motion: positions, and the results of an evaluation.
 struct MotionInstant {
   explicit MotionInstant(const System& system)
       : bodies(1 + system.size()),
@@ -26,14 +25,14 @@ struct MotionInstant {
 
 /// Equations of motion: d(state)/dt.
 ///
-/// Numbers of a state: those of StateLayout; for each body the work that
-/// friction took; the work of the force model; for each body the integral of
-/// what a held hinge transmits, in units of its first value. The last are
-/// there for the error control alone: while hinges rest nothing else in the
-/// state tells it how fast the forces change that may end the rest.
+/// Numbers of a state: the numbers of StateLayout; for each body the energy
+/// dissipated by friction; the work of the force model; for each body the
+/// integral of the load of a held hinge, in units of its first value. The last
+/// serve only the error control: while hinges rest no other number shows how
+/// fast the forces change that may end the rest.
 class Equations {
  public:
-  /// As Motion::Motion().
+  /// Arguments as in Motion::Motion().
   Equations(const System& system, std::vector<HingeFriction> friction,
             std::shared_ptr<const ForceModel> forces,
             const MotionOptions& options);
@@ -48,40 +47,41 @@ class Equations {
   int work_at() const { return dissipated_at(size()); }
   int held_at(int body) const { return work_at() + 1 + body; }
   int number_count() const { return held_at(size()); }
-  /// Body (1 +) or carrier (0) that a number of the state belongs to; -1: none.
+  /// Body (1 +) or carrier (0) of a number of the state; -1: none.
   int owner_of(int number) const;
   /// Relative angular velocity, link axes.
   Eigen::Vector3d rate_of(int body, const double* state) const {
     return relative_rate(system.links()[body], state + offset(body));
   }
 
-  /// @param at  takes what is found; friction.report says why it is not
-  /// @return false if friction is not found
+  /// @param at  receives the results; friction.report gives a reason for
+  ///            failure
+  /// @return false if friction cannot be computed
   bool rates(double time, const double* state, FrictionMemory& from,
              MotionInstant& at, double* to) const;
-  /// The same in a step, which sees the forces before the next break, and with
-  /// the memory of the motion.
+  /// As above, in a step, with the forces before the next break and the memory
+  /// of the motion.
   bool rates_in_step(double time, const double* state, double* to);
-  /// The same with a copy of it: leaves no trace.
+  /// As above, with a copy of the memory: no side effects.
   bool rates_aside(double time, const double* state, double* to);
   /// Decides which hinges hold, see CoupledDynamics::resolve_rest().
   CoupledReport resolve_rest(double time, const double* state, bool due);
-  /// A new beginning: of the numbers for what hinges hold, too.
+  /// Restarts, including the integrals of the loads of held hinges.
   void begin_at(double time, const double* state);
   /// The next break after a time.
   double break_after(double time) const;
-  /// A hinge does something else from now on.
+  /// Changes the mode of a hinge.
   void set_mode(int body, HingeMode mode) {
     coupled.set_mode(body, mode, memory);
   }
-  /// The last evaluation in a step or in resolve_rest().
+  /// Last evaluation in a step or in resolve_rest().
   const Evaluation& last() const { return here_.friction; }
   /// Keeps the angle when the body is released.
   void keep_hinge_angle(int body, double angle) {
     here_.bodies[1 + body].hinge_angle = angle;
   }
 
-  /// Energy that stops and latches took from each body's hinge, J.
+  /// Energy dissipated by stops and latches in each body's hinge, J.
   std::vector<double> losses;
   const System system;
   const Eigen::Vector3d gravity;
@@ -92,7 +92,7 @@ class Equations {
   double next_break = std::numeric_limits<double>::infinity();
   long evaluations = 0;  ///< along the motion
   long outer_iterations = 0;
-  CoupledReport failed_report;  ///< the last that failed
+  CoupledReport failed_report;  ///< last failure
   double failed_time = 0;
 
  private:

@@ -11,17 +11,17 @@
 namespace multibody {
 
 /// Kinks of the forces over the bodies' places (ForceModel::add_kinks()) within
-/// a step. A step that stays between two of them sees one smooth piece; what is
-/// narrower than a step is not stepped over.
+/// a step. A step between two kinks covers one smooth piece, so that features
+/// narrower than a step are not missed.
 class ForceKinks {
  public:
-  /// Refers to both.
+  /// Keeps references to both arguments.
   ForceKinks(const Equations& equations, MotionSample& view)
       : equations_(equations), view_(view) {}
 
-  /// The first time before the end of the last step at which a kink is passed.
-  /// A kink in which the step begins or ends, to 1e-10 of it (of 1 rad or 1 m
-  /// if it is less), is none: forces are continuous there.
+  /// First time before the end of the last step at which a kink is passed.
+  /// Kinks at the beginning or end of the step, to 1e-10 of their place (of 1
+  /// rad or 1 m if it is less), do not count: forces are continuous there.
   std::optional<double> first(Stepper& stepper);
 
  private:

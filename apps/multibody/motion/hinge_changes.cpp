@@ -79,7 +79,7 @@ void HingeChanges::stop(int body, std::vector<double>& state) {
   state[equations_.dissipated_at(body)] += jumps.front().loss;
 }
 
-// One impulse in several hinges, and what it does to the others.
+// One impulse in several hinges, and its effect on the others.
 std::vector<Impulse::Jump> HingeChanges::jump(
     double time, const std::vector<Impulse::Target>& targets, bool ideal,
     std::vector<double>& state) {
@@ -162,9 +162,9 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
   settle(time, bounces, state);
 }
 
-// The last bounces, lower than anyone sees and hardly above the rounding of the
-// angle, are not followed: the body is held for the time that they take, that
-// of a geometric series under the force there is.
+// The last bounces, invisibly low and hardly above the rounding of the angle,
+// are not computed: the body is held for their duration, the sum of a geometric
+// series under the present force.
 void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
                           std::vector<double>& state) {
   constexpr double low = 1e-11;  // rad

@@ -13,49 +13,50 @@
 
 namespace multibody {
 
-/// Rest and slip of the hinges as they change along the motion, and what the
-/// changes do to a state.
+/// Changes between rest and slip of the hinges along the motion, and their
+/// effect on a state.
 class HingeChanges {
  public:
-  /// Refers to both.
+  /// Keeps references to both arguments.
   HingeChanges(Equations& equations, MotionSample& view,
                const MotionOptions& options);
 
-  /// Decides which hinges hold from this state on, see
+  /// Decides which hinges hold in this state, see
   /// CoupledDynamics::resolve_rest(); not ok: undecided.
   CoupledReport resolve_rest(double time, const std::vector<double>& state,
                              bool due);
-  /// It does so now.
+  /// Changes the mode of a hinge now.
   void change(double time, int body, HingeMode mode);
-  /// Takes a hinge's relative velocity out of a state by an impulse in it; the
-  /// other held hinges hold.
+  /// Removes a hinge's relative velocity from a state by an impulse in the
+  /// hinge; the other held hinges hold.
   void stop(int body, std::vector<double>& state);
-  /// Takes those of several out by one impulse, and holds them from now on.
+  /// Removes the velocities of several hinges by one impulse, and holds these
+  /// hinges.
   void latch(double time, const std::vector<int>& bodies,
              std::vector<double>& state);
-  /// Bodies that come to their stops go back from them, or rest there.
+  /// Lets bodies that reach their stops rebound or rest there.
   void hit(double time, const std::vector<int>& bodies,
            std::vector<double>& state);
-  /// The body rests on its stop now.
+  /// Puts the body to rest on its stop.
   void end_bounces(double time, int body);
-  /// When that will be, else 0.
+  /// Time at which its bounces end and it rests on its stop, else 0.
   double settle_time(int body) const { return settle_times_[body]; }
-  /// A ball joint slides straight on as it does in view, or no longer does.
+  /// Lets a ball joint slide straight in its direction in view, or ends this.
   void slide_straight(int body, bool straight);
-  /// Why the motion stops if the hinge changes so often that time does not get
-  /// on.
+  /// Reason for a failure if the hinge changes so often that time does not
+  /// advance.
   std::optional<std::string> stalls(double time, int body);
 
-  /// Speed below which sliding ball joints slide straight on, rad/s.
+  /// Speed below which sliding ball joints slide straight, rad/s.
   double stop_speed() const { return stop_speed_; }
-  /// Speed at which a ball joint began to do so.
+  /// Speed at which a ball joint began to slide straight.
   double straight_from(int body) const { return straight_from_[body]; }
   const std::vector<HingeChange>& all() const { return all_; }
   const std::vector<HingeImpact>& impacts() const { return impacts_; }
-  /// A start: nothing has changed so far.
+  /// Forgets the changes so far, at a start.
   void forget() { all_.clear(); }
 
-  /// As it was when a motion was saved.
+  /// Restores a saved motion.
   void restore(int body, double straight_from, double settle_time);
 
  private:
@@ -64,10 +65,10 @@ class HingeChanges {
            coupled_.can_push(body, state.data());
   }
   const HingeStop* stop_hit(int body, const std::vector<double>& state) const;
-  /// A body that goes off from a stop.
+  /// A body that leaves a stop.
   struct Bounce {
     const HingeStop* stop;
-    double response = 0;  ///< of its rate to a unit impulse
+    double response = 0;  ///< rate per unit impulse
     double rate = 0;      ///< >= 0, rad/s
     double pressed = 0;   ///< acceleration that brings it back, rad/s^2
   };
@@ -91,7 +92,7 @@ class HingeChanges {
   std::vector<double> settle_times_;
   std::vector<HingeChange> all_;
   std::vector<HingeImpact> impacts_;
-  /// Changes of a hinge between rest and slip, on its way to either too.
+  /// Changes of a hinge between rest and slip, including transitions.
   struct Recent {
     double since = -std::numeric_limits<double>::infinity();
     int count = 0;

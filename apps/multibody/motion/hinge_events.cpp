@@ -16,7 +16,7 @@ namespace {
 
 // The highest value within a step that is negative at both ends, and its time;
 // only as far as it may be of interest.
-// @param unit  of what passes for far from 0
+// @param unit  size that counts as far from 0
 std::pair<double, double> peak_between(const StepFunction& tau, double low,
                                        double low_value, double high,
                                        double high_value, double unit) {
@@ -109,8 +109,8 @@ std::optional<double> HingeEvents::slip_end(int body) {
   const double t1 = stepper_.end();
   if (!(values[0] > 0)) {
     if (values.back() <= 0) {
-      // Begun and stopped within the step; or it never got under way. In a
-      // deeper tree the rounding of what the neighbours do moves it that much.
+      // Begun and stopped within the step; or it never began to move. In a
+      // deeper tree the rounding of the neighbours' motion moves it that much.
       const double least = equations_.system.is_star() ? 0 : 1e-10;
       for (double part = t1 - t0; t0 + part > t0; part /= 2) {
         const double way = along(t0 + part);
@@ -178,9 +178,8 @@ std::optional<double> HingeEvents::turning(int body) {
              : std::nullopt;
 }
 
-// By how much a resting hinge is short of what it has to hold: above 0 it
-// slides. On a stop in N m, so that it is smooth where the stop ceases to
-// press.
+// Excess of the moment on a resting hinge over its limit: above 0 it slides. On
+// a stop in N m, so that it is smooth where the stop ceases to press.
 double HingeEvents::excess(int body) {
   const double utilisation = view_.utilisation(body);
   if (std::isnan(utilisation)) return utilisation;

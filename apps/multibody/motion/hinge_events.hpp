@@ -10,20 +10,20 @@
 namespace multibody {
 
 /// Events within a step: hinges that stop, slow down, turn or give way, and
-/// bodies that come to their stops.
+/// bodies that reach their stops.
 class HingeEvents {
  public:
-  /// Refers to all of them.
+  /// Keeps references to all arguments.
   HingeEvents(Equations& equations, MotionSample& view, Stepper& stepper,
               const HingeChanges& hinges, const MotionOptions& options);
 
-  /// The first of them in the last step, and those at the same instant: as
-  /// near as the rounding of their times cannot tell apart.
+  /// The first events in the last step: all events at the same instant to the
+  /// rounding of their times.
   std::vector<StepEvent> first();
 
  private:
   using Kind = StepEvent::Kind;
-  /// Slides in a known direction, to where that velocity passes 0.
+  /// Sliding in a known direction, until the velocity along it passes 0.
   bool slides_to_stop(int body) const;
   void sample();
   std::optional<double> slip_end(int body);
@@ -40,7 +40,7 @@ class HingeEvents {
                                    int side);
   std::optional<double> settling(int body) const;
   bool stops_in_step(int body);
-  /// Function of a value in view that passes 0.
+  /// Function of time for a value in view that passes 0.
   template <class Value>
   StepFunction function(Value value);
 
@@ -50,14 +50,14 @@ class HingeEvents {
   Stepper& stepper_;
   const HingeChanges& hinges_;
   bool fixed_steps_;
-  // For each body, in the last step: direction in which the end of sliding is
-  // looked for, and the rate along it.
+  // For each body, in the last step: direction for the end of sliding, and the
+  // rate along it.
   struct Slip {
     Eigen::Vector3d direction;
     StepFunction::Values rates;
   };
   std::vector<Slip> slips_;
-  std::vector<StepFunction::Values> angles_;  ///< where there are stops
+  std::vector<StepFunction::Values> angles_;  ///< bodies with stops
   std::vector<double> trial_;
 };
 

@@ -48,7 +48,7 @@ void Impulse::add_jump(const std::vector<double>& still,
   const Eigen::Matrix3d r0 = carrier_at(state.data()).rotation;
   Map<Vector3d>(&state[StateLayout::velocity]) += r0 * vec3(jump.linear);
   Map<Vector3d>(&state[StateLayout::angular_velocity]) += vec3(jump.angular);
-  // Of bodies that were released: they may carry the hinge.
+  // Released bodies jump too, because they may carry the hinge.
   std::vector<double> jumps(still.size());
   dynamics_.rates(still.data(), {0, 0, 0}, jumps.data());
   for (int i = 0; i < equations_.size(); ++i) {

@@ -11,26 +11,25 @@ namespace multibody {
 /// Jumps of the velocities by impulses in hinges.
 class Impulse {
  public:
-  /// Refers to them.
+  /// Keeps references to its arguments.
   explicit Impulse(const Equations& equations)
       : equations_(equations), dynamics_(equations.system) {}
 
-  /// A hinge's relative velocity after the jump, link axes.
+  /// A hinge with its relative velocity after the jump, link axes.
   struct Target {
     int body;
     Eigen::Vector3d rate;
   };
   struct Jump {
     Eigen::Vector3d impulse;  ///< moment over time, link axes, N m s
-    double loss;              ///< of energy, J
-    /// Of its rate to a unit impulse about z, 1/(kg m^2).
+    double loss;              ///< energy loss, J
+    /// Response of its rate to a unit impulse about z, 1/(kg m^2).
     double response;
   };
 
-  /// One impulse in several hinges at once. The velocities jump as the
-  /// accelerations would answer to moments, with everything at rest: all
-  /// bodies keep their momentum.
-  /// @param ideal  hinges that rest turn freely; else they hold. Locked ones
+  /// One impulse in several hinges at once. Velocities jump like accelerations
+  /// under moments with all bodies at rest: the momentum is conserved.
+  /// @param ideal  resting hinges turn freely; else they hold. Locked hinges
   ///   hold.
   /// @return one for each target
   std::vector<Jump> apply(const std::vector<Target>& targets, bool ideal,

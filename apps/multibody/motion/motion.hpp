@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -13,12 +14,12 @@
 
 namespace multibody {
 
-/// Why advance_to() came back.
+/// Reason for the return of advance_to().
 enum class Stop {
-  time,    ///< the time asked for
+  time,    ///< requested time reached
   event,   ///< an application's event
-  failed,  ///< Motion::failure() says why
-  halted,  ///< at the end of a step, as halt_when() wanted
+  failed,  ///< see Motion::failure()
+  halted,  ///< at the end of a step, by halt_when()
 };
 
 class Equations;
@@ -34,25 +35,25 @@ struct MotionChange {
   std::vector<int> unlocked{};  ///< bodies
   std::vector<int> released{};
   std::vector<int> latched{};
-  /// New forces; the old ones stay if it is not set.
+  /// New forces; if not set the forces do not change.
   std::optional<std::shared_ptr<const ForceModel>> forces{};
 };
 
-/// A carrier with bodies moving through time.
+/// The motion of a carrier with bodies through time.
 ///
-/// All vectors come and go in body axes (system/system.hpp) or inertial axes.
-/// The hinges' rest and slip are found on the way: a resting hinge has relative
-/// velocity exactly 0 and stays where it is to the last bit.
+/// All vectors are in body axes (system/system.hpp) or inertial axes. Rest and
+/// slip of the hinges are determined along the motion: a resting hinge has a
+/// relative velocity of exactly 0 and a bit-identical position.
 ///
 /// Accuracy (libcontact/docs/reference/accuracy.md, multibody/motion_test.cpp):
-/// stops, onsets of sliding and energies meet closed forms to 1e-9 or the
+/// stops, onsets of sliding and energies agree with closed forms to 1e-9 or the
 /// chosen tolerance.
 class Motion {
  public:
-  /// @param friction  one for each body, or none at all
+  /// @param friction  one for each body, or empty
   /// @param forces    may be null
-  /// @throws contact::Error for friction that does not fit the hinge and a
-  ///         start that does not fit the system
+  /// @throws contact::Error for friction that does not suit the hinge and a
+  ///         start that does not suit the system
   Motion(const System& system, std::vector<HingeFriction> friction,
          std::shared_ptr<const ForceModel> forces, const MotionStart& start,
          const MotionOptions& options = {});
@@ -61,25 +62,24 @@ class Motion {
   Motion& operator=(Motion&&) noexcept;
 
   double time() const { return now_; }
-  /// Moves on to `time`, or to the first event or failure before it. Each
-  /// event stops once at each crossing.
-  /// Where it stops, and what is asked of it there, changes nothing of what
-  /// follows, to the last bit.
+  /// Advances to `time`, or to the first event or failure before it. Each event
+  /// stops the motion once at each crossing. The later motion is bit-identical,
+  /// independent of stops and queries.
   /// @param time  >= time()
   Stop advance_to(double time);
   /// Index of the event that stopped advance_to().
   int event() const { return event_; }
-  /// Set if advance_to(), or anything else that changes the motion, failed.
-  /// Motion::restore() brings it back.
+  /// Set if advance_to(), or another change of the motion, failed.
+  /// Motion::restore() resets it.
   const std::optional<MotionFailure>& failure() const { return failure_; }
 
   /// At time().
   const MotionSample& sample() const;
 
-  /// From now on, at time(). A released body is a body of its own; a
-  /// latched one is held from now on. Its relative velocity is taken out by an
-  /// impulse that keeps the momentum, one for all that are latched at once;
-  /// hinges that rest are ideal in that instant. To unlock opens latches too.
+  /// Changes at time(). A released body has no hinge; a latched hinge is held.
+  /// An impulse that conserves momentum, one for all hinges latched at once,
+  /// removes its relative velocity; resting hinges are ideal in that instant.
+  /// unlock() opens latches too.
   void release(int body) { change({.unlocked = {}, .released = {body}}); }
   void latch(int body) {
     change({.unlocked = {}, .released = {}, .latched = {body}});
@@ -88,50 +88,49 @@ class Motion {
   void set_forces(std::shared_ptr<const ForceModel> forces) {
     change({.forces = std::move(forces)});
   }
-  /// Makes the changes, then decides once which hinges hold.
+  /// Applies all changes, then decides once which hinges hold.
   void change(const MotionChange& what);
 
   /// Adds an event; its index.
   int add_event(MotionEvent event);
 
-  /// Calls `look` with the motion at the end of every step that it goes on
-  /// from, where forces jump or hinges change just before and after; not where
-  /// advance_to() stops.
+  /// Calls `look` with the motion at the end of every step, and just before and
+  /// after jumps of forces and changes of hinges; not where advance_to() stops.
   void watch_steps(std::function<void(const MotionSample&)> look) {
     step_watch_ = std::move(look);
   }
 
-  /// Asks `halt` before every step; true: advance_to() comes back. It may be
+  /// Calls `halt` before every step; true: advance_to() returns, and may be
   /// called again.
   void halt_when(std::function<bool()> halt) { halt_ = std::move(halt); }
 
-  /// Beginning of the step that contains sample() or ends at it.
+  /// Start of the step that contains sample() or ends at it.
   double step_begin() const;
   /// Length of the last step, s.
   double last_step() const;
-  /// The body (as in motions()) whose motion, or whose hinge's, had the largest
-  /// error in the last step against the tolerances: what keeps steps short. -1:
-  /// the work of the forces, or not known, as with rk4.
+  /// The body (as in motions()) with the largest error of its motion or hinge
+  /// in the last step relative to the tolerances, which limits the step. -1:
+  /// the work of the forces, or unknown, as with rk4.
   int held_by() const;
-  /// Calls `look` with the motion at a time from step_begin() to that of
-  /// sample(), by dense output. Also from within watch_steps().
+  /// Calls `look` with the motion at a time between step_begin() and the time
+  /// of sample(), by dense output. Also from within watch_steps().
   void look_back(double time,
                  const std::function<void(const MotionSample&)>& look) const;
 
-  /// The carrier (0) or a body (1 +) at such a time: for many looks at few
+  /// The carrier (0) or a body (1 +) at such a time: for many queries of few
   /// bodies.
   BodyMotion place_back(int body, double time) const;
 
-  /// Sticking, sliding, locking and releasing so far, in order.
+  /// Changes between rest, slip, locked and released so far, in order.
   const std::vector<HingeChange>& changes() const;
   /// Impacts on stops and by latches so far, in order.
   const std::vector<HingeImpact>& impacts() const;
 
-  /// Begins the steps anew: from now on this motion goes on as one that
-  /// restores the state does, to the last bit.
+  /// Restarts the steps: this motion and a motion that restores the state
+  /// continue bit-identically.
   MotionState save();
-  /// @throws contact::Error, having changed nothing, if no motion of this
-  ///   system and friction has such a state
+  /// @throws contact::Error, without a change, if no motion of this system and
+  ///   friction has such a state
   void restore(const MotionState& state);
 
   MotionCounts counts() const;
@@ -152,7 +151,7 @@ class Motion {
   bool resume(std::vector<double> state, bool due = false);
   void set_failure(const CoupledReport& report, double time);
 
-  // These refer to each other, and must not move.
+  // These members refer to each other and must not move.
   std::unique_ptr<Equations> equations_;
   std::unique_ptr<MotionSample> view_;
   std::unique_ptr<Stepper> stepper_;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +10,7 @@
 #include "multibody/friction/hinge_stop.hpp"
 #include "multibody/system/force_model.hpp"
 
-/// How a motion begins and how it goes through time.
+/// Start and time integration of a motion.
 namespace multibody {
 
 /// Position and velocity of a body at the start.
@@ -21,9 +22,9 @@ struct BodyStart {
   Eigen::Vector3d relative_angular_velocity = Eigen::Vector3d::Zero();
   double angle = 0;       ///< axis, rad
   double angle_rate = 0;  ///< axis, rad/s; 0 as above
-  /// A locked hinge does not move until unlock(); its rate has to be 0.
+  /// A locked hinge does not move until unlock(); its rate must be 0.
   bool locked = false;
-  /// none: a body of its own.
+  /// For a body without a hinge.
   BodyMotion body{Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
                   Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()};
 };
@@ -36,13 +37,13 @@ struct MotionStart {
   std::vector<BodyStart> bodies;  ///< one for each body
 };
 
-/// Motion of the carrier where it is prescribed.
+/// Prescribed motion of the carrier.
 struct CarrierDrive {
   Eigen::Vector3d acceleration = Eigen::Vector3d::Zero();  ///< inertial axes
   Eigen::Vector3d angular_acceleration = Eigen::Vector3d::Zero();  ///< carrier
 };
 
-/// How to step through time.
+/// Time integrators.
 enum class Integrator {
   adaptive,  ///< explicit Runge-Kutta with error control (SUNDIALS ARKODE)
   rk4,       ///< the paper's: classical fourth order, fixed step
@@ -60,21 +61,20 @@ struct MotionOptions {
   double longest_step = std::numeric_limits<double>::infinity();
   /// Step limit of one advance_to().
   long step_limit = 100'000'000;
-  /// A hinge that begins or ends to rest or slide more often than this within
-  /// `stall_span`, s, stops the motion with a failure.
+  /// The motion fails if a hinge changes between rest and slip more often than
+  /// this within `stall_span`, s.
   int stall_changes = 100;
   double stall_span = 1e-6;
-  /// A sliding ball joint whose relative speed falls below this slides
-  /// straight on until it stops, rad/s (rk4: also from where the next step
-  /// would stop it); what is left of the motion across is taken out with the
-  /// momentum kept and the energy booked. 0: 100 absolute_tolerance, at least
-  /// 1e-9, or rk4: 1e-8.
+  /// A sliding ball joint whose relative speed falls below this slides straight
+  /// until it stops, rad/s (rk4: also if the next step would stop it). The
+  /// remaining motion across is removed; momentum is conserved and the energy
+  /// recorded. 0: 100 absolute_tolerance, at least 1e-9, or rk4: 1e-8.
   double stop_speed = 0;
   /// Set: the carrier moves as prescribed (zero: at rest or uniformly). Not for
-  /// a fixed one (Carrier::fixed).
+  /// a fixed carrier (Carrier::fixed).
   std::optional<CarrierDrive> carrier_drive;
   CoupledOptions coupling;
-  /// Of bodies on axes, one on each side of a body at most.
+  /// Stops of bodies on axes, at most one on each side of a body.
   std::vector<HingeStop> stops;
 };
 

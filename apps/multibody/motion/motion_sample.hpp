@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -14,9 +15,9 @@
 /// View of a motion at one time.
 namespace multibody {
 
-/// State of a hinge at one time; body axes. Forces and moments are NaN, and
-/// there are no joints, where no friction moments are found that fit, or
-/// several are.
+/// State of a hinge at one time; body axes. If no consistent friction moments
+/// are found, or several are, forces and moments are NaN, and `joints` is
+/// empty.
 struct HingeSample {
   HingeMode mode;
   /// C: body axes to carrier axes.
@@ -25,22 +26,22 @@ struct HingeSample {
   double angle;                               ///< axis only, rad
   double angle_rate;                          ///< axis only, rad/s
   Eigen::Vector3d reaction_force;  ///< R, with the force of friction, N
-  /// About the hinge's centre; at rest and locked: all that is held, else
-  /// without friction_moment; N m.
+  /// Moment about the hinge's centre; at rest and locked: the whole held
+  /// moment, else without friction_moment; N m.
   Eigen::Vector3d reaction_moment;
   Eigen::Vector3d friction_moment;  ///< sliding: M_t on the body, N m
-  /// resting: tau, the share of what friction can hold that is needed;
-  /// sliding with friction: 1; NaN otherwise.
+  /// resting: tau, the needed moment over the largest moment that friction
+  /// holds; sliding with friction: 1; NaN otherwise.
   double utilisation;
-  double dissipated;  ///< work of friction since the start, >= 0, J
-  /// Moment about the axis by which a stop holds the body back, as far as
-  /// friction does not have to, >= 0, N m.
+  double dissipated;  ///< by friction since the start, >= 0, J
+  /// Moment of a stop about the axis on the body, beyond the moment held by
+  /// friction, >= 0, N m.
   double stop_moment;
   /// One solution per joint of the hinge, in the order of the group; empty
-  /// without friction or if locked or released. At rest: the sliding that is
-  /// near; there, and where a ball joint just begins or ends its sliding, power
-  /// and slip velocity are those of 1 rad/s.
-  /// Of a ball in a seat that ends, contact::Joint::rims() has the contact.
+  /// without friction or if locked or released. At rest: the impending slip.
+  /// There, and where a ball joint begins or ends to slide, power and slip
+  /// velocity refer to 1 rad/s. For a ball in a seat that ends,
+  /// contact::Joint::rims() returns the contact.
   std::span<const contact::JointSolution> joints;
 };
 
@@ -50,9 +51,9 @@ struct EnergyBook {
   double gravity;      ///< potential of uniform gravity, 0 at the origin
   double active_work;  ///< done by the force model
   double dissipated;   ///< by the friction of all hinges
-  double impacts;      ///< taken by stops and latches
-  /// kinetic + gravity - active_work + dissipated + impacts: stays what it was
-  /// at the start, while no carrier drive does work.
+  double impacts;      ///< dissipated by stops and latches
+  /// kinetic + gravity - active_work + dissipated + impacts: constant without
+  /// work of a carrier drive.
   double balance() const {
     return kinetic + gravity - active_work + dissipated + impacts;
   }
@@ -63,8 +64,8 @@ class Hinges;
 class Stepper;
 
 /// The motion at one time, possibly in the middle of a step. Kinematics are
-/// there at once; forces are worked out when they are first asked for, from a
-/// copy of what the motion remembers: to look leaves no trace.
+/// available at once; forces are computed on first use, from a copy of the
+/// motion's memory: queries have no side effects.
 class MotionSample {
  public:
   double time() const { return time_; }
@@ -75,7 +76,7 @@ class MotionSample {
   HingeMode mode(int body) const;
   /// Angle of a body on an axis, rad: cheap, without evaluating forces.
   double angle(int body) const;
-  /// Works out accelerations and reactions.
+  /// Computes accelerations and reactions.
   HingeSample hinge(int body) const;
   /// Accelerations of motions()[place]: of the centre of mass, gravity
   /// included, and angular; inertial axes.
@@ -84,19 +85,19 @@ class MotionSample {
   EnergyBook energy() const;
 
   // Functions below are for the motion itself: they change the view.
-  /// Refers to the equations.
+  /// Keeps a reference to the equations.
   explicit MotionSample(const Equations& equations);
   ~MotionSample();
   MotionSample(const MotionSample&) = delete;
   MotionSample& operator=(const MotionSample&) = delete;
   void show(double time, std::span<const double> state);
-  /// In the last step; its ends as they are.
+  /// Moves the view within the last step; exact at its ends.
   void show(Stepper& stepper, double time);
-  /// The same inside it, about, for next to nothing.
+  /// As above, approximate inside the step, at hardly any cost.
   void show_estimate(Stepper& stepper, double time);
-  /// Accelerations and reactions, once; false: there are none.
+  /// Computes accelerations and reactions once; false: they do not exist.
   bool work_out() const;
-  /// All hinges, once they have been worked out.
+  /// All hinges, after they have been computed.
   Hinges hinges() const;
   /// Utilisation of a resting hinge; NaN where the evaluation fails.
   double utilisation(int body) const;
@@ -105,7 +106,7 @@ class MotionSample {
   Eigen::Vector3d rate_of(int body) const;
   /// Keeps the angle when the body is released.
   void keep_hinge_angle(int body, double angle);
-  /// Whether accelerations and reactions were asked for since the last time.
+  /// Whether accelerations and reactions were used since the last call.
   bool was_asked() { return std::exchange(asked_, false); }
 
  private:
@@ -119,9 +120,9 @@ class MotionSample {
 };
 
 /// An application's event: a function that crosses 0, continuous between
-/// changes of hinges and breaks of the forces. Crossings that come back within
-/// a step are found where the function is about a polynomial of degree 6 over
-/// it; MotionOptions::longest_step helps where it is not.
+/// changes of hinges and breaks of the forces. Pairs of crossings within a step
+/// are found if the function is close to a polynomial of degree 6 over the
+/// step; if not, MotionOptions::longest_step helps.
 struct MotionEvent {
   enum class Crossing { rising, falling, either };
   std::function<double(const MotionSample&)> function;

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -16,7 +17,7 @@ struct HingeChange {
   int body;
   HingeMode from;
   HingeMode to;
-  bool on_stop = false;  ///< it rests on one now
+  bool on_stop = false;  ///< it rests on a stop
 };
 
 /// A jump of a hinge's velocity: at a stop, or by a latch.
@@ -24,10 +25,10 @@ struct HingeImpact {
   double time;
   int body;
   bool latches;  ///< by a latch
-  /// Of the rate on an axis, else of |Dw|, rad/s: before.
+  /// Rate on an axis, else |Dw|, before the jump, rad/s.
   double rate;
   double impulse;  ///< size, N m s
-  double loss;     ///< of energy, J
+  double loss;     ///< energy loss, J
 };
 
 /// Event within a step.
@@ -35,7 +36,7 @@ struct StepEvent {
   enum class Kind {
     slip_ends,   ///< sliding about a known direction passes 0
     slows_down,  ///< a ball joint is about to stop: it slides straight on
-    speeds_up,   ///< it does not stop after all
+    speeds_up,   ///< it does not stop
     slip_turns,  ///< it turns against itself within a step
     rest_ends,
     hits_stop,
@@ -45,17 +46,17 @@ struct StepEvent {
   Kind kind;
   int index;  ///< body or event
   double time;
-  bool rises = false;  ///< user: which way
+  bool rises = false;  ///< user: direction
 };
 
-/// Work so far along the motion, without that of looks.
+/// Numbers of operations so far along the motion, without queries.
 struct MotionCounts {
   long evaluations = 0;  ///< evaluations of accelerations
   long steps = 0;
   long outer_iterations = 0;
 };
 
-/// How a motion ended that cannot go on.
+/// Failure of a motion that cannot continue.
 struct MotionFailure {
   CoupledStatus status;  ///< ok: the integrator gave up
   double time;
@@ -69,7 +70,7 @@ struct MotionFailure {
   std::string message() const;
 };
 
-/// All that is needed to go on later: a value.
+/// Saved state from which a motion continues: a value type.
 struct MotionState {
   double time = 0;
   std::vector<double> numbers;
@@ -77,12 +78,12 @@ struct MotionState {
   std::vector<Eigen::Vector3d> directions;
   std::vector<Eigen::Vector3d> friction;
   std::vector<double> straight_from;  ///< for balls that slide straight, else 0
-  /// For those that have just begun: size of the acceleration, else 0.
+  /// Size of the acceleration for balls that have just begun to slide, else 0.
   std::vector<double> paces;
   std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
-  /// When the last bounces on a stop are over that are not followed, else 0.
+  /// Time at which the unresolved last bounces on a stop end, else 0.
   std::vector<double> settle_times;
-  std::vector<double> losses;  ///< at stops and by latches, J
+  std::vector<double> losses;  ///< energy loss at stops and latches, J
   double step = 0;
 };
 

@@ -7,16 +7,16 @@
 
 namespace multibody {
 
-/// Places of single bodies within the last step, for those who ask for many:
-/// its dense output as polynomials, made once a step when it is asked for.
+/// Positions of single bodies within the last step, for many queries: dense
+/// output as polynomials, computed once a step on first use.
 class StepPath {
  public:
-  /// Refers to both.
+  /// Keeps references to both arguments.
   StepPath(const Equations& equations, Stepper& stepper)
       : equations_(equations), stepper_(stepper) {}
 
-  /// The carrier (0) or a body (1 +) at a time of the step, as dense output has
-  /// it to rounding; a released body without its hinge angle.
+  /// The carrier (0) or a body (1 +) at a time of the step, equal to dense
+  /// output to rounding; a released body has no hinge angle.
   BodyMotion place(int body, double time);
 
  private:

@@ -9,12 +9,12 @@
 
 namespace multibody {
 
-/// d(state)/dt at a time; false if there is none.
+/// d(state)/dt at a time; false if it does not exist.
 using RateFunction =
     std::function<bool(double time, const double* state, double* rates)>;
 
-/// The same function twice: along the motion, where what was found before may
-/// change the last bits, and aside, where nothing follows from it.
+/// The same function twice: along the motion, where earlier results may change
+/// the last bits, and for queries, without side effects.
 struct Rates {
   RateFunction in_step, aside;
 };
@@ -27,37 +27,36 @@ class Stepper {
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
 
-  /// From here on, possibly with another number of unknowns.
+  /// Restarts here, possibly with another number of unknowns.
   virtual void restart(double time, std::span<const double> state);
-  /// From the beginning of the last step, or from its end, again.
+  /// Restarts from the beginning of the last step, or from its end.
   void restart_at_begin() { restart(begin_, std::vector(from_)); }
   void restart_at_end() { restart(end_, std::vector(to_)); }
   /// One step, which ends at `limit` at the latest.
-  /// @return false if it cannot be made
+  /// @return false if the step fails
   bool step(double limit);
   double begin() const { return begin_; }
   double end() const { return end_; }
   std::span<const double> begin_state() const { return from_; }
   std::span<const double> end_state() const { return to_; }
-  /// In the last step, begin() <= time <= end(); leaves no trace, as does
+  /// State in the last step, begin() <= time <= end(); no side effects, as for
   /// estimate().
   virtual void interpolate(double time, std::span<double> state) = 0;
-  /// The same as nearly as it can be had for next to nothing: Hermite's cubic
-  /// between the ends.
+  /// Approximate state at hardly any cost: Hermite's cubic between the ends.
   void estimate(double time, std::span<double> state);
-  /// Degree of interpolate() as a polynomial in time; -1: it is none.
+  /// Degree of interpolate() as a polynomial in time; -1: no polynomial.
   virtual int degree() const { return -1; }
-  /// Another one for every step that is made, also again.
+  /// Different for every computed step, including repeated steps.
   long serial() const { return serial_; }
-  /// The number of the state whose error in the last step is the largest
-  /// against what is allowed: what keeps steps short. -1: errors are not known.
+  /// Index of the state's number with the largest error in the last step
+  /// relative to the tolerance, which limits the step. -1: errors are unknown.
   virtual int largest_error() { return -1; }
   /// Length of the next step, s; for a later restart.
   double next_step() const { return next_step_; }
   virtual void set_next_step(double step) { next_step_ = step; }
 
  protected:
-  /// From begin_ and from_ to end_ and to_.
+  /// Steps from begin_ and from_ to end_ and to_.
   virtual bool make_step(double limit) = 0;
 
   const Rates rates_;

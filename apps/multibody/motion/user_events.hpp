@@ -9,29 +9,30 @@
 
 namespace multibody {
 
-/// The application's events: their functions along the steps.
+/// Events of the application: their functions along the steps.
 class UserEvents {
  public:
-  /// Refers to the view.
+  /// Keeps a reference to the view.
   explicit UserEvents(MotionSample& view) : view_(view) {}
 
-  /// From the state in view on.
+  /// Adds an event, effective from the state in view on.
   /// @return its index
   int add(MotionEvent event);
-  /// All begin anew from the state in view.
+  /// Restarts all events from the state in view.
   void restart();
 
-  /// Looks at the last step.
+  /// Evaluates the functions in the last step.
   void sample(Stepper& stepper);
-  /// After sample(): the first crossing in that step.
+  /// First crossing in that step; call after sample().
   std::optional<StepEvent> first(Stepper& stepper);
 
-  /// Nothing happened up to the end of that step, or to the state in view.
+  /// Call if no event occurred up to the end of that step, or to the state in
+  /// view.
   void go_on();
   void go_on_from_view();
-  /// This event has happened, in view.
+  /// Call after this event has occurred, in view.
   void report(const StepEvent& event);
-  /// An event whose function jumped over 0, to the state in view, when a hinge
+  /// Event whose function jumped over 0, to the state in view, when a hinge
   /// changed.
   std::optional<int> jumped();
 

@@ -24,8 +24,8 @@ struct CarrierActiveForces {
   Vec3<T> moment{};  ///< about the centre of mass, N m
 };
 
-/// Everything given that acts on the bodies; uniform gravity is not part of
-/// it, since it moves all bodies alike.
+/// All given loads on the bodies, without uniform gravity, which moves all
+/// bodies alike.
 template <class T>
 struct ActiveForces {
   CarrierActiveForces<T> carrier;
@@ -38,10 +38,10 @@ using contact::VectorRows;
 /// Reaction on a body in its joint, link axes.
 template <class T>
 struct Reaction {
-  Vec3<T> force;  ///< R_i with the force of friction in it, N
-  /// About the hinge's centre, without the moment of friction, N m: zero in a
-  /// ball joint, normal to the axis on an axis, and in a held joint the
-  /// moment that friction or a lock has to hold.
+  Vec3<T> force;  ///< R_i, including the friction force, N
+  /// Moment about the hinge's centre, without the friction moment, N m: zero in
+  /// a ball joint, normal to the axis on an axis, and in a held joint the
+  /// moment that friction or a lock must hold.
   Vec3<T> moment;
 };
 

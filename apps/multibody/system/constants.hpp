@@ -23,7 +23,7 @@ struct HeldConstants {
   P pole_offset;
 };
 
-/// A body of its own, link axes.
+/// A body without a hinge, link axes.
 template <class P>
 struct FreeConstants {
   P inverse_mass;
@@ -41,7 +41,7 @@ class SystemConstants {
   const Sym3<double>& carrier_inertia() const;
   HingeKind kind(int body) const;
   /// Constants of a body that turns in its hinge, as a row of numbers:
-  /// Constants of its kind.
+  /// Constants of the body's kind of hinge.
   const double* turning(int body) const;
   /// Constants of any body.
   const HeldConstants<double>& held(int body) const;

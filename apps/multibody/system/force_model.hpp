@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -9,7 +10,7 @@
 /// Forces of an application on its bodies.
 namespace multibody {
 
-/// A body on its way. In rows of them the carrier comes first.
+/// Motion of a body. In rows of bodies the carrier comes first.
 struct BodyMotion {
   Eigen::Vector3d position;  ///< centre of mass, inertial axes, m
   Eigen::Vector3d velocity;  ///< centre of mass, inertial axes, m/s
@@ -20,12 +21,12 @@ struct BodyMotion {
   /// its release the angle at that time. NaN otherwise.
   double hinge_angle = std::numeric_limits<double>::quiet_NaN();
 
-  /// Place of a point fixed to the body, inertial axes, m.
+  /// Position of a point fixed to the body, inertial axes, m.
   /// @param from_com  from the centre of mass, body axes, m
   Eigen::Vector3d point(const Eigen::Vector3d& from_com) const {
     return position + rotation * from_com;
   }
-  /// Its velocity, inertial axes, m/s.
+  /// Velocity of this point, inertial axes, m/s.
   Eigen::Vector3d point_velocity(const Eigen::Vector3d& from_com) const {
     return velocity + angular_velocity.cross(rotation * from_com);
   }
@@ -45,39 +46,39 @@ struct BodyForce {
   }
 };
 
-/// A variable of the bodies' places over which a force has kinks, as a table
-/// has at its rows.
+/// A function of the bodies' positions at whose values a force has kinks, such
+/// as the rows of a table.
 struct KinkedVariable {
   double value;
   std::span<const double> kinks;  ///< increasing
 };
 
-/// Forces and moments given from outside: thrust, springs, pushers, air. Not
-/// uniform gravity (MotionOptions::gravity), reactions or hinge friction.
+/// Applied forces and moments: thrust, springs, pushers, air. Not uniform
+/// gravity (MotionOptions::gravity), reactions or hinge friction.
 ///
-/// Called at every evaluation of the accelerations, also at trial states that
-/// a step then discards: it must be a function of its arguments, cheap, and
-/// must not allocate or throw. Smooth between the times of next_break() and
-/// the places of add_kinks().
+/// Called at every evaluation of the accelerations, also at trial states that a
+/// step later discards: it must depend only on its arguments, be cheap, and
+/// must not allocate or throw. Smooth between the times of next_break() and the
+/// kinks of add_kinks().
 class ForceModel {
  public:
   virtual ~ForceModel() = default;
 
-  /// Adds to `forces`, one for each body, which come in as 0.
+  /// Adds to `forces`, one for each body, initially 0.
   virtual void add_forces(double time, std::span<const BodyMotion> bodies,
                           std::span<BodyForce> forces) const = 0;
 
   /// Next time after `time` at which a force jumps or has a kink: steps end
-  /// there, and add_forces() at that time gives what is after it. Infinity:
+  /// there, and add_forces() at that time gives the forces after it. Infinity:
   /// none.
   virtual double next_break([[maybe_unused]] double time) const {
     return std::numeric_limits<double>::infinity();
   }
 
-  /// Appends the variables over which forces that act at a time have kinks, and
-  /// their values with the bodies in these places: steps end where one passes a
-  /// kink, however narrow what lies behind it is.
-  /// @param during  a time in the step; between two breaks they are the same
+  /// Appends the variables over which active forces have kinks, and their
+  /// values at these positions of the bodies. Steps end where a variable passes
+  /// a kink, so that narrow features behind it are not missed.
+  /// @param during  a time in the step; variables do not change between breaks
   virtual void add_kinks(
       [[maybe_unused]] double during,
       [[maybe_unused]] std::span<const BodyMotion> bodies,

@@ -9,8 +9,8 @@
 
 namespace multibody {
 
-/// Between states and what applications see: bodies in body axes and
-/// inertial ones. Nothing allocates.
+/// Conversion between states and the bodies of applications, in body axes and
+/// inertial axes. Does not allocate.
 
 /// C of a body in its hinge: link axes to parent axes.
 Eigen::Matrix3d relative_rotation(const Link& link, const double* link_state);
@@ -19,25 +19,25 @@ Eigen::Vector3d relative_rate(const Link& link, const double* link_state);
 void set_relative_rate(const Link& link, double* link_state,
                        const Eigen::Vector3d& rate);
 
-/// The carrier, and a body on its parent or released (then without a hinge
-/// angle).
+/// Motion of the carrier, and of a body on its parent or released (then without
+/// a hinge angle).
 /// @param numbers  its own
 BodyMotion carrier_at(const double* numbers);
 BodyMotion body_at(const Link& link, JointMode mode, const double* numbers,
                    const BodyMotion& parent);
 
-/// @param bodies  1 + number of bodies; the hinge angle of a body that is
-///                released stays what it is
+/// @param bodies  1 + number of bodies; the hinge angle of a released body does
+///                not change
 void set_bodies(const System& system, const StateLayout& layout,
                 std::span<const JointMode> modes, const double* state,
                 std::span<BodyMotion> bodies);
 
-/// Forces in inertial axes into body axes (carrier's and link axes).
+/// Transforms forces from inertial axes to carrier and link axes.
 void set_active_forces(const System& system, std::span<const BodyMotion> bodies,
                        std::span<const BodyForce> forces,
                        ActiveForces<double>& active);
 
-/// The 13 numbers of a body of its own.
+/// The 13 numbers of a body without a hinge.
 /// @param axes  axes of the state's quaternion to body axes
 void put_body(const BodyMotion& body, const Eigen::Matrix3d& axes, double* to);
 
@@ -45,7 +45,7 @@ void put_body(const BodyMotion& body, const Eigen::Matrix3d& axes, double* to);
 double kinetic_energy(double mass, const Eigen::Matrix3d& inertia,
                       const Eigen::Matrix3d& axes, const BodyMotion& body);
 
-/// Makes every quaternion of a state one of length 1.
+/// Normalises every quaternion of a state.
 void normalise(const System& system, const StateLayout& layout,
                std::span<const JointMode> modes, double* state);
 

@@ -6,10 +6,10 @@
 
 namespace multibody {
 
-/// State of a joint at the moment.
+/// Mode of a joint.
 enum class JointMode {
-  turning,   ///< turns, or is about to: its friction moment is given
-  held,      ///< locked or at rest: its moment is an unknown reaction
+  turning,   ///< turns, or is about to; given friction moment
+  held,      ///< locked or at rest; its moment is a reaction
   released,  ///< there is no joint (any more)
 };
 

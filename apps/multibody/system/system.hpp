@@ -1,19 +1,20 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
 #include <string>
 #include <vector>
 
-/// Carrier with hinged bodies (libcontact/docs/reference/multibody.md): what
-/// the bodies and hinges are, validated once. A body hangs on the carrier or on
-/// another body, its parent.
+/// Carrier with hinged bodies (libcontact/docs/reference/multibody.md): bodies
+/// and hinges, validated once. A body hangs on the carrier or on another body,
+/// its parent.
 ///
 /// Frames. Carrier axes: fixed to the carrier, origin at its centre of mass.
-/// Body axes: fixed to the body, origin at its centre of mass, chosen by
-/// whoever describes the body. Parent axes: those of the parent, the carrier's
-/// or another body's. Link axes: those in which
-/// its equations are shortest; System finds them, Link::axes turns
-/// one into the other. Hinge axes: z along the axis of an axis node.
+/// Body axes: fixed to the body, origin at its centre of mass, chosen by the
+/// user. Parent axes: axes of the parent, the carrier or another body. Link
+/// axes: the axes in which the body's equations are shortest; System finds
+/// them, Link::axes converts to body axes. Hinge axes: z along the axis of an
+/// axis node.
 namespace multibody {
 
 /// How a body hangs on its parent; system/hinges has a type for each.
@@ -26,12 +27,12 @@ enum class HingeKind {
 /// Numbers of a kind of hinge.
 struct HingeTraits {
   int state_size;
-  /// Index in its state of a quaternion, which keeps the length 1; -1: none.
+  /// Index of a quaternion of length 1 in the state; -1: none.
   int quaternion;
-  /// It turns about z of the link axes alone, by an angle that is the first
-  /// number of its state; its rate is the second.
+  /// Whether it turns only about z of the link axes, by an angle that is the
+  /// first number of its state; its rate is the second.
   bool is_axis;
-  /// The link axis along which the hinge is from the centre of mass.
+  /// Link axis from the centre of mass to the hinge.
   int arm_axis;
 };
 
@@ -40,12 +41,12 @@ struct Carrier {
   double mass = 0;  ///< kg, > 0
   /// About the centre of mass, carrier axes, kg m^2.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  /// It stands in inertial space: hinges on it are hinges to the ground. Mass
-  /// and inertia do not count, and any point of it is its centre of mass.
+  /// Fixed in inertial space: hinges on it are hinges to the ground. Mass and
+  /// inertia have no effect, and any point may be its centre of mass.
   bool fixed = false;
 };
 
-/// A body and its hinge, as a person describes it.
+/// A body and its hinge, as the user describes them.
 struct Body {
   HingeKind kind = HingeKind::ball;
   double mass;              ///< kg, > 0
@@ -58,7 +59,7 @@ struct Body {
   Eigen::Matrix3d hinge_to_body = Eigen::Matrix3d::Identity();
   /// axis only: hinge axes to parent axes at angle zero (B_i0 at zero).
   Eigen::Matrix3d hinge_to_carrier_zero = Eigen::Matrix3d::Identity();
-  /// Index of the body that it hangs on, before or after it; -1: the carrier.
+  /// Index of the parent body, before or after this body; -1: the carrier.
   int parent = -1;
 };
 
@@ -84,25 +85,25 @@ struct Link {
   int parent;  ///< as Body::parent
 };
 
-/// Carrier and bodies, checked and turned into link axes.
+/// Carrier and bodies, checked and converted to link axes.
 class System {
  public:
-  /// @throws contact::Error naming body, quantity and what is allowed: masses
+  /// @throws contact::Error naming body, quantity and allowed values: masses
   ///   finite and > 0; inertias finite, symmetric, with no negative principal
   ///   moment (the carrier's all > 0); rotations orthogonal to 1e-6 and
-  ///   right-handed (the rest is put right); an axis body with some inertia
-  ///   about its axis; a ball body with inertia or an arm, in a deeper tree
-  ///   inertia about its arm; parents that are there, without circles, none of
-  ///   a body of its own.
+  ///   right-handed (then made exact); an axis body with inertia about its
+  ///   axis; a ball body with inertia or an arm, in a deeper tree with inertia
+  ///   about its arm; existing parents, without circles, none for a body
+  ///   without a hinge.
   System(const Carrier& carrier, const std::vector<Body>& bodies);
 
   const Carrier& carrier() const { return carrier_; }
   const std::vector<Link>& links() const { return links_; }
   int size() const { return static_cast<int>(links_.size()); }
-  /// All hang on the carrier, the paper's case: else it is a deeper tree.
+  /// Whether all bodies hang on the carrier, as in the paper; else a deeper
+  /// tree.
   bool is_star() const { return is_star_; }
-  /// Bodies in an order in which children come after parents; of a star 0, 1,
-  /// ...
+  /// Bodies in an order with children after parents; for a star 0, 1, ...
   const std::vector<int>& order() const { return order_; }
 
  private:

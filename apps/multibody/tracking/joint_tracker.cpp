@@ -71,8 +71,8 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
   }
 }
 
-// The numbers of as many joints as the kernel has lanes, then those of the
-// next.
+// The numbers of as many joints as the kernel has lanes, then the numbers of
+// the next joints.
 double* JointTracker::number(int joint, std::size_t k) noexcept {
   const auto lanes = static_cast<std::size_t>(kernel_->lanes);
   const auto i = static_cast<std::size_t>(joint);

@@ -30,28 +30,27 @@ using contact::VectorRows;
 
 /// Friction of several sliding joints, side by side, tracked through small
 /// changes of R and Dw with one evaluation of each contact: for solvers of
-/// several bodies, which evaluate all joints again and again.
+/// several bodies, which evaluate all joints repeatedly.
 ///
-/// What the last evaluation of a contact found, and the secant slopes of f, c_Y
-/// and c_Z over R_n and a, predict M_t for a new R and Dw, and how it changes
-/// with R: predict(), then extend() for other R nearby. correct() evaluates
-/// each contact where the prediction leads, corrects it by what was missed, and
-/// the slopes by Broyden's update. error() says how wrong M_t is likely to be,
-/// largest() the same and more of all joints.
+/// The last evaluation of a contact and the secant slopes of f, c_Y and c_Z
+/// over R_n and a predict M_t for a new R and Dw, and its slope over R:
+/// predict(), then extend() for other R nearby. correct() evaluates each
+/// contact at the prediction, corrects the prediction by its error, and the
+/// slopes by Broyden's update. error() estimates the error of M_t, largest()
+/// the largest error and other maxima over all joints.
 ///
-/// For what a Joint solves in general this is no substitute: it needs a
-/// solution to start from, R not too near to Dw, and small changes.
-/// is_trusted() says whether it has all that. Joints without clearance and with
-/// interference are tracked like others as long as they are loaded: at R = 0
-/// start() leaves them to the solver, and so does an R that changes by more
-/// than 10 % of itself. Where a pin's contact lifts off its friction has a
-/// kink: in the step over it M_t is wrong by the square of the step, 4e-7 for
-/// one of 1e-3, which error() does not know yet.
+/// It does not replace Joint in general: it needs a solution to start from, R
+/// not too close to Dw, and small changes. is_trusted() tells whether these
+/// conditions hold. Joints without clearance and with interference are tracked
+/// like others while they are loaded; at R = 0, and if R changes by more than
+/// 10 %, start() leaves them to the solver. Where a pin's contact lifts off,
+/// its friction has a kink: in the step over it the error of M_t is the square
+/// of the step, 4e-7 for a step of 1e-3, which error() does not include.
 ///
 /// R and Dw in any frame; each joint may use its own. Dw of a pin is along its
-/// axis; the part of R normal to that counts. No call but the constructor
-/// allocates or throws. A copy goes on from the same memory; the contacts are
-/// shared.
+/// axis; only the part of R normal to it has an effect. Only the constructor
+/// allocates or throws. A copy continues from the same memory and shares the
+/// contacts.
 class JointTracker {
  public:
   /// @param contacts  of balls and pins, dry or viscous
@@ -61,12 +60,12 @@ class JointTracker {
 
   int size() const { return static_cast<int>(contacts_->size()); }
 
-  /// Begins to track a joint, with two evaluations for its slopes.
+  /// Starts to track a joint, with two evaluations for its slopes.
   /// @param solution  of this joint, sliding
-  /// @param rate      Dw for which it was found
+  /// @param rate      Dw of the solution
   void start(int joint, const JointSolution& solution,
              const Eigen::Vector3d& rate) noexcept;
-  /// No longer: the joint is left out of correct().
+  /// Stops tracking: correct() ignores the joint.
   void stop(int joint) noexcept {
     for (auto row : {&Exchange::tracked, &Exchange::asked, &Exchange::exact}) {
       at(row, joint) = 0;
@@ -88,18 +87,18 @@ class JointTracker {
     return get(&Exchange::reaction, joint);
   }
 
-  /// M_t by the slopes, nothing evaluated.
+  /// M_t by the slopes, without an evaluation.
   /// @param enough  joints whose error() is at most this may be left to
   ///                extend(), here and in correct(); below 0: none
   void predict(double enough = -1) noexcept;
-  /// The same for reactions close to those of the last predict() or correct(),
-  /// Dw as it was there: a linear function of R.
+  /// M_t for reactions close to the reactions of the last predict() or
+  /// correct() and the same Dw: a linear function of R.
   void extend() noexcept;
   /// M_t for R with each contact evaluated once.
   void correct() noexcept;
 
-  /// Whether the last predict() or correct() stayed where the slopes are of
-  /// use: moves of R, b, R_n, ... up to 10 %, no NaN, sin b above 0.01.
+  /// Whether the last predict() or correct() stayed within the range of the
+  /// slopes: moves of R, b, R_n, ... up to 10 %, no NaN, sin b above 0.01.
   bool is_trusted(int joint) const noexcept {
     return is_tracked(joint) && at(&Exchange::trust, joint) < 1;
   }
@@ -107,13 +106,13 @@ class JointTracker {
   Eigen::Vector3d moment(int joint) const noexcept {
     return get(&Exchange::moment, joint);
   }
-  /// Likely relative error of M_t, from the errors found in the slopes lately:
-  /// after correct() at most 0.62 of it on 1200 random paths
+  /// Estimated relative error of M_t, from recent errors of the slopes: after
+  /// correct() the true error was at most 0.62 of it on 1200 random paths
   /// (multibody/joint_tracker_test.cpp).
   double error(int joint) const noexcept { return at(&Exchange::error, joint); }
 
-  /// Moment with which the motion has been computed, N m, for iterations of M_t
-  /// with the motion that it causes.
+  /// Moment of the computed motion, N m, for iterations of M_t with the motion
+  /// that it causes.
   void set_applied_moment(int joint, const Eigen::Vector3d& moment) noexcept {
     set(&Exchange::applied, joint, moment);
   }
@@ -134,10 +133,11 @@ class JointTracker {
   Eigen::Vector3d step(int joint) const noexcept {
     return get(&Exchange::step, joint);
   }
-  /// Keeps the applied moments, as the end of a stretch that began with the
-  /// last ones kept.
+  /// Keeps the applied moments as the end of an interval that began with the
+  /// moments kept before.
   void keep() noexcept;
-  /// Applied moments beyond that end, by this share of the stretch.
+  /// Extrapolates the applied moments beyond that end, by this fraction of the
+  /// interval.
   void extrapolate(double share) noexcept;
 
   /// Rows of all joints: values from set_reaction() and set_applied_moment()
@@ -202,7 +202,7 @@ class JointTracker {
   std::vector<Exchange> exchange_;
   std::vector<Line> states_;  // TrackerState in lanes of the kernel
   bool any_plain_ = false;
-  std::vector<char> is_plain_;    // the exact integrals alone make its values
+  std::vector<char> is_plain_;    // needs only the exact integrals
   std::vector<char> is_smooth_;   // its law is, as far as it has been seen
   double moment_floor_ = 1e-200;  // squared
   Largest largest_{};

@@ -22,9 +22,9 @@ struct TrackerKernel {
   /// @param enough  errors of joints that are left to extend()
   TrackerLargest (*predict)(const TrackerJoints&, double enough);
   TrackerLargest (*extend)(const TrackerJoints&);
-  /// extend(), and the contacts to be evaluated.
+  /// extend(), and selects the contacts to evaluate.
   TrackerLargest (*prepare)(const TrackerJoints&);
-  /// Corrects slopes and moments by the values found there.
+  /// Corrects slopes and moments by the evaluated values.
   TrackerLargest (*correct)(const TrackerJoints&);
   void (*step)(const TrackerJoints&);
   void (*keep)(const TrackerJoints&);

@@ -26,7 +26,7 @@ template <class F>
     f(*state++, joints.exchange[i / size], i % size);
   }
 }
-// The same of those in which a joint is tracked.
+// As above, for packets with a tracked joint.
 template <class F>
 [[gnu::always_inline]] inline void for_joints(const TrackerJoints& joints,
                                               F f) {
@@ -37,7 +37,7 @@ template <class F>
                   });
 }
 
-// The largest numbers of the joints tracked, NaN as infinity.
+// Largest values over the tracked joints, NaN as infinity.
 class Largest {
  public:
   explicit Largest(const TrackerJoints& joints) : floor_(joints.moment_floor) {}
@@ -84,7 +84,7 @@ constexpr double error_safety = 5;
   store(error_safety * s.error, e.error + k);
 }
 
-// The present R and Dw, and where the secants lead.
+// The present R and Dw, and the prediction of the secants.
 [[gnu::always_inline]] inline void set_slip(State& s, TrackerExchange& e,
                                             int k) {
   s.frame = frame_of(load(e.reaction, k), load(e.rate, k), s);
@@ -104,7 +104,7 @@ constexpr double error_safety = 5;
   store(error_safety * (s.error + shift * (2.0 * s.slope_error + shift)),
         e.error + k);
 }
-// Packets in which a joint is wrong by more than that.
+// Packets with an error above this in a joint.
 [[gnu::flatten]] TrackerLargest predict(const TrackerJoints& joints,
                                         double enough) {
   Largest most(joints);
@@ -133,7 +133,7 @@ constexpr double error_safety = 5;
   return most.result();
 }
 
-// The contact where the secants lead, and what its window tells.
+// The contact predicted by the secants, and its values from the window.
 [[gnu::always_inline]] inline void set_contact(State& s, TrackerExchange& e,
                                                int k) {
   set_slip(s, e, k);
@@ -188,7 +188,7 @@ constexpr double error_safety = 5;
   s.slope_error = select(known, Lanes(0.0), s.slope_error);
 }
 
-// By (3.7), (3.8) from the integrals where they have not been told.
+// Values by (3.7), (3.8) from the integrals, if not given.
 [[gnu::always_inline]] inline void take_integrals(const State& s,
                                                   TrackerExchange& e, int k) {
   const auto exact = s.is_plain != 0.0;
@@ -206,8 +206,9 @@ constexpr double error_safety = 5;
 // Broyden's update of all slopes by the values at the contact of s.slip.
 [[gnu::always_inline]] inline void learn(State& s, const TrackerExchange& e,
                                          int k) {
-  // By rounding, 1e-16, shorter moves miss 1e-8 of their length and more: they
-  // tell nothing. Neither do they where series end.
+  // Moves so short have errors of 1e-8 of their length and more by rounding,
+  // 1e-16, and carry no information. Nor do moves beyond the range of the
+  // series.
   constexpr double shortest = 1e-8;
   constexpr double largest_miss = trust_radius;
   const Move& move = s.slip.move;
@@ -221,7 +222,7 @@ constexpr double error_safety = 5;
   const auto bends = tells && p * p * s.inverse_square > 0.8 * square &&
                      abs(product) > 0.2 * square;
   const Lanes inverse_bend = 1.0 / select(bends, product, Lanes(1.0));
-  // @return what the slopes missed
+  // @return errors of the slopes
   const auto update = [&](Secants<Lanes> & f, const Lanes& found)
       __attribute__((always_inline)) {
     // (A pin has no spinning moment.)
@@ -240,7 +241,7 @@ constexpr double error_safety = 5;
   const Lanes friction = update(s.friction, load(e.friction + k));
   const Lanes sliding = update(s.sliding, load(e.sliding + k));
   const Lanes spinning = update(s.spinning, load(e.spinning + k));
-  // As far as each counts in the moment.
+  // Weighted by the effect of each on the moment.
   const Lanes y = s.sliding.value * s.slip.axis_cos;
   const Lanes z = s.spinning.value * s.slip.axis_sin;
   const Lanes missed =

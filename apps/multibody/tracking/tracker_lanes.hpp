@@ -6,8 +6,8 @@
 #include "multibody/tracking/tracker_exchange.hpp"
 #include "multibody/tracking/tracker_state.hpp"
 
-// The mathematics of joints in lanes: where R and Dw lead by the secants. Part
-// of tracker_kernel_impl.hpp.
+// The mathematics of joints in lanes: prediction by the secants for R and Dw.
+// Part of tracker_kernel_impl.hpp.
 
 namespace multibody::detail {
 namespace {
@@ -38,7 +38,7 @@ using Move = ContactMove<Lanes>;
   store(v.z, to.z + k);
 }
 
-// The larger one; NaN if one of them is, which max() does not promise.
+// The larger number; NaN if one of them is NaN, which max() does not guarantee.
 [[gnu::always_inline]] inline Lanes larger(const Lanes& a, const Lanes& b) {
   return select(a >= b, a, select(b >= a, b, a + b));
 }
@@ -108,8 +108,8 @@ using Move = ContactMove<Lanes>;
   t.move.cosine -= 2.0 * fall.cosine * t.step;
 }
 
-// Along the move v to the last contact, where slopes are those of this move,
-// what is of second order of a move by p/|v| is curvature * bend(p).
+// Along the move v to the last contact, to which the slopes belong, the
+// second-order part of a move by p/|v| is curvature * bend(p).
 [[gnu::always_inline]] inline Lanes along(const State& s, const Move& m) {
   return m.force * s.last_move.force + m.cosine * s.last_move.cosine;
 }
@@ -134,8 +134,8 @@ using Move = ContactMove<Lanes>;
   return growth(f, m) + f.curvature * bend;
 }
 
-// The root of ln tan psi - ln f/cos a for s.frame: from where the last solution
-// and its responses lead a Newton step by the secants.
+// The root of ln tan psi - ln f/cos a for s.frame: a Newton step by the secants
+// from the prediction of the last solution and its responses.
 [[gnu::always_inline]] inline Slip solve(const State& s) {
   const Frame& f = s.frame;
   const Lanes reaction =
@@ -159,7 +159,7 @@ using Move = ContactMove<Lanes>;
   return t;
 }
 
-// M_t at s.slip, and how it and tan psi change with R:
+// M_t at s.slip, and the slopes of M_t and tan psi over R:
 //   M_t = -rho R_n ((Y C^2 + Z S^2) w + S C (Z - Y) d),  C, S = cos a, sin a,
 //   d = p cos psi + s q sin psi,  Y = c_Y/cos a, Z = c_Z/sin a
 [[gnu::always_inline]] inline void set_moment(State& s) {
@@ -181,7 +181,7 @@ using Move = ContactMove<Lanes>;
   const Vector turned = t.cos_psi * f.q - s.side * t.sin_psi * f.p;
   s.moment = scale * (length * f.w + across * d);
 
-  // Slopes over ln R, b and ln tan psi: those of ln cos g and ln cos^2 a.
+  // Slopes of ln cos g and ln cos^2 a over ln R, b and ln tan psi.
   const Lanes sin2_psi = t.sin_psi * t.sin_psi;
   const Lanes inverse_g = 1.0 / t.cos_g;
   const Lanes inverse_g2 = inverse_g * inverse_g;

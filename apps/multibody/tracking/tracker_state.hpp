@@ -11,13 +11,13 @@ using contact::Mat3;
 using contact::Vec3;
 using contact::detail::SlipTriangle;
 
-/// How far series, slopes and windows are good: moves of ln R,
-/// ln R_n, b, ... With moves of 10 % the seventh order of the series is 1e-8.
+/// Range of series, slopes and windows: moves of ln R, ln R_n, b, ... With
+/// moves of 10 % the seventh order of the series is 1e-8.
 constexpr double trust_radius = 0.1;
-/// 1/sin b up to which a joint is tracked: M_t over R changes as quickly.
+/// Largest 1/sin b of tracked joints: M_t over R changes at this rate.
 constexpr double largest_inverse_sine = 100;
-/// sin a and cos a of contacts are taken at least so large: what is divided by
-/// them tends to a constant. Its square can still be told from 0.
+/// Lower bound of sin a and cos a of contacts: quantities divided by them tend
+/// to constants. Its square still differs from 0.
 constexpr double smallest_axis = 1e-150;
 
 /// A move of the contact.
@@ -26,7 +26,7 @@ struct ContactMove {
   T force, cosine;  ///< moves of x = ln R_n and y = ln cos^2 a
 };
 
-/// F, one of f/cos a, c_Y/cos a, c_Z/sin a, around the contact last evaluated.
+/// F, one of f/cos a, c_Y/cos a, c_Z/sin a, around the last evaluated contact.
 template <class T>
 struct Secants {
   T value;                ///< F there; for the speed 1 if viscous
@@ -90,10 +90,10 @@ struct ReactionFrame {
   T speed;  ///< |Dw|, 1 if friction is dry
 };
 
-/// The triangle, and what a Newton step by the secants made of it.
+/// The triangle after a Newton step by the secants.
 template <class T>
 struct SlipState : SlipTriangle<T> {
-  ContactMove<T> move;  ///< from the contact last evaluated
+  ContactMove<T> move;  ///< from the last evaluated contact
   T step;               ///< last step of ln tan psi
   T squares;            ///< sum of its squared steps
   T inverse_slope;      ///< d ln tan psi over d(residual)
@@ -106,7 +106,7 @@ struct TrackerState {
   T radius;                    ///< rho, m
   T side;                      ///< s of docs/explanation/joint.md (7)
   T is_ball, is_viscous;       ///< 1 or 0
-  T is_plain;                  ///< 1: the exact integrals alone make its values
+  T is_plain;                  ///< 1: needs only the exact integrals
   T pressure_part, area_part;  ///< JointContact::Strength at speed 1
 
   // The last solution.
@@ -114,23 +114,23 @@ struct TrackerState {
   T last_tangent, last_residual;  ///< ln tan psi - ln f/cos a of the contact
   T tangent_by_reaction, tangent_by_angle;  ///< d ln tan psi over d ln R, db
 
-  // The contact last evaluated.
+  // The last evaluated contact.
   T inverse_force, inverse_axis_cosine;  ///< 1/R_n, 1/cos a
   Secants<T> friction, sliding, spinning;
   ContactMove<T> last_move;  ///< to it, from the one before
   T inverse_square;          ///< 1/length^2 of this move
-  T slope_error;  ///< how wrong slopes have lately been: d ln F per length
-  T is_known;     ///< 1: slopes and curvatures are those of a pin's window
+  T slope_error;             ///< recent errors of slopes: d ln F per length
+  T is_known;                ///< 1: slopes and curvatures from a pin's window
   Window<T> window;
 
-  // The last prediction, and M_t from there.
+  // The last prediction and its M_t.
   ReactionFrame<T> frame;
   SlipState<T> slip;
   Vec3<T> reaction, moment;
   Mat3<T> jacobian;  ///< dM_t/dR
   T error;           ///< relative, of `moment`
 
-  // The applied moment kept last, and its change from the one before.
+  // The last kept applied moment, and its change from the previous one.
   Vec3<T> kept, stretch;
 };
 

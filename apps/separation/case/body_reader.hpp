@@ -9,7 +9,7 @@ namespace separation {
 /// and [[body]] that they share.
 RigidBody read_rigid_body(const contact::TomlTable& table);
 
-/// The same of [carrier]; a fixed one has neither mass nor inertia.
+/// As above for [carrier]; a fixed carrier has neither mass nor inertia.
 RigidBody read_carrier(const contact::TomlTable& table);
 
 }  // namespace separation

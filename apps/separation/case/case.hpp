@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -15,12 +16,12 @@
 #include "multibody/motion/motion.hpp"
 #include "separation/case/shape.hpp"
 
-/// A separation as its case file describes it
+/// A separation as described by its case file
 /// (libcontact/docs/reference/case_file.md).
 ///
-/// Body axes: the directions of the axes in which the file describes a body,
-/// origin at its centre of mass; the file's own origin is gone after reading.
-/// rigid_body(0) is the carrier, rigid_body(1 + i) that of bodies[i].
+/// Body axes: directions as in the file, origin at the centre of mass; the
+/// origin of the file is discarded after reading. rigid_body(0) is the carrier,
+/// rigid_body(1 + i) belongs to bodies[i].
 namespace separation {
 
 struct NamedDirection {
@@ -35,45 +36,46 @@ struct RigidBody {
   Eigen::Vector3d com = Eigen::Vector3d::Zero();
   /// About the centre of mass, kg m^2.
   Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
-  /// A carrier that stands in inertial space: mass, com and inertia are 0.
+  /// A carrier fixed in inertial space: mass, com and inertia are 0.
   bool fixed = false;
   std::vector<Shape> shapes;
   std::vector<NamedDirection> directions;
 };
 
-/// A joint of a hinge: what the joint file says and where it sits.
+/// A joint of a hinge: its joint file and its position.
 struct HingeJoint {
   contact::JointSpec joint;
   double position;  ///< along the axis from the hinge's centre, m
-  /// The joint that is solved. Joints of the case that are alike share laws.
+  /// The joint for solutions. Identical joints of the case share laws.
   contact::Joint model;
 
   const contact::JointContact& contact() const { return model.contact(); }
 };
 
-/// Where the turn of a hinge ends.
+/// End of the rotation of a hinge.
 struct HingeStop {
   double angle = 0;        ///< rad
   int side = 1;            ///< 1: the body is at larger angles, -1: at smaller
   double restitution = 0;  ///< e
-  double stiffness = 0;    ///< of a compliant one, N m; 0: it is rigid
+  double stiffness = 0;    ///< compliant stop, N m; 0: rigid
   double damping = 0;      ///< X = a v0 of contact::HuntCrossley
 
   bool is_rigid() const { return stiffness == 0; }
-  /// How far the body is from it, rad.
+  /// Distance of the body from the stop, rad.
   double gap(double at) const { return side * (at - angle); }
 };
 
-/// What the torque margin of a hinge is asked of.
+/// Path and factors of the torque margin of a hinge.
 struct MarginPath {
   double from, to;  ///< rad
   double friction_factor = 1, other_factor = 1;
 };
 
-/// The upper node: what a body turns on.
+/// The upper node, on which a body turns.
 struct Hinge {
   std::string name;
-  /// The rigid body on which it is, the parent: the carrier or another one.
+  /// The rigid body that carries the hinge, the parent: the carrier or another
+  /// body.
   int on = 0;
   multibody::HingeKind kind = multibody::HingeKind::none;
   /// Axes of the body and of its parent, m.
@@ -86,9 +88,9 @@ struct Hinge {
   std::vector<HingeJoint> joints;
   /// axis: shares of an indeterminate node.
   std::optional<contact::JointGroup::Sharing> sharing;
-  /// axis: takes the force along it, beside pins.
+  /// axis: carries the force along it, beside pins.
   std::optional<contact::ThrustFace> thrust_face;
-  /// ball: the angle is that between these.
+  /// ball: the hinge's angle lies between these directions.
   Eigen::Vector3d body_direction = Eigen::Vector3d::UnitX();
   Eigen::Vector3d parent_direction = Eigen::Vector3d::UnitX();
   std::vector<HingeStop> stops;
@@ -103,13 +105,13 @@ struct Lock {
 
 struct Body {
   RigidBody rigid;
-  std::string group;  ///< its name in the file, without the copy's number
+  std::string group;  ///< name in the file, without the copy's number
   Hinge hinge;
   std::optional<Lock> lock;
   multibody::BodyStart start;
 };
 
-/// When a force begins or ends: at a time, or `delay` after an event.
+/// Begin or end of a force: at a time, or `delay` after an event.
 struct Clock {
   double time = 0;
   int event = -1;  ///< -1: at the time
@@ -127,7 +129,7 @@ struct Force {
   std::shared_ptr<const ForceLaw> law;
 };
 
-/// Something that happens once to each of its bodies.
+/// An event that occurs once for each of its bodies.
 struct Event {
   enum class Trigger { time, angle, reaction, after };
   enum class Node { hinge, lock };
@@ -135,10 +137,10 @@ struct Event {
   std::string name;
   Trigger trigger;
   double value;  ///< s, rad, N; after: delay, s
-  Node node;     ///< reaction: of which node
+  Node node;     ///< reaction: its node
   Action action;
   std::vector<int> bodies;
-  int after = -1;  ///< the event that arms it, -1: armed from the beginning
+  int after = -1;  ///< the event that arms it, -1: always armed
   /// True: all its bodies when the first one meets the condition.
   bool together;
   /// Latches engage at this rate of the hinge or below, rad/s.
@@ -147,13 +149,13 @@ struct Event {
 
 /// Friction of a run.
 enum class FrictionChoice { full, ideal, traditional };
-/// Their words, in order.
+/// Words for these, in order.
 inline constexpr std::array friction_choices = {"full", "ideal", "traditional"};
 constexpr const char* to_string(FrictionChoice choice) {
   return friction_choices[static_cast<std::size_t>(choice)];
 }
 
-/// More rows than anyone looks at, and memory for them.
+/// Limit of the number of rows, far above practical use.
 inline constexpr double most_rows = 1e6;
 
 struct Case {
@@ -172,7 +174,7 @@ struct Case {
   struct Pair {
     int a, b;
   };
-  /// Bodies whose distance is watched.
+  /// Pairs of bodies whose distance is computed.
   std::vector<Pair> clearance;
 
   const RigidBody& rigid_body(int i) const {
@@ -183,19 +185,19 @@ struct Case {
       return body.hinge.kind != multibody::HingeKind::none;
     });
   }
-  /// Bodies hang on bodies.
+  /// Whether bodies hang on bodies.
   bool is_tree() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return body.hinge.on > 0; });
   }
-  /// An event latches the hinge of this body.
+  /// Whether an event latches the hinge of this body.
   bool has_latch(int body) const {
     return std::ranges::any_of(events, [body](const Event& event) {
       return event.action == Event::Action::latch &&
              std::ranges::count(event.bodies, body) > 0;
     });
   }
-  /// Stops or latches take energy.
+  /// Whether stops or latches dissipate energy.
   bool has_impacts() const {
     return std::ranges::any_of(
                bodies,
@@ -223,9 +225,9 @@ inline std::string clearance_column(const Case& c, const Case::Pair& pair) {
          column_name(c.rigid_body(pair.b).name);
 }
 
-/// Laws that the command line puts in place of those of the joint files.
+/// Laws from the command line that replace the laws of the joint files.
 struct JointLaws {
-  std::string half_angle;  ///< "" for the file's
+  std::string half_angle;  ///< "": as in the file
   std::string pressure;
 };
 

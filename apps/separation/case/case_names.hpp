@@ -10,14 +10,13 @@
 
 namespace separation {
 
-/// "a after b after a" where what follows one leads back to it; "" where it
-/// does not.
-/// @param next  of each name, -1: nothing
+/// "a after b after a" if the successors of a name lead back to it; "" if not.
+/// @param next  successor of each name, -1: none
 std::string circle_of(const std::vector<std::string>& names,
                       const std::vector<int>& next, int start,
                       std::string_view word);
 
-/// Names in a case file and what they stand for, while it is being read.
+/// Names in a case file and their bodies and events, during reading.
 struct CaseNames {
   const Case& of;
   /// Turn of each body's copy: carrier axes as written to carrier axes.
@@ -27,14 +26,14 @@ struct CaseNames {
   /// Bodies called `name`: one, or all copies of a body.
   std::vector<int> rigid_bodies(std::string_view name) const;
 
-  /// The bodies that the text of a key names; throws Error if there are none.
+  /// The bodies named by the text of a key; throws Error if there are none.
   std::vector<int> rigid_bodies_of(const contact::TomlTable& table,
                                    std::string_view key) const;
-  /// The bodies that one or several texts name; all if the key is missing.
+  /// The bodies named by one or several texts; all if the key is missing.
   std::vector<int> bodies_of(const contact::TomlTable& table,
                              std::string_view key) const;
-  /// The event that the text of a key names; -1 if the key is missing.
-  /// @param except  an event that it may not be, "" for none
+  /// The event named by the text of a key; -1 if the key is missing.
+  /// @param except  an event that is not allowed, "" for none
   int event_of(const contact::TomlTable& table, std::string_view key,
                std::string_view except = "") const;
 };

@@ -12,13 +12,13 @@
 
 namespace separation {
 
-/// A [[force]] while it is read for one of the bodies that it names.
+/// A [[force]] being read for one of its bodies.
 struct ForceTable {
   const TomlTable& table;
   const CaseNames& names;
   int body;    ///< rigid body
-  int copy;    ///< its number among the bodies that are named
-  int copies;  ///< how many these are
+  int copy;    ///< its number among the named bodies
+  int copies;  ///< number of the named bodies
 
   const RigidBody& rigid_body() const { return names.of.rigid_body(body); }
   /// none for the carrier.
@@ -35,16 +35,16 @@ struct ForceTable {
   Clock clock(const std::string& key, const Clock& otherwise) const;
 };
 
-/// A kind of force: all that files say of it. A file in separation/forces has
-/// what it does.
+/// A kind of force: its keys in files. A file in separation/forces defines its
+/// action.
 struct ForceKind {
   std::string_view name;
-  /// Keys beside those of all forces.
+  /// Keys in addition to the keys of all forces.
   contact::KnownKeys keys;
   std::shared_ptr<const ForceLaw> (*read)(const ForceTable& from);
 };
 
-/// All kinds; separation/forces/list.cpp has the list.
+/// All kinds; separation/forces/list.cpp contains the list.
 const std::vector<ForceKind>& force_kinds();
 
 }  // namespace separation

@@ -17,17 +17,17 @@ struct ForceInstant {
   std::span<const multibody::BodyMotion> bodies;
   double time;   ///< since the motion began, s
   double begin;  ///< begin of the force, s
-  double own;    ///< when its own clock strikes, s
+  double own;    ///< time of its own clock, s
 
   const multibody::BodyMotion& on() const { return bodies[body]; }
   const multibody::BodyMotion& carrier() const { return bodies[0]; }
-  /// Of a body with a hinge.
+  /// Only for a body with a hinge.
   const Hinge& hinge() const { return of.bodies[body - 1].hinge; }
   const multibody::BodyMotion& parent() const { return bodies[hinge().on]; }
 };
 
-/// The points at which a force enters bodies, from their centres of mass, in
-/// their axes, m.
+/// Points of application of a force, from the bodies' centres of mass, in their
+/// axes, m.
 struct ForceEnds {
   Eigen::Vector3d point;  ///< on its body
   int other = -1;         ///< rigid body with the opposite force; -1: none
@@ -42,10 +42,10 @@ class ForceLaw {
   /// Adds its forces and moments, as ForceModel::add_forces().
   virtual void add(const ForceInstant& at,
                    std::span<multibody::BodyForce> forces) const = 0;
-  /// The points at which it enters, as pictures show it; a moment is drawn at
-  /// its point too.
+  /// The points of application for pictures; a moment is drawn at its point
+  /// too.
   virtual ForceEnds where(const Case& of, int body) const = 0;
-  /// A time at which it has a kink, beside its begin and its end.
+  /// A time at which it has a kink, in addition to its begin and end.
   virtual Clock own_clock() const { return never; }
   /// Appends the times of its other kinks and jumps.
   /// @param begin  of the force, s
@@ -55,33 +55,33 @@ class ForceLaw {
   virtual void add_kinks(
       [[maybe_unused]] const ForceInstant& at,
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
-  /// It acts through the hinge of its body and ends with it.
+  /// Whether it acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
-  /// It stores energy, as a torsion spring does: how much, J.
+  /// Whether it stores energy, like a torsion spring, and the stored energy, J.
   virtual bool stores() const { return false; }
   virtual double stored([[maybe_unused]] const ForceInstant& at) const {
     return 0;
   }
-  /// Used part of the stroke less its length, m, for a force that ends when its
-  /// stroke is used up: when this rises to 0.
+  /// Used part of the stroke minus its length, m, for a force that ends when
+  /// its stroke is used up: when this rises to 0.
   virtual std::optional<double> overrun(
       [[maybe_unused]] int body,
       [[maybe_unused]] std::span<const multibody::BodyMotion> bodies) const {
     return {};
   }
 
-  /// Ways in which it hardly does what was meant: sentences about the force,
-  /// with {body} and {time}.
+  /// Signs of unintended action: sentences about the force, with {body} and
+  /// {time}.
   virtual std::span<const std::string_view> faults() const { return {}; }
-  /// The number of the one that is seen now, from 1; 0: none.
-  /// @param begins    it is the first time that the force is looked at
-  /// @param released  its body hangs on no hinge
+  /// Number of the present fault, from 1; 0: none.
+  /// @param begins    whether the force is checked for the first time
+  /// @param released  whether its body has no hinge any more
   virtual int find_fault([[maybe_unused]] const ForceInstant& at,
                          [[maybe_unused]] bool begins,
                          [[maybe_unused]] bool released) const {
     return 0;
   }
-  /// Faults may also come when it has acted for a while.
+  /// Whether faults may also occur after it has acted for a while.
   virtual bool is_watched() const { return false; }
 };
 

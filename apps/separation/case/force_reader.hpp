@@ -7,7 +7,7 @@
 
 namespace separation {
 
-/// One [[force]]: one for each body that it names.
+/// Reads one [[force]]: a force for each body that it names.
 std::vector<Force> read_forces(const contact::TomlTable& table,
                                const CaseNames& names);
 /// Force on the body in place `copy` among these, from 0.

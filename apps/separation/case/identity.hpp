@@ -6,8 +6,8 @@
 
 namespace separation {
 
-/// Text common to all cases that move alike: the numbers of the joints, which
-/// may come from other files, and the content of the case file.
+/// Text that is equal for cases with the same motion: the numbers of the
+/// joints, which may come from other files, and the content of the case file.
 std::string identity(const Case& c);
 
 }  // namespace separation

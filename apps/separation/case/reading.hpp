@@ -21,10 +21,10 @@ Eigen::Vector3d direction(const TomlTable& table, std::string_view key);
 /// A rotation vector (axis times angle); none if the key is missing.
 std::optional<Eigen::Matrix3d> optional_rotation(const TomlTable& table,
                                                  std::string_view key);
-/// Numbers that grow from one to the next.
+/// Increasing numbers.
 std::vector<double> increasing(const TomlTable& table, std::string_view key);
 
-/// Times of a table: the same one twice is a jump.
+/// Times of a table: a repeated time is a jump.
 std::vector<double> times_with_jumps(const TomlTable& table,
                                      std::string_view key);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -29,10 +30,10 @@ struct Shape {
   void move(const Eigen::Vector3d& by);
 };
 
-/// No point of the solid is farther from the origin, m.
+/// Largest distance of a point of the solid from the origin, m.
 double reach(const Shape& shape);
 
-/// The convex hull of points; its corners are those points that it needs.
+/// The convex hull of points; its corners are the extreme points.
 /// @throws contact::Error if the points are fewer than 4 or (nearly) in one
 ///   plane
 Shape convex_hull(const std::vector<Eigen::Vector3d>& points);

@@ -16,7 +16,7 @@ using contact::degree;
 using contact::Interval;
 using contact::TomlTable;
 
-// Whether its angle is one between named directions, or a turn about an axis.
+// Requires an angle between named directions, or about an axis.
 void check_hinge(const TomlTable& table, const TomlTable& of,
                  const Hinge& hinge, const HingeStop& stop) {
   if (hinge.kind == multibody::HingeKind::axis) return;

@@ -12,16 +12,16 @@ namespace separation {
 /// Keys of a [[body.hinge.stop]].
 contact::KnownKeys stop_keys();
 
-/// The stops of a [body.hinge], one on each side at most.
-/// @param start  of its body, for the side on which it lives
-/// @throws contact::Error of stops beyond which the body starts, or which leave
-///   it no angle
+/// The stops of a [body.hinge], at most one on each side.
+/// @param start  of its body, which decides the side
+/// @throws contact::Error for stops beyond which the body starts, or which
+///   leave it no angle
 std::vector<HingeStop> read_stops(const contact::TomlTable& table,
                                   const Hinge& hinge,
                                   const multibody::BodyStart& start);
 
-/// Keys of a [body.hinge.torque_margin], and the way that it asks of: from the
-/// start unless it says so.
+/// Keys of a [body.hinge.torque_margin], and its path, by default from the
+/// start.
 contact::KnownKeys margin_keys();
 std::optional<MarginPath> read_margin(const contact::TomlTable& table,
                                       const Hinge& hinge,

@@ -13,8 +13,8 @@ multibody::System system_of(const Case& c);
 /// @param rotation  body axes to parent axes
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation);
 
-/// The same of a body on its way. On an axis full turns are counted; after its
-/// release it is within half a turn of the angle that it had then.
+/// Angle of a moving body. On an axis full turns are counted; after its release
+/// it is within half a turn of the angle at release.
 double hinge_angle(const Hinge& hinge, const multibody::BodyMotion& parent,
                    const multibody::BodyMotion& body);
 

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -12,8 +13,8 @@
 
 namespace separation {
 
-/// Smallest distances between bodies on their way, certified and as exact as
-/// nearest() says (separation/clearance_test.cpp).
+/// Smallest distances between moving bodies, certified and as accurate as
+/// nearest() (separation/clearance_test.cpp).
 class Clearance {
  public:
   /// Two bodies, numbered as in `shapes`.
@@ -22,9 +23,9 @@ class Clearance {
     int b;
   };
 
-  /// @param shapes  of each body, from its centre of mass, body axes; a body
-  ///                may have none
-  /// @param pairs   of bodies that have some
+  /// @param shapes  of each body, from its centre of mass, body axes; may be
+  ///                empty
+  /// @param pairs   of bodies with shapes
   Clearance(const std::vector<std::vector<Shape>>& shapes,
             std::vector<Pair> pairs);
 
@@ -35,15 +36,15 @@ class Clearance {
   double distance(std::size_t pair,
                   std::span<const multibody::BodyMotion> bodies) const;
 
-  /// A solid of a and one of b on their way, in the axes of a.
+  /// A moving solid of a and one of b, in the axes of a.
   struct SolidLook {
     double time;
-    double distance;  ///< as distance()
-    /// Speed of b's centre of mass against a, m/s, and rate of b, rad/s.
+    double distance;  ///< as in distance()
+    /// Speed of b's centre of mass relative to a, m/s, and rate of b, rad/s.
     Eigen::Vector3d velocity, turn;
-    double radius;  ///< no point of the solid of b is farther from there, m
-    /// Two planes that prove the distance go apart with at least, and at most,
-    /// such a speed, m/s; whatever point of b is the next.
+    double radius;  ///< reach of b's solid from its centre, m
+    /// Least and largest speed, m/s, at which two planes that prove the
+    /// distance separate, for any nearest point of b.
     double least_rate = 0, most_rate = 0;
 
     double speed() const { return velocity.norm() + turn.norm() * radius; }

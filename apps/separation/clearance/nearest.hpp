@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -6,7 +7,7 @@
 
 namespace separation {
 
-/// Place of a body in the axes of another one.
+/// Position of a body in the axes of another body.
 struct RelativePlace {
   Eigen::Matrix3d rotation;
   Eigen::Vector3d position;
@@ -15,13 +16,13 @@ struct RelativePlace {
 /// Two points at which two solids are nearest to each other.
 struct Nearest {
   /// m; 0 if the solids overlap or touch, infinity if they are farther apart
-  /// than was asked for, NaN if the distance could not be certified.
+  /// than the limit, NaN if the distance could not be certified.
   double distance;
-  /// The rest is in the axes of the first body, and only there with a finite
-  /// distance above 0. The direction across two planes that prove the
+  /// The members below are in the axes of the first body, and defined only for
+  /// a finite distance above 0. The normal of two planes that prove the
   /// distance, from the first solid to the second.
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  /// One of these points in each, m.
+  /// Nearest point in each solid, m.
   Eigen::Vector3d on_a = Eigen::Vector3d::Zero();
   Eigen::Vector3d on_b = Eigen::Vector3d::Zero();
 };
@@ -30,10 +31,10 @@ struct Nearest {
 /// Keerthi (libcontact/docs/reference/references.md#gilbert-1988).
 ///
 /// It is certified: it is the distance of two points of the solids, and two
-/// parallel planes between the solids are as far apart, to 1e-7 of the size
-/// (the reaches of both and the distance of the bodies' origins). Solids
-/// overlap if two of their points are as near as that and no plane is between
-/// them; gaps of up to 1e-8 of the size may be taken for a touch.
+/// parallel planes between the solids have the same distance, to 1e-7 of the
+/// size (the reaches of both and the distance of the bodies' origins). Solids
+/// overlap if two of their points are that close and no plane separates them;
+/// gaps of up to 1e-8 of the size may count as a touch.
 ///
 /// Accuracy: 1e-9 m for boxes, prisms and other hulls of some metres, against
 /// closed forms and against all pairs of corners, edges and faces; planes and

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -9,29 +10,29 @@
 
 namespace separation {
 
-/// How near two bodies may be on their way, from a distance that was computed
-/// and from how far they have moved against each other since.
+/// Lower bound of the distance of two moving bodies, from a computed distance
+/// and their relative motion since.
 class PairWay {
  public:
-  /// @param radius  of b about its centre of mass: no point of its solids is
-  ///                farther away, m
+  /// @param radius  largest distance of a point of b's solids from its centre
+  ///                of mass, m
   PairWay(Clearance::Pair pair, double radius) : pair_(pair), radius_(radius) {}
 
-  /// They have moved on: call it at every look.
+  /// Records a move; call at every evaluation.
   void move_on(double time, std::span<const multibody::BodyMotion> bodies);
-  /// Their distance now was computed; NaN if it was not found.
+  /// Records the computed present distance; NaN if it failed.
   void know(double distance);
-  /// At a new beginning.
+  /// Call at a restart.
   void forget() { *this = PairWay(pair_, radius_); }
 
-  /// The distance is at least this: the one that was computed, less the way of
-  /// the point of b that has moved farthest. -infinity if nothing is known.
+  /// Lower bound of the distance: the computed one minus the path of the point
+  /// of b that has moved farthest. -infinity if nothing is known.
   double least_now() const { return now_; }
-  /// Nowhere since the last look was it less: between two distances that are
-  /// the length of a way apart. How long the way is follows from the speeds at
-  /// its ends, and as much more as these differ: steps are smooth.
+  /// Lower bound of the distance since the last evaluation, from the distances
+  /// at both ends and the length of the path between them. The speeds at its
+  /// ends, plus their difference, bound this length, because steps are smooth.
   double least_since() const { return (before_ + now_ - way_) / 2; }
-  /// The time of the last look but this.
+  /// Time of the evaluation before the last one.
   double since() const { return since_; }
 
  private:
@@ -39,7 +40,7 @@ class PairWay {
 
   Clearance::Pair pair_;
   double radius_;
-  // b in the axes of a: now, and where the distance was computed.
+  // b in the axes of a: now, and at the computed distance.
   Eigen::Matrix3d rotation_ = Eigen::Matrix3d::Identity();
   Eigen::Vector3d place_ = Eigen::Vector3d::Zero();
   Eigen::Matrix3d known_rotation_ = Eigen::Matrix3d::Identity();

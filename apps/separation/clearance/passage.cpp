@@ -20,8 +20,8 @@ double least_between(const SolidLook& from, const SolidLook& to) {
   const double way = h * speed_bound(from.speed(), to.speed());
   const double least = (from.distance + to.distance - way) / 2;
   if (!(from.distance > 0) || !(to.distance > 0)) return least;
-  // Twice the mean acceleration, and what turns at a constant rate has. Each
-  // bound is lowest at an end.
+  // Twice the mean acceleration, plus the acceleration of a rotation at a
+  // constant rate. Each bound is lowest at an end.
   const double turn = speed_bound(from.turn.norm(), to.turn.norm());
   const double bend = h * ((to.velocity - from.velocity).norm() +
                            (to.turn - from.turn).norm() * from.radius) +

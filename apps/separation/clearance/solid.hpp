@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <Eigen/Core>
@@ -12,14 +13,14 @@ class Solid {
  public:
   explicit Solid(const Shape& shape);
 
-  /// The point of the core that is farthest along a direction of any length,
-  /// body axes, m.
+  /// The farthest point of the core along a direction of any length, body axes,
+  /// m.
   Eigen::Vector3d farthest(const Eigen::Vector3d& direction) const;
 
   /// The radius of a capsule, whose core is its axis; else 0. m
   double margin() const { return margin_; }
 
-  /// No point is farther from the body's origin, m.
+  /// Largest distance of a point from the body's origin, m.
   double reach() const { return reach_; }
 
  private:

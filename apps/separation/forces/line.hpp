@@ -9,8 +9,8 @@
 
 namespace separation {
 
-/// A force on one body and the opposite one on another along one line, so that
-/// momentum is kept.
+/// A force on one body and the opposite force on another along one line, which
+/// conserves momentum.
 /// @param point  of the line, inertial axes
 inline void add_opposite(std::array<int, 2> on,
                          std::span<const multibody::BodyMotion> bodies,
@@ -23,8 +23,8 @@ inline void add_opposite(std::array<int, 2> on,
 
 /// The line from a point of one body to a point of another, inertial axes.
 struct Line {
-  Eigen::Vector3d end;       ///< place of the latter, m
-  Eigen::Vector3d span;      ///< to it, m
+  Eigen::Vector3d end;       ///< position of the end, m
+  Eigen::Vector3d span;      ///< begin to end, m
   Eigen::Vector3d velocity;  ///< velocity of the end from the begin, m/s
 
   Line(const multibody::BodyMotion& from, const Eigen::Vector3d& from_point,
@@ -35,7 +35,7 @@ struct Line {
                  from.point_velocity(from_point)) {}
 };
 
-/// A force along the line between a point of a body and one of another.
+/// A force along the line between points of two bodies.
 struct LineForce {
   Eigen::Vector3d point;
   int other = 0;                ///< rigid body
@@ -45,8 +45,9 @@ struct LineForce {
   Line line(const ForceInstant& at) const {
     return {at.bodies[other], other_point, at.on(), point};
   }
-  /// Adds it and the opposite one; nothing where the points are one.
-  /// @param push  N, of the length, m, and its rate, m/s; apart if positive
+  /// Adds it and the opposite force; nothing if the points coincide.
+  /// @param push  N, as a function of the length, m, and its rate, m/s;
+  ///              positive: apart
   template <class Push>
   void add(const ForceInstant& at, std::span<multibody::BodyForce> forces,
            const Push& push) const {
@@ -57,8 +58,8 @@ struct LineForce {
     add_opposite({at.body, other}, at.bodies, l.end,
                  push(length, unit.dot(l.velocity)) * unit, forces);
   }
-  /// It has no direction: of places that are some 1e3 m at most, their
-  /// rounding.
+  /// Length below which the direction is undefined: rounding of positions up to
+  /// some 1e3 m.
   bool is_point(const ForceInstant& at) const {
     return line(at).span.norm() < 1e-12;
   }

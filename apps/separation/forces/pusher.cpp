@@ -58,9 +58,9 @@ struct Pusher final : ForceLaw {
   std::span<const std::string_view> faults() const override {
     return fault_texts;
   }
-  // A thousandth of the stroke, and of directions a tenth, are what figures of
-  // some digits leave. Where a body on a hinge is driven its centre of mass
-  // does not tell, and where the middle of a fixed carrier is nobody says.
+  // A thousandth of the stroke, and a tenth for directions, are the rounding of
+  // numbers of a few digits. For a body on a hinge the centre of mass does not
+  // show the direction, and a fixed carrier has no centre of mass.
   int find_fault(const ForceInstant& at, bool begins,
                  bool released) const override {
     if (!begins) return none;

@@ -6,23 +6,23 @@
 
 #include "separation/case/force_kind.hpp"
 
-/// Forces that tables give.
+/// Forces given by tables.
 namespace separation {
 
 /// Values over a variable, linear between the rows and constant outside. Two
-/// rows at one place are a jump, from the first one's value to the second's,
-/// which is that of the place itself.
+/// rows at one place are a jump from the first value to the second, which holds
+/// at the place itself.
 template <class Value>
 struct Table {
   std::vector<double> at;  ///< increasing; a single row is a constant
   std::vector<Value> values;
 
-  /// @param origin  what the rows count from
+  /// @param origin  zero of the rows
   Value operator()(double x, double origin = 0) const {
     const double from_origin = x - origin;
     std::size_t i = 0;
-    // A jump is at origin + at[i], as the break of the forces is: the rounding
-    // of the difference puts x on no other side of it.
+    // A jump is at origin + at[i], like the break of the forces, so that
+    // rounding of the difference does not move x across it.
     while (i < at.size() &&
            (jumps(i) ? origin + at[i] <= x : at[i] <= from_origin)) {
       ++i;
@@ -46,7 +46,7 @@ struct Table {
 /// the body's hinge.
 enum class Variable { none, time, angle };
 
-/// Rows over the keys `time` or `angle`; none if neither is there.
+/// Rows over the keys `time` or `angle`; none if both are missing.
 struct RowsOver {
   Variable variable = Variable::none;
   std::vector<double> at;

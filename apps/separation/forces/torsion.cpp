@@ -10,8 +10,8 @@ namespace {
 ///
 ///     M = M0 + k (free - phi) - c phi',
 ///
-/// or that of a table over the angle in the place of the first two. Its energy
-/// is counted from `free_angle`, or from the table's first row.
+/// or with a table over the angle instead of the first two terms. Its energy is
+/// counted from `free_angle`, or from the table's first row.
 struct Torsion final : ForceLaw {
   double stiffness = 0;   ///< k, N m
   double free_angle = 0;  ///< rad

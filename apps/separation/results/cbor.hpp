@@ -6,10 +6,10 @@
 
 namespace separation {
 
-/// Takes the first item off CBOR bytes. nullopt: they do not begin with one
-/// such as nlohmann's writer makes of a state, of known lengths and of few
-/// levels; its reader calls itself for every level, and bytes of strangers may
-/// have more than any stack.
+/// Removes the first item from CBOR bytes. nullopt: they do not begin with an
+/// item as nlohmann's writer makes it from a state, of known lengths and few
+/// levels. nlohmann's reader recurses for every level, so that untrusted bytes
+/// could overflow the stack.
 std::optional<nlohmann::json> take_cbor(std::string_view& bytes);
 
 }  // namespace separation

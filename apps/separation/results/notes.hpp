@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -11,13 +12,13 @@ namespace separation {
 
 /// Sources of the joints' clearances, fits and temperatures, each once.
 std::vector<std::string> clearance_notes(const Case& c);
-/// Joints that leave the theory, once for each reason.
+/// Joints outside the range of the theory, once for each reason.
 std::vector<std::string> joint_notes(const Case& c);
-/// Joints whose largest contact leaves the theory or what its materials bear,
-/// once for each reason: contact::ContactLimits::notes().
+/// Joints whose largest contact exceeds the range of the theory or the limits
+/// of its materials, once for each reason: contact::ContactLimits::notes().
 std::vector<std::string> contact_notes(const Case& c,
                                        const Recorder::Memory& memory);
-/// The largest share that a joint's peak pressure has been of
+/// The largest ratio of a joint's peak pressure to
 /// contact::ContactLimits::peak_pressure(); none without joints.
 std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory);

@@ -1,21 +1,22 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include "separation/case/case.hpp"
 
 namespace separation {
 
-/// Times of the rows of a run: 0, the first one, ... to its end.
+/// Times of the rows of a run, from 0 to its end.
 class OutputTimes {
  public:
   /// @param ends_only  none between
   OutputTimes(const Case& c, bool ends_only);
 
   double operator[](long i) const;
-  /// Whether there is one more, the end at last.
+  /// Whether another time exists; the last one is the end.
   bool has(long i) const { return i <= count_; }
-  /// The first one after a time and its rounding.
+  /// Index of the first output time after a time and its rounding.
   long after(double time) const;
-  /// Times so near are one.
+  /// Largest difference of times that count as equal.
   double instant() const { return rounding * step_; }
 
  private:

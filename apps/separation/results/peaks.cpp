@@ -10,7 +10,7 @@
 namespace separation {
 namespace {
 
-// Less than what steps and solvers leave uncertain is no peak.
+// A rise below the uncertainty of steps and solvers is no peak.
 constexpr double higher = 1 + 1e-10;
 
 // Chebyshev's points of [-1, 1] from left to right.

@@ -11,9 +11,9 @@ namespace separation {
 
 std::span<const contact::Quantity<JointPeaks>> joint_quantities();
 std::span<const contact::Quantity<BodyRecord>> hinge_quantities();
-/// Quantities of a body with a lock, after those of the hinge.
+/// Quantities of a body with a lock, after the quantities of the hinge.
 std::span<const contact::Quantity<BodyRecord>> lock_quantities();
-/// Quantities of a body with stops, and of one that an event latches.
+/// Quantities of a body with stops, and of a body that an event latches.
 std::span<const contact::Quantity<BodyRecord>> stop_quantities();
 std::span<const contact::Quantity<BodyRecord>> latch_quantities();
 std::span<const contact::Quantity<BodyRecord>> body_quantities();

@@ -119,8 +119,8 @@ Clearance clearance_of(const Case& c) {
 
 namespace {
 
-// Rate of the angle: on an axis with its sign. After the release that of the
-// bodies' relative angular velocity.
+// Rate of the angle: on an axis with its sign. After the release the rate by
+// the bodies' relative angular velocity.
 double rate_of(const Hinge& hinge, const MotionSample& sample, int body) {
   const auto turn = hinge_type(hinge).turn;
   const BodyMotion& parent = sample.motions()[hinge.on];
@@ -159,7 +159,7 @@ double acceleration_of(const Simulation& simulation, int body) {
   return hinge_type(hinge).turn(hinge, parent.rotation, relative);
 }
 
-// The time of what stays the same is its first, whatever rounding says.
+// The time of a constant value is its first time, regardless of rounding.
 void raise(double& peak, double& peak_time, double value, double time) {
   constexpr double same = 1e-13;
   if (!(value > (1 + same) * peak)) return;
@@ -265,7 +265,7 @@ void Recorder::look_at_peaks(const Simulation& simulation,
     const contact::JointSolution& joint = hinge.joints[j];
     JointPeaks& peaks = record.joints[j];
     const double reaction = joint.reaction.norm();
-    // At rest the solution is that of the sliding that is near.
+    // At rest the solution belongs to the impending slip.
     const double moment =
         hinge.mode == HingeMode::sliding ? joint.friction_moment.norm() : 0;
     raise(peaks.reaction, peaks.reaction_time, reaction, time);

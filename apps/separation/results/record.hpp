@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <algorithm>
@@ -28,31 +29,31 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
-/// Distances of the bodies that a case watches.
+/// Distances of the pairs of bodies of a case.
 Clearance clearance_of(const Case& c);
 
 /// Columns of the rows of a case.
-/// @param clearance  distances are worked out
+/// @param clearance  whether distances are computed
 std::vector<std::string> history_columns(const Case& c, bool clearance);
 
 /// Largest values of one joint.
 struct JointPeaks {
   double reaction = 0;       ///< N
   double reaction_time = 0;  ///< s
-  double pressure = 0;       ///< peak of contacts that have one, Pa
-  double hidden = 0;         ///< mean of contacts that have none, Pa
+  double pressure = 0;       ///< peak of contacts with a peak, Pa
+  double hidden = 0;         ///< mean of contacts without a peak, Pa
   double half_angle = 0;     ///< theta0 of contacts at no rim, rad
   double moment = 0;         ///< friction moment, N m
-  /// Least distances to the rims of a seat that the contact is confined to, m.
+  /// Least distances of the contact to the rims of its seat, m.
   double lower_gap = History::not_yet;
   double upper_gap = History::not_yet;
   double rim_time = 0;  ///< at a rim, s; to a step at its beginning and end
 
   double least_gap() const { return std::min(lower_gap, upper_gap); }
-  /// NaN where a contact at a rim hid its own, and its mean is above all others
-  /// (contact::RimContact::peak_pressure), Pa.
+  /// NaN if a contact at a rim has no peak, and its mean is above all other
+  /// peaks (contact::RimContact::peak_pressure), Pa.
   double peak_pressure() const { return hidden > pressure ? NAN : pressure; }
-  /// NaN once a contact was at a rim, where it has none, rad.
+  /// NaN once a contact was at a rim, where no half-angle exists, rad.
   double largest_half_angle() const {
     return least_gap() > 0 ? half_angle : NAN;
   }
@@ -69,15 +70,15 @@ struct BodyRecord {
   double peak_stop = 0;  ///< moment of a stop, N m
   double peak_stop_time = 0;
   double impacts = 0;          ///< on stops
-  double stop_impulses = 0;    ///< sum of those of rigid stops, N m s
+  double stop_impulses = 0;    ///< sum over rigid stops, N m s
   double largest_impulse = 0;  ///< the largest of them, N m s
-  double stop_loss = 0;        ///< energy that they took, J
+  double stop_loss = 0;        ///< energy dissipated by stops, J
   double rest_on_stop = 0;     ///< s
-  int on_stop = 0;             ///< 1: rests on one at the last look
+  int on_stop = 0;             ///< 1: rests on a stop at the last evaluation
   double peak_latch = 0;       ///< moment of a latch, N m
   double peak_latch_time = 0;
   double latch_impulse = 0;  ///< the largest, N m s
-  double latch_loss = 0;     ///< energy that latches took, J
+  double latch_loss = 0;     ///< energy dissipated by latches, J
   std::vector<JointPeaks> joints;
   /// At the release of the hinge; time infinite if there was none.
   struct Release {
@@ -91,18 +92,18 @@ struct BodyRecord {
   } release;
 };
 
-/// Something that happened, in words.
+/// An event of a run, in words.
 struct Note {
   double time;
   std::string body;
   std::string what;
-  // Of an impact, else 0.
-  double rate = 0;     ///< of the hinge before it, on an axis with its sign
-  double impulse = 0;  ///< N m s; 0 too on a compliant stop
-  double loss = 0;     ///< of energy, J
+  // For an impact, else 0.
+  double rate = 0;     ///< hinge's rate before, on an axis with its sign
+  double impulse = 0;  ///< N m s; also 0 on a compliant stop
+  double loss = 0;     ///< energy loss, J
 };
 
-/// Whether a run of the case may note that.
+/// Whether a run of the case can have this note.
 bool can_be_noted(const Note& note, const Case& c);
 
 /// The smallest distance of two bodies.
@@ -113,28 +114,28 @@ struct PairRecord {
   double overlap_to = 0;
 };
 
-/// Looks at a simulation from time to time and remembers.
+/// Records a simulation at given times.
 class Recorder {
  public:
   /// @param rows       keep the time history
-  /// @param clearance  work out distances
-  /// @param refine     look for peaks and smallest distances between the times
-  ///                   that are looked at
+  /// @param clearance  compute distances
+  /// @param refine     search for peaks and smallest distances between these
+  ///                   times
   Recorder(const Case& c, bool rows, bool clearance, bool refine);
 
-  /// Looks at it now.
+  /// Records the present state as a row.
   void look(const Simulation& simulation);
-  /// Takes notice of peaks and distances, without a row.
+  /// Records peaks and distances, without a row.
   void look_between(const Simulation& simulation);
-  /// Remembers changes and peaks up to now, without a row.
+  /// Records changes and peaks up to now, without a row.
   void catch_up(const Simulation& simulation) {
     look_at_changes(simulation);
     look_between(simulation);
   }
-  /// Notes happenings that are due: call it before Simulation::apply().
+  /// Records due events: call before Simulation::apply().
   void before(const Simulation& simulation,
               const std::vector<Happening>& happenings);
-  /// "", or which distance could not be certified, and when.
+  /// "", or the distance that could not be certified, with its time.
   const std::string& fault() const { return fault_; }
   /// Everything that must survive an interruption.
   struct Memory {
@@ -143,7 +144,7 @@ class Recorder {
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
     std::vector<ForceRecord> forces;
-    std::vector<int> modes;  ///< mode of each body at the last look
+    std::vector<int> modes;  ///< mode of each body, last evaluation
     double last_time = 0;
     double first_balance = 0;
     double largest_drift = 0;   ///< drift of the energy balance, J
@@ -151,11 +152,11 @@ class Recorder {
     bool begun = false;
   };
   const Memory& memory() const { return memory_; }
-  /// At the end.
+  /// Call at the end.
   Memory take_memory() { return std::move(memory_); }
-  /// As another recorder that was in the middle of a run.
+  /// Continues from the state of another recorder.
   void restore(Memory memory) { memory_ = std::move(memory); }
-  /// Goes on with a simulation that was restored.
+  /// Continues with a restored simulation.
   void go_on_with(const Simulation& simulation);
 
  private:
@@ -184,7 +185,7 @@ class Recorder {
   bool refine_;
   std::optional<Clearance> clearance_;
   std::vector<PairWay> ways_;  ///< one for each pair
-  std::vector<double> seen_;   ///< peaks that look_at_peaks() has seen
+  std::vector<double> seen_;   ///< peaks found by look_at_peaks()
   std::vector<Look> looks_;    ///< the last two on a smooth way
   std::size_t changes_seen_ = 0;
   std::size_t impacts_seen_ = 0;

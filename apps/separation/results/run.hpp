@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -14,20 +15,20 @@ namespace separation {
 
 class Run;
 
-/// Asked before every step of a run with the number of steps so far: why the
-/// run has to stop, "" to go on. It may look at a flag that another thread or a
-/// signal handler sets.
+/// Called before every step of a run with the number of steps so far; returns
+/// the reason to stop, or "" to continue. It may read a flag that another
+/// thread or a signal handler sets.
 using StopRule = std::function<std::string(long steps)>;
 
-/// How a case is run.
+/// Options of a run.
 struct RunOptions {
-  std::optional<FrictionChoice> friction = {};  ///< none: as the case has it
+  std::optional<FrictionChoice> friction = {};  ///< none: as in the case
   bool rows = true;                             ///< keep the time history
-  bool clearance = true;                        ///< work out distances
-  /// Look only at events and at the end; peaks are those of these times.
+  bool clearance = true;                        ///< compute distances
+  /// Record only events and the end; peaks are over these times.
   bool only_events = false;
-  StopRule stop = {};  ///< none: goes on to its end
-  /// Called at the end of every step, which time() and sample() are then of.
+  StopRule stop = {};  ///< none: runs to its end
+  /// Called at the end of every step; time() and sample() then refer to it.
   std::function<void(const Run&)> progress = {};
 };
 
@@ -42,42 +43,43 @@ struct Outcome {
   History history;                          ///< its state at the end
 };
 
-/// All that a run needs to go on later.
+/// State from which a run can continue.
 struct RunState {
   SimulationState simulation;
   Recorder::Memory memory;
 };
 
-/// A case on its way: its motion, its events and what is remembered of them.
-/// It writes nothing. Runs have nothing in common: each may have a thread.
+/// A running case: its motion, its events and their records. It writes no
+/// files. Runs share no data: each may have its own thread.
 ///
-/// Where it stops on the way and what is asked of it there changes nothing of
-/// what follows, to the last bit.
+/// The later motion is bit-identical, independent of intermediate stops and
+/// queries.
 class Run {
  public:
-  /// At the start, with the row of it.
+  /// Sets up the run at its start, with the first row.
   /// @throws contact::Error if the motion cannot begin
   explicit Run(Case c, RunOptions options = {});
-  /// A copy goes on as the other run does, to the last bit: to take one begins
-  /// the steps of both anew, as save() does.
+  /// The later motion of a copy is bit-identical: copying restarts the steps of
+  /// both runs, like save().
   Run(Run& other) : Run(other, other.options_) {}
-  /// @param options  as those of the other run, but for who is asked on the way
+  /// @param options  equal to the options of the other run, except for its
+  ///                 callbacks
   Run(Run& other, RunOptions options);
   Run& operator=(const Run&) = delete;
 
   enum class Status {
-    running,   ///< has come where it was told to
-    finished,  ///< has come to the end of the case
-    failed,    ///< cannot go on
-    stopped,   ///< by its stop rule; advance_to() asks that again
+    running,   ///< has reached the requested time
+    finished,  ///< has reached the end of the case
+    failed,    ///< cannot continue
+    stopped,   ///< by its stop rule, which advance_to() calls again
   };
-  /// Moves on to `time` or the end of the case, whatever is first, with events
-  /// and output times on the way; an output time within 1e-9 of the output
-  /// step is `time`.
+  /// Advances to `time` or the end of the case, whichever is first, with all
+  /// events and output times before; an output time within 1e-9 of the output
+  /// step counts as `time`.
   /// @throws contact::Error if `time` is before time()
   Status advance_to(double time);
   Status status() const { return status_; }
-  /// Why it has failed or was stopped, and where.
+  /// Reason and place of a failure or stop.
   const std::string& message() const { return message_; }
 
   const Case& of() const { return case_; }
@@ -91,7 +93,7 @@ class Run {
     return memory().rows.columns;
   }
   std::vector<double> values() const;
-  /// The motion at time(): to look at until the run goes on.
+  /// The motion at time(); valid until the run advances.
   const multibody::MotionSample& sample() const {
     return simulation_->sample();
   }
@@ -107,17 +109,17 @@ class Run {
 
   /// Results so far.
   Outcome outcome() const { return outcome_with(memory()); }
-  /// The same with a last row where it is, which ends the run.
+  /// Results with a last row at time(), which ends the run.
   Outcome end() &&;
 
-  /// A run of the same case and options goes on from there as this one does
-  /// from now on, to the last bit; that is a new beginning of the steps, so
-  /// that one that was never saved differs by the tolerances.
+  /// State from which a run of the same case and options continues
+  /// bit-identically to this run. Saving restarts the steps, so that a run that
+  /// was never saved differs within the tolerances.
   RunState save() { return {renew(), memory()}; }
   /// save() without a copy of memory().
   SimulationState renew();
-  /// @throws contact::Error, having changed nothing, if it is of another case
-  ///   or of other options, or no run has such a state
+  /// @throws contact::Error, without a change, if it belongs to another case or
+  ///   other options, or no run has such a state
   void restore(RunState state);
 
  private:
@@ -148,7 +150,7 @@ class Run {
   double time_ = 0;
 };
 
-/// From start to end, or as far as it comes.
+/// Runs a case from start to end, or to its failure.
 /// @throws contact::Error if the motion cannot begin
 Outcome run_case(const Case& c, const RunOptions& options = {});
 

@@ -49,7 +49,7 @@ bool has_whole_numbers(const json& j) {
   });
 }
 
-// The number of a format, at the beginning of what follows the words.
+// The number of a format, at the beginning of the text after the words.
 std::string_view number_in(std::string_view text) {
   return text.substr(0, text.find_first_not_of("0123456789"));
 }

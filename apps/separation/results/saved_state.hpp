@@ -11,12 +11,12 @@ namespace separation {
 /// of its joints, which may come from other files, and the options.
 std::string identity_of(const Case& c, const RunOptions& options);
 
-/// A run in the middle as bytes: for who keeps it elsewhere than in the files
-/// of a CheckpointWriter, which costs less late in a run.
+/// An unfinished run as bytes, for storage elsewhere than in the files of a
+/// CheckpointWriter, which costs less late in a run.
 /// @param identity  of the run: identity_of()
 std::string saved_bytes(const RunState& state, const std::string& identity);
-/// @throws contact::Error if they are no state of a run, of another version,
-///   damaged, or of another run
+/// @throws contact::Error if they are no state of a run, damaged, or of another
+///   version or run
 RunState saved_state(std::string_view bytes, const std::string& identity);
 
 }  // namespace separation

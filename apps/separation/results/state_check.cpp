@@ -30,7 +30,7 @@ void check_flag(int value, const char* what) {
   require(value == 0 || value == 1, what, value, "0 or 1");
 }
 
-/// Times of what has happened.
+/// Times of past events.
 class Past {
  public:
   explicit Past(double now) : now_(now) {}

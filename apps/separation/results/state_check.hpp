@@ -5,17 +5,17 @@
 
 namespace separation {
 
-/// The run that a state is to be restored to.
+/// The run whose state is restored.
 struct StateOwner {
   const Case& of;
   const std::vector<std::string>& columns;
   const OutputTimes& outputs;
-  bool rows;  ///< they are kept
+  bool rows;  ///< whether rows are kept
 };
 
-/// Checks all of a state but its motion, which multibody checks.
-/// @throws contact::Error unless a run of this case may have it: as many of
-///   everything, times that are over, all rows up to its own
+/// Checks a state except for its motion, which multibody checks.
+/// @throws contact::Error unless a run of this case can have it: sizes of
+///   arrays, past times, all rows up to its time
 void check_state(const RunState& state, const StateOwner& owner);
 
 }  // namespace separation

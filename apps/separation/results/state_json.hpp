@@ -49,24 +49,23 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
                                    overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
-// Without rows and notes, which have a file of their own.
+// Without rows and notes, which have a separate file.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
                                    modes, last_time, first_balance,
                                    largest_drift, largest_energy, begun)
 
-/// CBOR between the format's name and a check sum. The name is in it twice, as
-/// the first line and in the JSON: what is damaged is still told from what is
-/// something else.
+/// CBOR between the format's name and a check sum. The name occurs twice, as
+/// the first line and in the JSON, to distinguish damaged data from other data.
 std::string packed(nlohmann::json j);
-/// @param source  what messages call the bytes
-/// @throws contact::Error if they are something else, of another version or
-///   damaged
+/// @param source  name of the bytes in messages
+/// @throws contact::Error if they are other data, damaged, or of another
+///   version
 nlohmann::json unpacked(std::string_view bytes, const std::string& source);
 
 /// @throws contact::Error if it is not the "identity" of j
 void check_identity(const nlohmann::json& j, const std::string& identity,
                     const std::string& source);
-/// Refuses data that are no state of a run at all.
+/// Rejects data that are no state of a run.
 [[noreturn]] void refuse_stranger(const std::string& source);
 
 }  // namespace separation

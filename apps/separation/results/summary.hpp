@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <nlohmann/json.hpp>
@@ -8,7 +9,7 @@
 
 namespace separation {
 
-/// An event and the bodies for which it has not come.
+/// An event and the bodies for which it has not occurred.
 struct Missed {
   std::string event;
   std::vector<std::string> bodies;

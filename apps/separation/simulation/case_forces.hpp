@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <optional>
@@ -11,12 +12,12 @@ namespace separation {
 
 struct ForceInstant;
 
-/// Past of a simulation, as far as forces depend on it.
+/// Past of a simulation that affects forces.
 struct History {
   static constexpr double not_yet = std::numeric_limits<double>::infinity();
   /// Time of event e for body i: events[e][i]; not_yet.
   std::vector<std::vector<double>> events;
-  /// One flag per force: its stroke is used up, and it acts no more.
+  /// One flag per force: its stroke is used up, and it no longer acts.
   std::vector<char> spent;
   /// Rate of the last touch of each compliant stop, rad/s: touches[body][stop].
   std::vector<std::vector<double>> touches;
@@ -30,20 +31,20 @@ struct History {
     }
   }
 
-  /// When a clock strikes for a body: of an event that is not about the body
-  /// the first time counts. not_yet if that is not known.
+  /// Time of a clock for a body: for an event of other bodies its first time.
+  /// not_yet if unknown.
   double time_of(const Clock& clock, int body, const Case& c) const;
-  /// When the hinge of a body (1 +) broke; not_yet.
+  /// Time at which the hinge of a body (1 +) broke; not_yet.
   double release_of(int body, const Case& c) const;
 };
 
-/// Whether a force of the case stores energy.
+/// Whether any force of the case stores energy.
 bool stores_energy(const Case& c);
 
 /// The forces of a case from one event to the next.
 class CaseForces final : public multibody::ForceModel {
  public:
-  /// @param c  has to outlive this object
+  /// @param c  must outlive this object
   CaseForces(const Case& c, const History& history);
 
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
@@ -56,10 +57,10 @@ class CaseForces final : public multibody::ForceModel {
   std::optional<multibody::BodyForce> of(
       int force, double time,
       std::span<const multibody::BodyMotion> bodies) const;
-  /// Energy that forces store, J.
+  /// Energy stored by forces, J.
   double stored_energy(double time,
                        std::span<const multibody::BodyMotion> bodies) const;
-  /// As CompliantStops has it.
+  /// As in CompliantStops.
   double stop_moment(int body,
                      std::span<const multibody::BodyMotion> bodies) const {
     return stops_.moment(body, bodies);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <span>
@@ -16,27 +17,27 @@ Eigen::Vector3d axis_of(const Hinge& hinge, const multibody::BodyMotion& parent,
 
 /// Moments of the compliant stops of a case, from one event to the next.
 ///
-/// A stop that a hinge has turned into by d, at the rate v, pushes it back by
+/// A stop resists a penetration d of the hinge, at the rate v, by the moment
 ///
 ///     M = k d + c v, not below 0,  c = min(k d X/v0, X sqrt(k J)),
 ///
-/// and what the hinge is on by the opposite: Hunt and Crossley's damping, X
-/// their number for the restitution, exact for every impact (contact::
-/// HuntCrossley), v0 the rate of the touch. J is a bound of the inertia that
-/// the hinge carries: no impact meets the second limit, which is for what is
-/// pressed against a stop without one. On a ball hinge M is about the normal of
-/// the two directions whose angle is the hinge's.
+/// with the opposite moment on the parent. This is Hunt and Crossley's damping
+/// with their number X for the restitution, exact for every impact
+/// (contact::HuntCrossley), and the rate v0 of the touch. J is a bound of the
+/// inertia carried by the hinge: no impact reaches the second limit, which
+/// applies to bodies pressed against a stop without an impact. On a ball hinge
+/// M acts about the normal of the two directions that define the hinge's angle.
 class CompliantStops {
  public:
-  /// @param c  has to outlive this object
+  /// @param c  must outlive this object
   CompliantStops(const Case& c, const History& history);
 
-  /// As ForceModel has them.
+  /// As in ForceModel.
   void add_forces(std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const;
   void add_kinks(std::span<const multibody::BodyMotion> bodies,
                  std::vector<multibody::KinkedVariable>& to) const;
-  /// M of the stop that pushes a body, N m.
+  /// M of the stop on a body, N m.
   double moment(int body, std::span<const multibody::BodyMotion> bodies) const;
 
  private:
@@ -48,7 +49,7 @@ class CompliantStops {
   };
   struct Push {
     double moment;
-    Eigen::Vector3d axis;  ///< of larger angles, inertial axes
+    Eigen::Vector3d axis;  ///< towards larger angles, inertial axes
   };
   Push push(const Active& active,
             std::span<const multibody::BodyMotion> bodies) const;

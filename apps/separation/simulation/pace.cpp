@@ -25,9 +25,9 @@ double inertia_of(const Case& c, int body) {
   return inertia;
 }
 
-// The fastest of a force's rates, 1/s. Differences are those of a small change
-// of one number at a time: of place and rotation, 1e-6 m and rad, above the
-// rounding of places; of velocities, in which forces have no kinks, 1e-3.
+// The fastest of a force's rates, 1/s. Differences are for a small change of
+// one number at a time: 1e-6 m and rad for position and rotation, above the
+// rounding of positions; 1e-3 for velocities, in which forces have no kinks.
 double rate_of(const Simulation& simulation, int force) {
   const auto sample = simulation.sample().motions();
   const auto now = simulation.force(force, sample);

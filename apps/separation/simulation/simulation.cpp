@@ -48,7 +48,7 @@ multibody::MotionOptions options_of(const Case& c) {
   return options;
 }
 
-// Rounding of what is at an angle, rad.
+// Whether a value is at an angle up to rounding, rad.
 bool is_at(double angle, double value) {
   return std::abs(angle - value) <= 1e-12 * std::max(1.0, std::abs(value));
 }
@@ -114,7 +114,8 @@ void Simulation::add_events() {
                          },
                          multibody::MotionEvent::Crossing::rising});
       meanings_.push_back({h});
-      // What comes to rest at its angle, faster than it takes, is caught there.
+      // A latch with rate_below also catches a body that comes to rest at its
+      // angle.
       if (std::isinf(event.rate_below)) continue;
       motion_.add_event({[this, h](const MotionSample& sample) {
                            return !has_happened(h) && is_armed(h) &&
@@ -402,7 +403,7 @@ void Simulation::add_latches_here() {
   }
 }
 
-// Adds to what an event breaks. What is broken already does not break again.
+// Adds the changes of an event. A broken hinge or lock does not break again.
 bool Simulation::perform(const Happening& h, multibody::MotionChange& breaks) {
   const Event& event = case_.events[h.event];
   const HingeMode mode = sample().mode(h.body);

@@ -1,3 +1,4 @@
+// SPDX-License-Identifier: MIT
 #pragma once
 
 #include <functional>
@@ -14,27 +15,27 @@
 
 namespace separation {
 
-/// Forces that the nodes of a body put on it, body axes, N.
+/// Forces of the nodes on a body, body axes, N.
 struct NodeReactions {
   Eigen::Vector3d hinge;  ///< the upper node (the only one after the lock)
   Eigen::Vector3d lock;   ///< the lower node, normal to the line between both
 };
 
-/// How hinge and lock share what holds a locked body: R and M about the hinge
-/// are known; with d from hinge to lock, the lock takes M x d/|d|^2 and the
-/// hinge the rest of the force. What turns about d itself no force normal to d
-/// can hold: it is left to the nodes' fittings.
+/// Distribution of the load of a locked body between hinge and lock: R and M
+/// about the hinge are known; with d from hinge to lock, the lock carries M x
+/// d/|d|^2 and the hinge the rest of the force. Forces normal to d cannot hold
+/// the moment about d itself: the fittings of the nodes carry it.
 NodeReactions node_reactions(const Body& body,
                              const multibody::HingeSample& hinge);
 
-/// An event that has come for a body.
+/// An event that has occurred for a body.
 struct Happening {
   int event;
   int body;
   bool operator==(const Happening&) const = default;
 };
 
-/// All that is needed to go on later.
+/// State from which a simulation can continue.
 struct SimulationState {
   multibody::MotionState motion;
   History history;
@@ -43,8 +44,8 @@ struct SimulationState {
 /// The motion of a case with its events.
 class Simulation {
  public:
-  /// @param c  has to outlive this object
-  /// @throws contact::Error if the motion cannot begin as the case says
+  /// @param c  must outlive this object
+  /// @throws contact::Error if the motion cannot begin as in the case
   Simulation(const Case& c, FrictionChoice friction);
   ~Simulation();
 
@@ -54,52 +55,52 @@ class Simulation {
   const multibody::Motion& motion() const { return motion_; }
   const History& history() const { return history_; }
 
-  /// Load by a force of the case on its body at time(), were the bodies there;
-  /// none while it is off.
+  /// Load by a force of the case on its body at time() for given positions of
+  /// the bodies; none while it is off.
   std::optional<multibody::BodyForce> force(
       int force, std::span<const multibody::BodyMotion> bodies) const {
     return forces_->of(force, sample().time(), bodies);
   }
 
-  /// Energy that torsion springs store, J.
+  /// Energy stored by torsion springs, J.
   double stored_energy() const {
     return forces_->stored_energy(time(), sample().motions());
   }
 
-  /// Moment by which a stop pushes a body, as far as friction does not have to,
-  /// and by which a latch holds one (on an axis about it), N m.
+  /// Moment of a stop on a body, beyond the moment held by friction, and moment
+  /// of a latch (on an axis about it), N m.
   /// @param of  the sample's hinge of the body
   double stop_moment(const multibody::MotionSample& sample,
                      const multibody::HingeSample& of, int body) const;
   double latch_moment(const multibody::HingeSample& of, int body) const;
-  /// Impacts on stops and by latches so far, in order; without impulse and loss
-  /// on compliant stops, which take time.
+  /// Impacts on stops and by latches so far, in order; impacts on compliant
+  /// stops have no impulse and loss, because they take time.
   const std::vector<multibody::HingeImpact>& impacts() const {
     return impacts_;
   }
 
-  /// As Motion::watch_steps().
+  /// See Motion::watch_steps().
   void watch_steps(std::function<void(const multibody::MotionSample&)> look) {
     motion_.watch_steps(std::move(look));
   }
 
-  /// As Motion::halt_when().
+  /// See Motion::halt_when().
   void halt_when(std::function<bool()> halt) {
     motion_.halt_when(std::move(halt));
   }
 
   enum class Stop {
-    time,    ///< the time asked for
-    event,   ///< happenings() are due; nothing has been done yet
+    time,    ///< requested time reached
+    event,   ///< happenings() are due, but not yet applied
     failed,  ///< message() says why
-    halted,  ///< as halt_when() wanted
+    halted,  ///< by halt_when()
   };
   Stop advance_to(double time);
   const std::vector<Happening>& happenings() const { return due_; }
-  /// Breaks what the events that are due break.
-  /// @return false if that cannot be: message() says why
+  /// Applies the due events.
+  /// @return false if this is impossible; message() gives the reason
   bool apply();
-  /// A latch that is due engages: not where the hinge turns too fast for it.
+  /// Whether a due latch engages: not if the hinge turns too fast.
   bool engages(const Happening& h) const;
   const std::string& message() const { return message_; }
 
@@ -108,7 +109,7 @@ class Simulation {
   double angle(int body) const;
   double angle(const multibody::MotionSample& sample, int body) const;
 
-  /// As Motion::save().
+  /// See Motion::save().
   SimulationState save();
   /// @throws contact::Error as Motion::restore()
   void restore(const SimulationState& state);
@@ -152,8 +153,8 @@ class Simulation {
   std::vector<Meaning> meanings_;
   std::vector<Happening> due_;
   std::vector<multibody::HingeImpact> impacts_;
-  std::size_t impacts_taken_ = 0;  ///< of the motion's
-  /// Begun, gone on from a checkpoint, or broken something at time().
+  std::size_t impacts_taken_ = 0;  ///< impacts of the motion
+  /// Started, resumed, or changed by an event at time().
   bool changed_ = true;
   std::string message_;
 };

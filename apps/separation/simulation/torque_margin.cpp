@@ -30,8 +30,8 @@ ForceInstant at_start(const Case& c, const Force& force,
   return {c, force.body, bodies, 0, 0, History::not_yet};
 }
 
-// Those at 0 s but for what acts through hinges, which the held hinges take
-// without a force.
+// Forces at 0 s, without forces that act through hinges, which the held hinges
+// carry.
 class Others : public multibody::ForceModel {
  public:
   explicit Others(const Case& c) : case_(c) {}
@@ -174,12 +174,12 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
     if (ratio < least.ratio) least = {ratio, angle};
   };
   for (std::size_t i = 0; i < nodes.size(); ++i) note(ratios[i], nodes[i]);
-  // Between the neighbours of what is lower than both.
+  // Between the neighbours of each node that is lower than both.
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double before = i > 0 ? ratios[i - 1] : ratios[i];
     const double after = i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
     if (ratios[i] > before || ratios[i + 1] > after) continue;
-    constexpr int bits = 26;  // of the angle: ratios there differ by 1e-15
+    constexpr int bits = 26;  // bits of the angle: ratios differ by 1e-15
     const auto [angle, ratio] = boost::math::tools::brent_find_minima(
         [&](double at) { return sweep.ratio(at); }, nodes[i], nodes[i + 1],
         bits);

@@ -6,24 +6,25 @@
 
 namespace separation {
 
-/// The smallest ratio of driving to resisting moment on the way of a hinge.
+/// The smallest ratio of driving to resisting moment on the path of a hinge.
 struct TorqueMargin {
   double ratio = std::numeric_limits<double>::infinity();
-  double angle = 0;  ///< where that is, rad
+  double angle = 0;  ///< at the smallest ratio, rad
 };
 
-/// The torque margin of a body on an axis, quasi-static: every body stands
-/// still, the hinge at each angle from MarginPath::from to `to`. Motors and
-/// torsion springs of the hinge count from their beginning, whenever that is;
-/// of the other forces those that act at 0 s, and gravity. What turns the body
-/// on drives it; what turns it back, times other_factor, and the friction of
-/// the joints under the reaction of that position, in slow sliding, times
-/// friction_factor, resist it. Dampers and inertia have no part in it.
+/// The quasi-static torque margin of a body on an axis: all bodies are at rest,
+/// with the hinge at each angle from MarginPath::from to `to`. Motors and
+/// torsion springs of the hinge have their initial values, whenever they begin;
+/// other forces count if they act at 0 s, and gravity counts. Driving moments
+/// turn the body towards `to`. Resisting moments are the moments that turn it
+/// back, times other_factor, and the friction of the joints under the reaction
+/// of the position, in slow sliding, times friction_factor. Dampers and inertia
+/// are ignored.
 ///
 /// Accuracy (separation/torque_margin_test.cpp): ratios to 1e-9, also between
-/// the rows of tables and where the smallest is inside.
+/// the rows of tables and for a minimum inside the path.
 /// @param body  with a margin (Hinge::margin)
-/// @throws contact::Error where the joints have no friction moment
+/// @throws contact::Error if the joints have no friction moment
 TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
 
 }  // namespace separation

@@ -14,18 +14,18 @@ struct ForestBodies {
   ForestPart* parts;
 };
 
-/// The two steps for the lanes of one instruction set. `sloped`: some slope is
-/// not 0, then nothing is symmetric.
+/// The two steps for the lanes of one instruction set. `sloped`: a slope is not
+/// 0, so that matrices are not symmetric.
 struct ForestKernel {
   /// @param n  of each, rounded up to 4
   void (*sines)(int n, const double* angles, double* sines, double* cosines);
   /// Motions outward, then the matrices inward.
   void (*prepare)(const ForestBodies& bodies, const ForestState* state,
                   bool sloped);
-  /// Loads inward: force and moment of the roots are complete after it.
+  /// Loads inward; completes force and moment of the roots.
   void (*gather_loads)(const ForestBodies& bodies, const ForestState* state,
                        bool sloped);
-  /// Accelerations outward from those of the roots, and the reactions.
+  /// Accelerations outward from the roots, and the reactions.
   void (*resolve)(const ForestBodies& bodies, bool sloped);
 };
 

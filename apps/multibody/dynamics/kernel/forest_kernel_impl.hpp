@@ -15,7 +15,7 @@ template <class V, bool sloped>
 struct ForestSteps {
   using M = Columns<V>;
 
-  /// Motion of a body from that of its parent.
+  /// Motion of a body from its parent's motion.
   static CONTACT_INLINE void set_motion(const ForestHinge& hinge,
                                         const ForestState& state,
                                         const ForestPart& parent,
@@ -48,7 +48,7 @@ struct ForestSteps {
     p.turn = p.reaction = p.reaction_moment = {};
   }
 
-  /// Its own equations, before anything hangs on it.
+  /// Equations of the body alone, before its children are added.
   static CONTACT_INLINE void set_own(const ForestHinge& hinge,
                                      const ForestState& state, ForestPart& p) {
     const M turn = matrix<V>(p.rotation);
@@ -76,7 +76,7 @@ struct ForestSteps {
     }
   }
 
-  /// First step: what the parent sees of it, with all that hangs on it.
+  /// First step: contribution of the body and its descendants to the parent.
   static CONTACT_INLINE void eliminate(ForestTurn turn, ForestPart& p,
                                        ForestPart& parent) {
     const M a = matrix<V>(p.a);
@@ -100,8 +100,8 @@ struct ForestSteps {
     }
   }
 
-  /// The same of the loads. What a parent waits for is short: as much as can be
-  /// is worked out before.
+  /// First step for the loads. The chain of operations at the parent is short,
+  /// because most terms are computed before.
   static CONTACT_INLINE void gather(const ForestHinge& hinge,
                                     const ForestState& state, ForestPart& p,
                                     ForestPart& parent) {
@@ -131,7 +131,8 @@ struct ForestSteps {
     }
   }
 
-  /// Second step: accelerations from those of the parent, and the reaction.
+  /// Second step: accelerations from the parent's accelerations, and the
+  /// reaction.
   static CONTACT_INLINE void resolve(ForestTurn turn, const ForestPart& parent,
                                      ForestPart& p) {
     const V up = vector<V>(parent.angular);

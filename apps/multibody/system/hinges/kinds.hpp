@@ -5,7 +5,7 @@
 
 namespace multibody {
 
-/// A body of its own has no hinge, and the state of StateLayout.
+/// A body without a hinge has the state of StateLayout.
 struct NoHinge {
   static constexpr HingeTraits traits{
       .state_size = 13, .quaternion = 6, .is_axis = false, .arm_axis = 2};
@@ -31,9 +31,9 @@ struct NoHinge {
   }
 };
 
-/// All kinds: calls f with the type of the kind, which has its HingeTraits, how
-/// a body becomes a Link, its constants for the kernel (multibody/dynamics)
-/// that serves it while it turns, and what its state means.
+/// Calls f with the type of the kind. The type defines its HingeTraits, the
+/// Link of a body, the constants for its kernel (multibody/dynamics) while it
+/// turns, and the meaning of its state.
 template <class F>
 [[gnu::always_inline]] constexpr auto with_hinge(HingeKind kind, F f) {
   switch (kind) {

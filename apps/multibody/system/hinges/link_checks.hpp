@@ -11,7 +11,7 @@
 /// Checks common to all bodies.
 namespace multibody {
 
-// A moment of inertia that small beside the largest is rounding of zero.
+// A moment of inertia this small relative to the largest is rounding of zero.
 inline constexpr double zero_inertia = 1e-14;
 
 [[noreturn]] inline void refuse(const std::string& what,

@@ -17,11 +17,11 @@ struct BodyTree {
   std::vector<Eigen::Matrix3d> turns;
 };
 
-/// Reads the bodies, each after the one that it hangs on: on = "NAME" of its
-/// hinge, of a body or of one of its copies. What hangs on a body with copies
-/// is copied with it.
-/// @throws contact::Error at the key, of names that there are not, bodies that
-///   hang on themselves, by way of others too, and as read_body()
+/// Reads the bodies, each after its parent: on = "NAME" of its hinge names a
+/// body or one of its copies. Bodies that hang on a body with copies are copied
+/// with it.
+/// @throws contact::Error at the key, for unknown names, for bodies that hang
+///   on themselves, directly or through others, and as read_body()
 BodyTree read_bodies(const contact::TomlTable& file, const RigidBody& carrier,
                      const JointLaws& laws, contact::SharedLaws& made);
 

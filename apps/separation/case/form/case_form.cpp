@@ -48,7 +48,7 @@ CaseForm::CaseForm(const contact::TomlFiles& files,
   for (std::size_t key = 0; key < keys.size(); ++key) {
     keys_of(form_.place(key)).push_back(key);
   }
-  // What bodies hang on comes before them from here on.
+  // From here on parents come before their children.
   turns_.resize(nominal.bodies.size());
   std::ranges::stable_sort(bodies_, {}, [&](const Part& body) {
     return depth(nominal, 1 + body.first);

@@ -14,21 +14,21 @@
 
 namespace separation {
 
-/// A case that is read again and again, by one thread at a time, with other
-/// numbers of some keys: only its parts with these keys, and what stands on
-/// them (case_parts.hpp). The numbers are those of case_of_file().
+/// A case for repeated reading, by one thread at a time, with new numbers for
+/// some keys: reads only the parts with these keys and the parts that depend on
+/// them (case_parts.hpp). Results equal case_of_file().
 class CaseForm {
  public:
   /// @param keys  as TomlForm's
-  /// @param nominal  the case without them; has to outlive this object
-  /// @param made  laws of joints; those that a key changes are made anew
-  /// @throws contact::Error of a key that has no number, or changes how many
-  ///   bodies there are
+  /// @param nominal  the unchanged case; must outlive this object
+  /// @param made  laws of joints; laws that a key changes are built again
+  /// @throws contact::Error for a key that has no number, or changes the number
+  ///   of bodies
   CaseForm(const contact::TomlFiles& files, const std::filesystem::path& file,
            const contact::KeySettings& keys, const Case& nominal,
            const contact::SharedLaws& made);
 
-  /// @param numbers  of each key a number, or one for each copy of its body or
+  /// @param numbers  for each key a number, or one for each copy of its body or
   ///   each body of its force
   /// @throws contact::Error if they make no case
   Case with(const std::vector<std::span<const double>>& numbers);
@@ -36,7 +36,7 @@ class CaseForm {
  private:
   using Numbers = std::vector<std::span<const double>>;
   using Keys = std::vector<std::size_t>;
-  /// A [[body]], a [[force]] or an [[event]], and where its copies are.
+  /// A [[body]], a [[force]] or an [[event]], with the places of its copies.
   struct Part {
     contact::TomlTable table;
     int first;
@@ -44,7 +44,7 @@ class CaseForm {
     Keys keys = {};
   };
 
-  /// How many bodies there are from a rigid body to the carrier.
+  /// Number of bodies between a rigid body and the carrier.
   static int depth(const Case& of, int body);
   static std::vector<Part> parts(const contact::TomlTable& file,
                                  std::string_view key);
@@ -60,7 +60,7 @@ class CaseForm {
   contact::SharedLaws made_;
   std::vector<Part> bodies_, forces_, events_;
   Keys run_, carrier_;
-  std::vector<Eigen::Matrix3d> turns_;  ///< CaseNames'
+  std::vector<Eigen::Matrix3d> turns_;  ///< from CaseNames
   std::vector<std::string> event_names_;
 };
 

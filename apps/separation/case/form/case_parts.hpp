@@ -5,8 +5,8 @@
 #include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case.hpp"
 
-/// Parts of a case as case files describe them. A part depends on its own
-/// tables, the carrier, bodies on what they hang on, forces on both.
+/// Parts of a case in case files. A part depends on its own tables and the
+/// carrier; bodies also on their parents, forces also on bodies.
 namespace separation {
 
 /// Gravity and [run].
@@ -14,14 +14,14 @@ void read_run_of(const contact::TomlTable& file, Case& c);
 /// [carrier] with its start and its drive.
 void read_carrier_of(const contact::TomlTable& file, Case& c);
 
-/// A [[body]], all copies of which are turned ones of it.
+/// A [[body]]; its copies are rotated copies of it.
 /// @param made  laws of the case's joints
-/// @param parent  the carrier or the body that it hangs on; Hinge::on is left
-///   for whoever knows its place
+/// @param parent  the carrier or the parent body; the caller, which knows its
+///   index, sets Hinge::on
 Body read_body(const contact::TomlTable& table, const RigidBody& parent,
                const JointLaws& laws, contact::SharedLaws& made);
 
-/// Copies of a body around an axis through the origin of what it hangs on.
+/// Copies of a body around an axis through the origin of its parent.
 struct Pattern {
   int count = 1;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();

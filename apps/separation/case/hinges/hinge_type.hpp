@@ -9,55 +9,54 @@
 
 namespace separation {
 
-/// A [body.hinge] while it is read.
+/// A [body.hinge] being read.
 struct HingeTable {
   const contact::TomlTable& table;
   const RigidBody& body;
   const RigidBody& parent;
 };
 
-/// A kind of hinge: what case files say of it and what its angle is. Its
-/// dynamics: multibody/system/hinges.
+/// A kind of hinge: its keys in case files and its angle. Its dynamics:
+/// multibody/system/hinges.
 struct HingeType {
   multibody::HingeKind kind;
   std::string_view name;
-  /// Keys beside those of all hinges.
+  /// Keys in addition to the keys of all hinges.
   contact::KnownKeys keys;
-  /// Full turns of its angle count; else it is one between two directions, 0 to
-  /// 180 deg.
+  /// Whether its angle counts full turns; else the angle lies between two
+  /// directions, 0 to 180 deg.
   bool counts_turns;
   /// Key of the rate in [body.start].
   std::string_view rate_key;
   /// Reads its own keys,
   void (*read)(const HingeTable& from, Hinge& hinge);
-  /// and those that are about its joints; refuses joints that do not make such
-  /// a hinge.
+  /// and the keys about its joints; rejects joints that do not suit the kind.
   void (*read_joints)(const contact::TomlTable& table, Hinge& hinge);
   void (*read_start)(const contact::TomlTable& table,
                      multibody::BodyStart& start);
-  /// Places it in a body that has the hinge's points.
+  /// Sets up the hinge of a body with the hinge's points.
   void (*place)(const Hinge& hinge, multibody::Body& body);
   /// Its angle, without full turns.
   /// @param rotation  body axes to parent axes
   double (*angle)(const Hinge& hinge, const Eigen::Matrix3d& rotation);
-  /// Part of an angular velocity, or acceleration, of the body relative to its
-  /// parent that belongs to the angle; for a ball joint its length.
-  /// @param parent  parent axes to those of the vector
+  /// Component of an angular velocity, or acceleration, of the body relative to
+  /// its parent that changes the angle; for a ball joint its length.
+  /// @param parent  parent axes to the axes of the vector
   double (*turn)(const Hinge& hinge, const Eigen::Matrix3d& parent,
                  const Eigen::Vector3d& relative);
 };
 
-/// All kinds; list.cpp has the list.
+/// All kinds; list.cpp contains the list.
 const std::vector<HingeType>& hinge_types();
 /// Type of an existing hinge.
 const HingeType& hinge_type(const Hinge& hinge);
 
-/// "parent_point" of a hinge with on = "NAME", else "carrier_point"; refuses
-/// the other one.
+/// "parent_point" of a hinge with on = "NAME", else "carrier_point"; rejects
+/// the other key.
 std::string parent_key(const contact::TomlTable& hinge, std::string_view end);
 
-/// Refuses angles that its hinges do not have.
-/// @param where  what follows "0 deg to 180 deg on "
+/// Rejects angles outside the range of its hinges.
+/// @param where  text after "0 deg to 180 deg on "
 void check_angles(const contact::TomlTable& table, const Hinge& hinge,
                   double low, double high, const std::string& where);
 
