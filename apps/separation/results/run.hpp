@@ -9,6 +9,7 @@
 #include "separation/results/output_times.hpp"
 #include "separation/results/record.hpp"
 #include "separation/simulation/pace.hpp"
+#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 
@@ -40,6 +41,7 @@ struct Outcome {
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
   History history;                          ///< its state at the end
+  std::shared_ptr<TorqueMargins> margins = std::make_shared<TorqueMargins>();
 };
 
 /// All that a run needs to go on later.
