@@ -140,6 +140,16 @@ double Sweep::operator[](std::size_t index) const {
   return piece->value(index - (piece->end - piece->count));
 }
 
+std::vector<int> whole_numbers(std::string_view option, std::string_view text,
+                               int most) {
+  const Sweep sweep(option, text, {1, double(most), ""});
+  std::vector<int> values;
+  for (std::size_t i = 0; i < sweep.size(); ++i) {
+    values.push_back(parse_count(option, number_text(sweep[i]), 1, most));
+  }
+  return values;
+}
+
 std::vector<double> spread(const Sweep& sweep, std::size_t most) {
   const std::size_t size = std::min(sweep.size(), most);
   std::vector<double> values;

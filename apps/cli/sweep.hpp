@@ -59,6 +59,11 @@ class Sweep {
   std::vector<Piece> pieces_;
 };
 
+/// The values of a sweep of whole numbers from 1 to `most`.
+/// @throws contact::Error for others
+std::vector<int> whole_numbers(std::string_view option, std::string_view text,
+                               int most);
+
 /// At most `most` values of a sweep, evenly spread, the ends included: what a
 /// picture can show.
 std::vector<double> spread(const Sweep& sweep, std::size_t most);

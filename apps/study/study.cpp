@@ -48,6 +48,9 @@ bool is_peak(const std::string& quantity) {
 bool is_clearance(const std::string& quantity) {
   return quantity.starts_with("clearance.");
 }
+bool is_margin(const std::string& quantity) {
+  return quantity.find(".torque_margin") != quantity.npos;
+}
 // Energies of a driven carrier include more than the motion's.
 bool is_energy(const std::string& quantity) {
   return quantity.starts_with("energy.");
@@ -233,6 +236,7 @@ void Study::find_quantities() {
   }
   effort_.peaks = std::ranges::any_of(quantities_, is_peak);
   effort_.clearance = std::ranges::any_of(quantities_, is_clearance);
+  effort_.margins = std::ranges::any_of(quantities_, is_margin);
   for (const char* name : {energy_drift, over_limit}) {
     if (nominal_.numbers.contains(name)) place(name);
   }

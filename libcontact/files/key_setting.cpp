@@ -13,7 +13,7 @@
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_units.hpp"
-#include "libcontact/files/unknown_key.hpp"
+#include "libcontact/files/stranger.hpp"
 
 namespace contact::detail {
 namespace {

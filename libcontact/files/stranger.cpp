@@ -7,7 +7,6 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_units.hpp"
-#include "libcontact/files/unknown_key.hpp"
 
 namespace contact::detail {
 namespace {
@@ -73,9 +72,11 @@ std::string meant_by(const std::string& key, const toml::table& table,
   }
   if (!meant.empty()) return meant;
   for (const KnownKey* k : known) {
-    if (!table[k->key].is_table()) continue;
-    for (const KnownKey& inner : k->inside) {
-      if (unit_in(key, inner.key, inner.dimension) != nullptr) {
+    const toml::table* in = table[k->key].as_table();
+    if (in == nullptr) continue;
+    for (const KnownKey* inner : of_kind(*in, k->inside)) {
+      if (!is_gone(*inner) &&
+          unit_in(key, inner->key, inner->dimension) != nullptr) {
         return joined(std::string(k->key), key);
       }
     }

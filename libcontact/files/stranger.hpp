@@ -21,6 +21,11 @@ std::vector<const KnownKey*> of_kind(const toml::table& table,
 const KnownKey* known_key(const toml::table& table, const KnownKeys& keys,
                           std::string_view name);
 
+/// Message about a key that a table does not know, with the one that may be
+/// meant: of the table, or of a table in it.
+std::string unknown_key(const std::string& key, const toml::table& table,
+                        const KnownKeys& keys, const std::string& path);
+
 /// The first key of a file that is not known, or not read.
 struct Stranger {
   /// Null if only unknown ones are looked for.

@@ -1,43 +1,25 @@
 #include "libcontact/load_law/ball.hpp"
 
-#include <fmt/format.h>
-
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/load_law/minimax.hpp"
 
 namespace contact::detail {
 namespace {
 
 using Eigen::ArrayXd;
-using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-void check(const Joint& ball) {
-  const FrictionLaw dry = dry_friction(ball);
-  if (dry.coefficient() > 0 && dry.coefficient() <= 1 && dry.adhesion() == 0 &&
-      ball.contact().geometry().radial_clearance() > 0) {
-    return;
-  }
-  throw Error(needs("the load law of a ball",
-                    "a clearance, and dry friction without adhesion with a "
-                    "coefficient above 0, up to 1"));
-}
-
-double half_angle_at(const JointContact& contact, const BallLaw<double>& law,
-                     double t) {
+// R_n and theta0.
+std::pair<double, double> contact_at(const JointContact& contact,
+                                     const BallLaw<double>& law, double t) {
   const double force = std::exp(law.middle + law.half * t);
-  const double angle = contact.half_angle(force).half_angle;
-  if (std::isfinite(angle)) return angle;
-  throw Error(needs(fmt::format("a load law: a load of {} N", force),
-                    "a half-angle law that has a value there"));
+  return {force, checked(contact.half_angle(force).half_angle, force)};
 }
 
 // A contact and its friction.
@@ -51,7 +33,7 @@ std::vector<Sample> sampled(const JointContact& contact,
                             const BallLaw<double>& law, bool outside) {
   std::vector<Sample> all;
   for (const double t : ArrayXd(2 * nodes(30) - 1)) {
-    const double half_angle = half_angle_at(contact, law, t);
+    const auto [force, half_angle] = contact_at(contact, law, t);
     const double T = law.poly(0, law.nT, t);
     const double s = 2 * T / (1 + T * T);
     const double c2 = (1 - s * T) * (1 - s * T);
@@ -62,7 +44,6 @@ std::vector<Sample> sampled(const JointContact& contact,
         at.q = s / std::sqrt(1 - x * c2);
         at.sa = std::sqrt(c2 * (1 - x) / (1 - x * c2));
       }
-      const double force = std::exp(law.middle + law.half * t);
       at.exact =
           contact.integrals(half_angle, {at.sa, at.q}, {force, 1}).coefficient;
       all.push_back(at);
@@ -71,40 +52,38 @@ std::vector<Sample> sampled(const JointContact& contact,
   return all;
 }
 
-// Parts of the friction over the moment, which an error of any turns by that.
-Vector2d moments(const FrictionTriple& of, const FrictionTriple& exact) {
-  return Vector2d(of.sliding, of.spinning) /
-         std::hypot(exact.sliding, exact.spinning);
-}
-Vector2d force(const FrictionTriple& of, const FrictionTriple& exact) {
-  return Vector2d(of.force, 0) / std::hypot(exact.sliding, exact.spinning);
-}
+using Parts = std::vector<double FrictionTriple::*>;
 
-// Fits `count` coefficients from `first` on, which this part of the friction is
-// linear in, and returns the error.
+// Fits `count` coefficients from `first` on, which these parts of the friction
+// are linear in, and returns their error over the moment, which an error of any
+// turns by that.
 double fit(BallLaw<double>& law, int first, int count,
-           const std::vector<Sample>& all, decltype(moments) part,
+           const std::vector<Sample>& all, const Parts& parts,
            int rounds = 15) {
-  const auto points = Eigen::Index(all.size());
   const auto column = [&](const auto& friction) {
-    Eigen::MatrixX2d values(points, 2);
-    for (Eigen::Index i = 0; i < points; ++i) {
-      const Sample& at = all[std::size_t(i)];
-      values.row(i) = part(friction(at), at.exact);
+    Eigen::MatrixXd values(all.size(), parts.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const FrictionTriple of = friction(all[i]);
+      const FrictionTriple& exact = all[i].exact;
+      for (std::size_t k = 0; k < parts.size(); ++k) {
+        values(Eigen::Index(i), Eigen::Index(k)) =
+            of.*parts[k] / std::hypot(exact.sliding, exact.spinning);
+      }
     }
     return values.reshaped().eval();
   };
   const auto to = law.table.begin() + first;
   std::fill_n(to, count, 0);
-  Eigen::MatrixXd a(2 * points, count);
+  const VectorXd b = column([](const Sample& at) { return at.exact; });
+  Eigen::MatrixXd a(b.size(), count);
   for (int k = 0; k < count; ++k) {
     to[k] = 1;
     a.col(k) = column(
         [&](const Sample& at) { return law.at_axis(at.t, at.sa, at.q); });
     to[k] = 0;
   }
-  const VectorXd b = column([](const Sample& at) { return at.exact; });
-  const MinimaxFit best = minimax_fit(std::move(a), b, 2, rounds);
+  const MinimaxFit best =
+      minimax_fit(std::move(a), b, int(parts.size()), rounds);
   std::ranges::copy(best.numbers, to);
   return best.error;
 }
@@ -124,8 +103,9 @@ BallLaw<double> fitted(const Joint& ball, BallLaw<double> law,
   law.middle = std::log(least * law.high) / 2;
   law.half = std::log(law.high / least) / 2;
   const ArrayXd t = 2 * nodes(120) - 1;
-  const ArrayXd T = t.unaryExpr(
-      [&](double x) { return std::tan(half_angle_at(contact, law, x) / 2); });
+  const ArrayXd T = t.unaryExpr([&](double x) {
+    return std::tan(contact_at(contact, law, x).second / 2);
+  });
   law.T_middle = (T.maxCoeff() + T.minCoeff()) / 2;
   law.T_half = (T.maxCoeff() - T.minCoeff()) / 2;
   const auto of_t =
@@ -133,73 +113,65 @@ BallLaw<double> fitted(const Joint& ball, BallLaw<double> law,
   law.table.assign(of_t.numbers.begin(), of_t.numbers.end());
   const int powers_of_x = (law.n + law.odd) * law.nh;
   const int ratio = law.nr * law.nrh;
-  law.inside = law.nT;
-  law.outside = law.inside + powers_of_x + ratio;
+  law.outside = law.nT + powers_of_x + ratio;
   law.table.resize(std::size_t(law.outside + powers_of_x + ratio));
-  const auto inside = sampled(contact, law, false);
-  const auto outside = sampled(contact, law, true);
+  const std::pair<int, std::vector<Sample>> sides[] = {
+      {law.nT, sampled(contact, law, false)},
+      {law.outside, sampled(contact, law, true)}};
+  const Parts moments = {&FrictionTriple::sliding, &FrictionTriple::spinning};
   // Picks e: T for half-spaces, t or the mean of both for thin walls.
   double error = std::numeric_limits<double>::infinity();
   double best = 0;
   for (const double share : {0.0, 0.5, 1.0}) {
     law.share = share;
-    const double of =
-        std::max(fit(law, law.inside, powers_of_x, inside, moments, 3),
-                 fit(law, law.outside, powers_of_x, outside, moments, 3));
+    double of = 0;
+    for (const auto& [first, all] : sides) {
+      of = std::max(of, fit(law, first, powers_of_x, all, moments, 3));
+    }
     if (of < error) best = share;
     error = std::min(error, of);
   }
   law.share = best;
-  for (const auto& [first, all] :
-       {std::pair(law.inside, &inside), std::pair(law.outside, &outside)}) {
-    fit(law, first, powers_of_x, *all, moments);
-    fit(law, first + powers_of_x, ratio, *all, force);
+  for (const auto& [first, all] : sides) {
+    fit(law, first, powers_of_x, all, moments);
+    fit(law, first + powers_of_x, ratio, all, {&FrictionTriple::force});
   }
   return law;
 }
 
-BallLaw<float> in_float(const BallLaw<double>& law) {
-  BallLaw<float> to;
-#define CONTACT_COPIED(name) to.name = static_cast<decltype(to.name)>(law.name);
-  CONTACT_BALL_COUNTS(CONTACT_COPIED)
-  CONTACT_BALL_REALS(CONTACT_COPIED)
-#undef CONTACT_COPIED
-  to.table.assign(law.table.begin(), law.table.end());
-  return to;
-}
-
-// The largest error of M in this state, which it grows.
-template <class Real>
-void compare(const BallLaw<Real>& law, const Vector3d& R, const Vector3d& w,
-             double f, const Vector3d& exact, double& error) {
-  const Eigen::Vector3<Real> load = R.cast<Real>(), rate = w.cast<Real>();
-  Eigen::Vector3<Real> M;
-  law.friction(load.data(), rate.data(), Real(f), M.data());
-  error = std::max(error,
-                   (M.template cast<double>() - exact).norm() / exact.norm());
-}
-
-// The largest errors over many states, from a sequence that fills the square of
-// load and direction evenly; a third of the directions is close to the load.
-void measure(const Joint& ball, double enough, BallLoadLaw& of) {
+// The largest errors over many states, those of a sequence that fills the
+// square of load and direction evenly; a third of the directions is close to
+// the load.
+void measure(const Joint& ball, double enough, BallLaw<double>& law) {
   constexpr int states = 100'000;
-  const BallLaw<float> single = in_float(of.law);
+  BallLaw<float> single;
+#define CONTACT_COPIED(name) \
+  single.name = static_cast<decltype(single.name)>(law.name);
+  CONTACT_BALL_NUMBERS(CONTACT_COPIED, CONTACT_COPIED)
+#undef CONTACT_COPIED
+  single.table.assign(law.table.begin(), law.table.end());
   const double f0 = dry_friction(ball).coefficient();
-  for (int i = 0; i < states && of.error <= enough; ++i) {
+  for (int i = 0; i < states && law.error <= enough; ++i) {
     double whole;
     const double first = std::modf(0.7548776662466927 * i, &whole);
     const double second = std::modf(0.5698402909980532 * i, &whole);
-    const double load = of.law.low * std::pow(of.law.high / of.law.low, first);
     const double b =
         i % 3 == 0 ? 1e-4 * std::pow(3e4, second) : std::numbers::pi * second;
     // In some frame, for the roundings of float.
     const Eigen::Quaterniond frame =
         Eigen::Quaterniond(0.5, first, second - 0.5, std::sin(i)).normalized();
-    const Vector3d R = frame * Vector3d(0, 0, load);
+    const Vector3d R =
+        frame * Vector3d(0, 0, law.low * std::pow(law.high / law.low, first));
     const Vector3d w = frame * Vector3d(std::sin(b), 0, std::cos(b));
     const Vector3d exact = ball.solve({R, w}).friction_moment;
-    compare(of.law, R, w, f0, exact, of.error);
-    compare(single, R, w, f0, exact, of.float_error);
+    const auto off = [&]<class Real>(const BallLaw<Real>& of) {
+      const Eigen::Vector3<Real> load = R.cast<Real>(), rate = w.cast<Real>();
+      Eigen::Vector3<Real> M;
+      of.friction(load.data(), rate.data(), Real(f0), M.data());
+      return (M.template cast<double>() - exact).norm() / exact.norm();
+    };
+    law.error = std::max(law.error, off(law));
+    law.float_error = std::max(law.float_error, off(single));
   }
 }
 
@@ -209,20 +181,27 @@ double most_friction(const Joint& ball) {
   return std::max(0.2, 2.5 * dry_friction(ball).coefficient());
 }
 
-BallLoadLaw ball_load_law(const Joint& ball, const LoadLawOptions& options) {
+BallLaw<double> ball_load_law(const Joint& ball,
+                              const LoadLawOptions& options) {
   // nT, n, nh, odd, nr, nrh, rounds, and the tolerance: 54, 116, 202 and 460
   // numbers with errors of some 1e-2, 5e-4, 1e-4, 1e-6.
-  const BallLaw<double> presets[] = {{10, 4, 4, 0, 3, 2, 5, 0, 0, 1e-3},
-                                     {14, 5, 7, 0, 4, 4, 7, 0, 0, 2e-5},
-                                     {16, 6, 9, 1, 5, 6, 9, 0, 0, 3e-6},
-                                     {20, 8, 14, 2, 8, 10, 11, 0, 0, 3e-8}};
-  check(ball);
-  const auto range =
-      loads_of(options.loads, 1 / ball.contact().load_parameter(1), 1e-3, 10);
-  BallLoadLaw law;
+  const BallLaw<double> presets[] = {{10, 4, 4, 0, 3, 2, 5, 0, 1e-3},
+                                     {14, 5, 7, 0, 4, 4, 7, 0, 2e-5},
+                                     {16, 6, 9, 1, 5, 6, 9, 0, 3e-6},
+                                     {20, 8, 14, 2, 8, 10, 11, 0, 3e-8}};
+  const FrictionLaw dry = dry_friction(ball);
+  require(dry.coefficient() > 0 && dry.coefficient() <= 1 &&
+              dry.adhesion() == 0 &&
+              ball.contact().geometry().radial_clearance() > 0,
+          "the load law of a ball",
+          "a clearance, and dry friction without adhesion with a coefficient "
+          "above 0, up to 1");
+  const auto range = loads_of(ball, options.loads,
+                              1 / ball.contact().load_parameter(1), 1e-3, 10);
+  BallLaw<double> law;
   for (const BallLaw<double>& preset : presets) {
     const bool is_last = &preset == std::end(presets) - 1;
-    law = {fitted(ball, preset, range)};
+    law = fitted(ball, preset, range);
     measure(ball, is_last ? 1 : options.error, law);
     if (law.error <= options.error) return law;
   }

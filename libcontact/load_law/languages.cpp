@@ -51,9 +51,7 @@ KDEF KREAL NAME_poly(KREAL first, KREAL count, KREAL x) {
 }
 KDEF int NAME(const KREAL R[3], const KREAL w[3], KREAL f, KREAL M[3],
                 KREAL *normal_force) {
-{FRICTION}  M[0] = M0;
-  M[1] = M1;
-  M[2] = M2;
+{FRICTION}  M[0] = M0; M[1] = M1; M[2] = M2;
   if (normal_force) *normal_force = normal;
   return (int)flag;
 }
@@ -62,30 +60,11 @@ KDEF KREAL NAME_hold(const KREAL R[3], const KREAL m[3], KREAL f) {
 }
 KDEF int NAME_gradient(const KREAL R[3], const KREAL w[3], KREAL f,
     KREAL dM_dR[9], KREAL dM_dw[9]) {
-{GRADIENT}  const KREAL r9[] = {DM_DR};
-  const KREAL w9[] = {DM_DW};
-  for (int i = 0; i < 9; ++i) {
-    dM_dR[i] = r9[i];
-    dM_dw[i] = w9[i];
-  }
+{GRADIENT}  const KREAL r9[] = {DM_DR}, w9[] = {DM_DW};
+  for (int i = 0; i < 9; ++i) { dM_dR[i] = r9[i]; dM_dw[i] = w9[i]; }
   return (int)flag;
 }
 )";
-
-constexpr std::string_view c_prelude = R"(#include <math.h>
-#ifndef KREAL
-#define KREAL double
-#endif
-#ifndef KDEF
-#define KDEF static inline
-#endif)";
-
-constexpr std::string_view cuda_prelude = R"(#ifndef KREAL
-#define KREAL float
-#endif
-#ifndef KDEF
-#define KDEF __host__ __device__ static inline
-#endif)";
 
 constexpr std::string_view js_pin = R"(export function NAME(load@, f = F0@) {
 {MOMENT}  return [moment, slope];
@@ -176,9 +155,16 @@ constexpr std::string_view st_pin = R"(FUNCTION NAME : LREAL
 END_FUNCTION
 )";
 
+#define C_PRELUDE(real, def)           \
+  "#ifndef KREAL\n#define KREAL " real \
+  "\n#endif\n#ifndef KDEF\n#define KDEF " def "\n#endif"
 constexpr Language languages[] = {
-    {"c", "// ", "  ", c_notation, c_prelude, c_pin, c_ball, true},
-    {"cuda", "// ", "  ", c_notation, cuda_prelude, c_pin, c_ball, false},
+    {"c", "// ", "  ", c_notation,
+     "#include <math.h>\n" C_PRELUDE("double", "static inline"), c_pin, c_ball,
+     true},
+    {"cuda", "// ", "  ", c_notation,
+     C_PRELUDE("float", "__host__ __device__ static inline"), c_pin, c_ball,
+     false},
     {"glsl", "// ", "  ", glsl_notation, "", glsl_pin, glsl_ball, false},
     {"jax", "# ", "    ", python_notation, "import jax.numpy as xp\n\n\n",
      python_pin, python_ball, false},

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/QR>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -56,21 +57,27 @@ FrictionLaw dry_friction(const Joint& joint) {
   return dry == nullptr ? FrictionLaw(0) : *dry;
 }
 
-void check_endless(const Joint& joint) {
-  if (joint.is_endless()) return;
-  throw Error(needs("a load law",
-                    "a joint without a [seat] and a [relief], or "
-                    "without_seat() and without_relief()"));
-}
-
 std::pair<double, double> loads_of(
-    const std::optional<std::pair<double, double>>& given, double unit,
-    double low, double high) {
+    const Joint& joint, const std::optional<std::pair<double, double>>& given,
+    double unit, double low, double high) {
+  require(joint.is_endless(), "a load law",
+          "a joint without a [seat] and a [relief], or without_seat() and "
+          "without_relief()");
   const auto loads = given.value_or(std::pair(low * unit, high * unit));
   if (loads.first > 0 && loads.first < loads.second) return loads;
   throw Error(must_be(
       message("the loads {} and {} N of a load law", loads.first, loads.second),
       "above 0, the first one less"));
+}
+
+void require(bool is_met, std::string_view what, std::string_view other) {
+  if (!is_met) throw Error(needs(what, other));
+}
+
+double checked(double number, double load) {
+  require(std::isfinite(number), message("a load law: a load of {} N", load),
+          "a half-angle law and a pressure law that have a value there");
+  return number;
 }
 
 Error out_of_reach(double wanted, double best) {

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "libcontact/base/error.hpp"
@@ -29,14 +30,18 @@ Eigen::ArrayXd nodes(int count);
 
 /// f0 and adhesion of dry friction, else 0: for other laws the caller knows f.
 FrictionLaw dry_friction(const Joint& joint);
-/// @throws Error for a joint with rims or ends, whose friction does not depend
-///         on the load alone
-void check_endless(const Joint& joint);
 /// The given loads, or default loads as multiples of `unit`.
-/// @throws Error unless 0 < low < high
+/// @throws Error unless 0 < low < high, and for a joint with rims or ends,
+/// whose
+///   friction does not depend on the load alone
 std::pair<double, double> loads_of(
-    const std::optional<std::pair<double, double>>& given, double unit,
-    double low, double high);
+    const Joint& joint, const std::optional<std::pair<double, double>>& given,
+    double unit, double low, double high);
+/// @throws Error "WHAT requires OTHER" unless it has that
+void require(bool is_met, std::string_view what, std::string_view other);
+/// A number of the contact under a load.
+/// @throws Error for NaN, where a law of the contact has no value
+double checked(double number, double load);
 /// Message for an error that a law with all its numbers, `best`, cannot reach.
 Error out_of_reach(double wanted, double best);
 

@@ -1,11 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
 #include "libcontact/load_law/load_law.hpp"
 #include "libcontact/load_law/minimax.hpp"
 #include "libcontact/load_law/pin_formula.hpp"
@@ -15,21 +11,6 @@ namespace {
 
 using Eigen::ArrayXd;
 using Form = PinLoadLaw::Form;
-
-constexpr const char* place = "the load law of a pin";
-
-// f has to be a factor.
-void check_friction(const Joint& pin) {
-  const FrictionStress* stress = pin.contact().stress();
-  if (pin.is_pin() &&
-      (stress != nullptr ? stress->source().law == "stribeck"
-                         : detail::dry_friction(pin).coefficient() > 0)) {
-    return;
-  }
-  throw Error(detail::needs(place,
-                            "a pin with dry friction, with a coefficient above "
-                            "0, or Stribeck's law"));
-}
 
 // A load at which halves pressed into each other part, or else at which the
 // contact has become large.
@@ -47,82 +28,90 @@ JointSolution solved(const Joint& pin, double load, double rate) {
 // S, or M/R with adhesion.
 double number_at(const Joint& pin, Form form, double load) {
   const JointContact& contact = pin.contact();
-  const double value = form == Form::adhesion
-                           ? -solved(pin, load, 1).friction_moment.z() / load
-                           : contact.sum_of_pressures(
-                                 load, contact.half_angle(load).half_angle) /
-                                 load;
-  if (std::isfinite(value)) return value;
-  throw Error(detail::needs(
-      fmt::format("{}: a load of {} N", place, load),
-      "a half-angle law and a pressure law that have a value there"));
+  const double number =
+      form == Form::adhesion
+          ? -solved(pin, load, 1).friction_moment.z()
+          : contact.sum_of_pressures(load, contact.half_angle(load).half_angle);
+  return detail::checked(number / load, load);
 }
 
-void fit(const Joint& pin, int count, PinLoadLaw& law) {
-  constexpr int points = 300;
-  const ArrayXd t = 2 * detail::nodes(points) - 1;
-  const auto [low, high] = law.loads;
+// The numbers of a pin at some loads, and how a law has them: by powers of x
+// times `factor`, with `known` for c0 or none.
+struct Nodes {
+  ArrayXd load, x, factor, sum;
+  std::vector<double> known = {};
+};
+
+Nodes nodes_of(const Joint& pin, const PinLoadLaw& law) {
   const auto at = [&](double load) { return number_at(pin, law.form, load); };
-  const double unit = unit_force(pin.contact());
+  const auto [low, high] = law.loads;
+  const ArrayXd t = detail::nodes(300);
   if (law.form == Form::interference) {
-    law.scale = unit;
-    const double least = at(unit);
     const ArrayXd u =
-        (t + 1) / 2 * std::sqrt(1 - unit / std::max(high, 2 * unit));
-    const ArrayXd sum = (unit / (1 - u.square())).unaryExpr(at);
+        t * std::sqrt(1 - law.scale / std::max(high, 2 * law.scale));
+    const ArrayXd load = law.scale / (1 - u.square());
+    const ArrayXd number = load.unaryExpr(at);
+    const double least = at(law.scale);
+    return {load, 2 * u - 1, u.square() / number, 1 - least / number, {least}};
+  }
+  const ArrayXd load = (std::log(low) + t * std::log(high / low)).exp();
+  return {load, 2 * t - 1, load.unaryExpr(at).inverse(),
+          ArrayXd::Ones(t.size())};
+}
+
+void fit(const Nodes& nodes, double unit, int count, PinLoadLaw& law) {
+  double least = std::numeric_limits<double>::infinity();
+  const int scales = law.form == Form::clearance ? 40 : 1;
+  for (int i = 0; i < scales; ++i) {
+    const double scale = unit * 0.03 * std::pow(100, i / 39.0);
+    const ArrayXd x = scales == 1 ? nodes.x : nodes.load / (nodes.load + scale);
     const auto best = detail::minimax_fit(
-        detail::powers(2 * u - 1, count - 1, u.square() / sum),
-        1 - least / sum);
-    law.numbers = {least};
+        detail::powers(x, count - int(nodes.known.size()), nodes.factor),
+        nodes.sum);
+    if (!(best.error < least)) continue;
+    least = best.error;
+    if (scales > 1) law.scale = scale;
+    law.numbers = nodes.known;
     law.numbers.insert(law.numbers.end(), best.numbers.begin(),
                        best.numbers.end());
-    return;
-  }
-  const ArrayXd load =
-      (std::log(low) + (t + 1) / 2 * std::log(high / low)).exp();
-  const ArrayXd number = load.unaryExpr(at);
-  const int scales = law.form == Form::adhesion ? 1 : 40;
-  double least = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < scales; ++i) {
-    const double scale =
-        scales == 1 ? 0 : unit * 0.03 * std::pow(100, i / 39.0);
-    const ArrayXd x = scales == 1 ? t : load / (load + scale);
-    const auto one = detail::minimax_fit(
-        detail::powers(x, count, number.inverse()), ArrayXd::Ones(points));
-    if (!(one.error < least)) continue;
-    least = one.error;
-    law.scale = scale;
-    law.numbers = {one.numbers.begin(), one.numbers.end()};
   }
 }
 
-// Rates about which a coefficient is compared: all of it if it changes.
-std::vector<double> rates(const JointContact& contact) {
-  const FrictionStress* stress = contact.stress();
-  if (stress == nullptr) return {1};
-  const double rate = stress->speed_scale() / contact.geometry().radius();
-  return {0.03 * rate, rate, 10 * rate};
-}
+// A state of the pin, by which a law is compared.
+struct State {
+  double load, f, moment;
+};
 
-// The largest errors.
-void measure(const Joint& pin, PinLoadLaw& law) {
+// At all speeds if the coefficient changes with them.
+std::vector<State> states_of(const Joint& pin, const PinLoadLaw& law) {
+  const FrictionStress* stress = pin.contact().stress();
+  std::vector<double> rates = {1};
+  if (stress != nullptr) {
+    const double rate = stress->speed_scale() / law.radius;
+    rates = {0.03 * rate, rate, 10 * rate};
+  }
   const auto [low, high] = law.loads;
   constexpr int steps = 2000;
-  law.error = law.float_error = 0;
-  for (const double rate : rates(pin.contact())) {
+  std::vector<State> all;
+  for (const double rate : rates) {
     for (int i = 0; i < steps; ++i) {
       const double load = low * std::pow(high / low, (i + 0.5) / steps);
       const JointSolution exact = solved(pin, load, rate);
-      const double f = exact.friction_force.norm() / exact.normal_force;
-      const auto off = [&](double moment) {
-        return std::abs(moment / -exact.friction_moment.z() - 1);
-      };
-      law.error =
-          std::max(law.error, off(detail::pin_moment(law, load, f).first));
-      law.float_error =
-          std::max(law.float_error,
-                   off(detail::pin_moment(law, float(load), float(f)).first));
+      all.push_back({load, exact.friction_force.norm() / exact.normal_force,
+                     -exact.friction_moment.z()});
     }
+  }
+  return all;
+}
+
+void measure(const std::vector<State>& states, PinLoadLaw& law) {
+  law.error = law.float_error = 0;
+  for (const auto& [load, f, moment] : states) {
+    law.error =
+        std::max(law.error,
+                 std::abs(detail::pin_moment(law, load, f).first / moment - 1));
+    const double single = detail::pin_moment(law, float(load), float(f)).first;
+    law.float_error = std::max(law.float_error, std::abs(single / moment - 1));
   }
 }
 
@@ -130,22 +119,32 @@ void measure(const Joint& pin, PinLoadLaw& law) {
 
 PinLoadLaw pin_load_law(const Joint& pin, double error,
                         const std::optional<std::pair<double, double>>& loads) {
-  check_friction(pin);
-  detail::check_endless(pin);
+  const FrictionStress* stress = pin.contact().stress();
+  const FrictionLaw dry = detail::dry_friction(pin);
+  // f has to be a factor.
+  detail::require(pin.is_pin() && (stress ? stress->source().law == "stribeck"
+                                          : dry.coefficient() > 0),
+                  "the load law of a pin",
+                  "a pin with dry friction, with a coefficient above 0, or "
+                  "Stribeck's law");
   const JointContact& contact = pin.contact();
-  const bool sticks = detail::dry_friction(pin).adhesion() > 0;
+  const bool sticks = dry.adhesion() > 0;
+  const double unit = unit_force(contact);
   PinLoadLaw law;
-  // Pins with a clearance need no range: one law holds for all loads.
-  law.loads = detail::loads_of(loads, unit_force(contact), sticks ? 1e-3 : 1e-6,
-                               sticks ? 10 : 1e4);
-  law.radius = contact.geometry().radius();
   law.form = sticks                       ? Form::adhesion
              : contact.has_interference() ? Form::interference
                                           : Form::clearance;
+  law.radius = contact.geometry().radius();
+  if (law.form == Form::interference) law.scale = unit;
+  // What a clearance needs is known for all loads.
+  law.loads = detail::loads_of(pin, loads, unit, sticks ? 1e-3 : 1e-6,
+                               sticks ? 10 : 1e4);
+  const Nodes nodes = nodes_of(pin, law);
+  const std::vector<State> all = states_of(pin, law);
   double best = std::numeric_limits<double>::infinity();
   for (const int count : {4, 6, 8, 10, 12}) {
-    fit(pin, count, law);
-    measure(pin, law);
+    fit(nodes, unit, count, law);
+    measure(all, law);
     if (law.error <= error) return law;
     best = std::min(best, law.error);
   }

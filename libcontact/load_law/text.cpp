@@ -6,6 +6,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/load_law/ball.hpp"
+#include "libcontact/load_law/formula.hpp"
 #include "libcontact/load_law/load_law.hpp"
 #include "libcontact/load_law/minimax.hpp"
 #include "libcontact/load_law/pin_formula.hpp"
@@ -14,6 +15,7 @@
 namespace contact {
 namespace {
 
+using BallLaw = detail::BallLaw<double>;
 using detail::Language;
 using detail::printed;
 using detail::replaced;
@@ -61,8 +63,7 @@ Left out: ends and tilt of the pin, grease, temperature.
       law.numbers.size(), f);
 }
 
-std::string ball_comment(const detail::BallLoadLaw& of, double f0,
-                         double most_friction) {
+std::string ball_comment(const BallLaw& law, double f0, double most_friction) {
   return fmt::format(
       R"(Largest error over |M|, vectors: {:.1e} in double, {:.1e} in float, at reactions from {:.6g}
 to {:.6g} N in all directions. {} numbers.
@@ -78,33 +79,29 @@ _gradient() has dM/dR, m, and dM/dw, N m s, row by row: 99 of 100 states to 20 t
 the error of M, at the rim to 300 times.
 Left out: rims and relief of the seat, grease, temperature.
 )",
-      of.error, of.float_error, of.law.low, of.law.high, of.law.table.size(),
-      of.law.side > 0 ? "carrier" : "body", most_friction, f0);
+      law.error, law.float_error, law.low, law.high, law.table.size(),
+      law.side > 0 ? "carrier" : "body", most_friction, f0);
 }
 
-detail::Constants constants_of(const detail::BallLaw<double>& law) {
-  detail::Constants all{{{"hold_rounds", 8}, {"largest", 1e12}}, {}};
-#define CONTACT_NAMED(name) all.numbers[#name] = double(law.name);
-  CONTACT_BALL_COUNTS(CONTACT_NAMED)
-  CONTACT_BALL_REALS(CONTACT_NAMED)
+std::string ball_code(const BallLaw& law, const Language& in) {
+  // Of the hold: evaluations, and the logarithm of a large cot a.
+  detail::Constants constants{{{"hold_rounds", 8}, {"largest", 28}}, {}};
+#define CONTACT_NAMED(name) constants.numbers[#name] = double(law.name);
+  CONTACT_BALL_NUMBERS(CONTACT_NAMED, CONTACT_NAMED)
 #undef CONTACT_NAMED
-  return all;
-}
-
-std::string ball_code(const detail::BallLaw<double>& law, const Language& in) {
-  const detail::Constants constants = constants_of(law);
   std::string numbers;
   for (const double x : law.table) {
     numbers += (numbers.empty() ? "" : ", ") + detail::real_text(x);
   }
+  const auto formula = [&](std::string_view text) {
+    return printed(text, constants, in);
+  };
   std::string code(in.ball);
   for (const auto& [word, by] :
        {std::pair("TABLE", numbers),
-        {"{FRICTION}",
-         printed(CONTACT_TEXT_OF(CONTACT_BALL_FRICTION), constants, in)},
-        {"{HOLD}", printed(CONTACT_TEXT_OF(CONTACT_BALL_HOLD), constants, in)},
-        {"{GRADIENT}",
-         printed(CONTACT_TEXT_OF(CONTACT_BALL_GRADIENT), constants, in)},
+        {"{FRICTION}", formula(CONTACT_TEXT_OF(CONTACT_BALL_FRICTION))},
+        {"{HOLD}", formula(CONTACT_TEXT_OF(CONTACT_BALL_HOLD))},
+        {"{GRADIENT}", formula(CONTACT_TEXT_OF(CONTACT_BALL_GRADIENT))},
         {"DM_DR", "X00, X01, X02, X10, X11, X12, X20, X21, X22"},
         {"DM_DW", "W00, W01, W02, W10, W11, W12, W20, W21, W22"}}) {
     code = replaced(std::move(code), word, by);
@@ -126,33 +123,36 @@ std::string pin_code(const PinLoadLaw& law, const Language& in) {
 LoadLawText load_law_text(const Joint& joint, const LoadLawOptions& o) {
   const Language& in = detail::language(o.language);
   check_name(o.name);
-  detail::check_endless(joint);
   const double f0 = detail::dry_friction(joint).coefficient();
-  LoadLawText law;
+  LoadLawText text;
   std::string about = heading(joint, o, in);
   std::string code(in.prelude);
+  const auto take = [&](const auto& law, const std::string& comment,
+                        const std::string& function) {
+    text.error = law.error;
+    text.float_error = law.float_error;
+    about += comment;
+    code += function;
+  };
   if (joint.is_pin()) {
-    const PinLoadLaw pin = pin_load_law(joint, o.error, o.loads);
-    law = {"", pin.error, pin.float_error};
-    about += pin_comment(pin, f0);
-    code += pin_code(pin, in);
+    const PinLoadLaw law = pin_load_law(joint, o.error, o.loads);
+    take(law, pin_comment(law, f0), pin_code(law, in));
   } else {
     if (in.ball.empty()) {
       throw Error(detail::must_be(
           fmt::format("the language {} of a ball's load law", in.name),
           "one that has loops and vectors: c, cuda, glsl, jax, js or numpy"));
     }
-    const detail::BallLoadLaw ball = detail::ball_load_law(joint, o);
-    law = {"", ball.error, ball.float_error};
-    about += ball_comment(ball, f0, detail::most_friction(joint));
-    code += ball_code(ball.law, in);
+    const BallLaw law = detail::ball_load_law(joint, o);
+    take(law, ball_comment(law, f0, detail::most_friction(joint)),
+         ball_code(law, in));
   }
-  about = std::string(in.comment) +
-          replaced(about, "\n", fmt::format("\n{}", in.comment));
-  about.resize(about.size() - in.comment.size());
-  law.text = about + replaced(replaced(code, "F0", detail::real_text(f0)),
-                              "NAME", o.name);
-  return law;
+  about.pop_back();
+  text.text =
+      std::string(in.comment) +
+      replaced(about, "\n", fmt::format("\n{}", in.comment)) + '\n' +
+      replaced(replaced(code, "F0", detail::real_text(f0)), "NAME", o.name);
+  return text;
 }
 
 }  // namespace contact

@@ -349,6 +349,22 @@ TEST(LoadLaw, SaysWhatItIs) {
   EXPECT_TRUE(has_text(text(Joint(thick), {}), "// Warning: "));
 }
 
+// Values have no slopes beside them, and slopes are evaluated with theirs.
+TEST(LoadLaw, EvaluatesEachPolynomialOnce) {
+  const std::string c =
+      load_law_text(ball_on(JointBody::body), {.error = 1e-2}).text;
+  const std::size_t gradient = c.find("friction_gradient");
+  EXPECT_GT(c.find(" ge = "), gradient);
+  std::size_t calls = 0;
+  for (std::size_t at = 0; (at = c.find(" g = friction_poly(", at)) != c.npos;
+       ++at) {
+    ++calls;
+  }
+  // Three sums of each evaluation of the moment, the hold and the gradient's
+  // moment; the gradient's own go by Horner's scheme for both.
+  EXPECT_EQ(calls, 9u);
+}
+
 TEST(LoadLaw, RefusesWhatItIsNotFor) {
   const auto refused = [](const Joint& joint, const LoadLawOptions& options) {
     return error_message([&] { load_law_text(joint, options); });

@@ -451,6 +451,24 @@ TEST_F(StudyFolder, StepsThatBecomeOthersAreNoEffect) {
   EXPECT_EQ(study::find(study, journal).idle, Texts{inertia});
 }
 
+// They take long, and a row has the numbers that the study names.
+TEST_F(StudyFolder, TorqueMarginsAreComputedIfTheyAreAskedFor) {
+  std::string text = arm_case;
+  const std::string axis = "axis = [0, 0, 1]";
+  text.insert(text.find(axis) + axis.size(),
+              ", torque_margin = { to_deg = 90 }");
+  write("c.toml", text);
+  const study::Plan plan =
+      study::read_plan(arm_reaction(dispersion("body[arm].mass_kg", 0.9, 1.1)));
+  const study::SeparationModel model(plan);
+  for (const bool margins : {true, false}) {
+    const study::Result result =
+        model.run(KeySettings{}, {.margins = margins}, {});
+    EXPECT_EQ(result.failure, "");
+    EXPECT_EQ(result.numbers.contains("arm.torque_margin_angle_deg"), margins);
+  }
+}
+
 // A signal comes while a run is on its way: the run is no failure of the case.
 TEST_F(StudyFolder, ARunThatIsStoppedIsNoRow) {
   write("c.toml", arm_case);

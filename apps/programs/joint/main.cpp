@@ -1,7 +1,6 @@
 // hinge-joint: friction of one ball or pin joint under a known reaction.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <optional>
 #include <string>
 
@@ -24,17 +23,6 @@ cli::Reader xyz(const char* flag, std::optional<Eigen::Vector3d>& to,
   return [flag, &to, what, dimension](const std::string& text) {
     const auto [x, y, z] = cli::parse_vector(flag, text, what, dimension);
     to = {x, y, z};
-  };
-}
-
-// A list of whole numbers.
-cli::Reader counts(const char* flag, std::vector<int>& to, int most) {
-  return [flag, &to, most](const std::string& text) {
-    const cli::Sweep all(flag, text, {1, double(most), ""});
-    const auto size = std::min(all.size(), std::size_t(most));
-    for (std::size_t i = 0; i < size; ++i) {
-      to.push_back(cli::parse_count(flag, cli::number_text(all[i]), 1, most));
-    }
   };
 }
 
@@ -156,7 +144,11 @@ void add_loops(cli::Program& program, Options& o) {
         cli::number("--braking", o.braking, Dimension::number,
                     {-1e100, 1e100, "deg/s^2 per N m"}),
         "NUMBER", "angular acceleration over M, deg/s^2 per N m", "--outer"},
-       {"--inner-steps", counts("--inner-steps", o.inner_steps, 1000), "LIST",
+       {"--inner-steps",
+        [&o](const std::string& text) {
+          o.inner_steps = cli::whole_numbers("--inner-steps", text, 1000);
+        },
+        "LIST",
         "steps of the inner loop in each round; default: until converged",
         "--outer"}});
 }

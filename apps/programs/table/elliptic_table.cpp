@@ -24,6 +24,8 @@ void refuse_idle(const Options& options, std::string_view quantity) {
   refuse("--plot", !options.output.plot.empty());
   refuse("--pressure", !options.joint.pressures.empty());
   refuse(materials, !materials.empty());
+  refuse(cli::given("--loading", options.joint.loading),
+         !options.joint.loading.empty());
 }
 
 cli::ExitStatus run_elliptic(const Options& options) {

@@ -72,17 +72,14 @@ cli::ExitStatus run_operations(const Options& options) {
   refuse_idle_of_operations(options);
   // The cubics are exact in doubles.
   constexpr int most = 1000;
-  const cli::Sweep bodies("--bodies",
-                          options.bodies.empty() ? "1:8:1" : options.bodies,
-                          {1, most, ""});
+  const std::vector<int> bodies = cli::whole_numbers(
+      "--bodies", options.bodies.empty() ? "1:8:1" : options.bodies, most);
   const std::vector<std::string> columns = {
       "hinges",  "work",       "bodies", "N_at_once",
       "N_paper", "gain_paper", "N_ours", "gain_ours"};
   cli::write_table(options.output, columns, [&](cli::RowWriter& row) {
     for (const Work& work : works) {
-      for (std::size_t i = 0; i < bodies.size(); ++i) {
-        const int count =
-            cli::parse_count("--bodies", cli::number_text(bodies[i]), 1, most);
+      for (const int count : bodies) {
         const double at_once =
             value(work.at_once, count) - factor(work.kept * count);
         row.text(work.hinges);

@@ -25,6 +25,8 @@ struct ForceTable {
   multibody::HingeKind hinge() const;
   /// Throws unless it acts on a body.
   void refuse_carrier() const;
+  /// Throws unless it acts on a body on an axis.
+  void refuse_without_axis() const;
 
   /// A point of the body, from its centre of mass, body axes.
   Eigen::Vector3d point() const;

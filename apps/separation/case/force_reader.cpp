@@ -36,6 +36,11 @@ multibody::HingeKind ForceTable::hinge() const {
                   : multibody::HingeKind::none;
 }
 
+void ForceTable::refuse_without_axis() const {
+  if (hinge() == multibody::HingeKind::axis) return;
+  table.must_be("body", "a body on an axis");
+}
+
 void ForceTable::refuse_carrier() const {
   if (body == 0) table.must_be("body", "a body, not the carrier");
 }

@@ -32,9 +32,7 @@ struct Motor final : ForceLaw {
 
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
-  if (from.hinge() != multibody::HingeKind::axis) {
-    table.must_be("body", "a body on an axis");
-  }
+  from.refuse_without_axis();
   auto law = std::make_shared<Motor>();
   const RowsOver rows = read_variable(from);
   law->variable = rows.variable;

@@ -1,4 +1,3 @@
-#include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
 #include "separation/forces/tables.hpp"
 
@@ -73,9 +72,7 @@ struct Torsion final : ForceLaw {
 
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
-  if (from.hinge() != multibody::HingeKind::axis) {
-    table.must_be("body", "a body on an axis");
-  }
+  from.refuse_without_axis();
   auto law = std::make_shared<Torsion>();
   law->damping =
       table.optional_number("damping_N_m_s_per_rad", Interval::non_negative())

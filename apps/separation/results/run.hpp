@@ -10,6 +10,7 @@
 #include "separation/results/output_times.hpp"
 #include "separation/results/record.hpp"
 #include "separation/simulation/pace.hpp"
+#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 
@@ -41,6 +42,7 @@ struct Outcome {
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
   History history;                          ///< its state at the end
+  std::shared_ptr<TorqueMargins> margins = std::make_shared<TorqueMargins>();
 };
 
 /// State from which a run can continue.

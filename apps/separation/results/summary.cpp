@@ -77,7 +77,8 @@ ordered_json body_json(const Case& c, const Outcome& outcome, int number) {
   if (c.has_latch(number)) add(latch_quantities(), record, j);
   add(body_quantities(), record, j);
   if (body.hinge.margin) {
-    add(margin_quantities(), torque_margin(c, number, outcome.friction), j);
+    add(margin_quantities(), outcome.margins->of(c, number, outcome.friction),
+        j);
   }
   j["at_release"] = release_json(record.release);
   j["joints"] = ordered_json::array();

@@ -188,4 +188,12 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
   return least;
 }
 
+TorqueMargin TorqueMargins::of(const Case& c, int body,
+                               FrictionChoice friction) {
+  const std::lock_guard lock(mutex_);
+  const auto found = known_.find(body);
+  if (found != known_.end()) return found->second;
+  return known_[body] = torque_margin(c, body, friction);
+}
+
 }  // namespace separation

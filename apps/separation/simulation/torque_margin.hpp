@@ -1,6 +1,8 @@
 #pragma once
 
 #include <limits>
+#include <map>
+#include <mutex>
 
 #include "separation/case/case.hpp"
 
@@ -26,5 +28,15 @@ struct TorqueMargin {
 /// @param body  with a margin (Hinge::margin)
 /// @throws contact::Error if the joints have no friction moment
 TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
+
+/// Those of a run, each computed when it is first asked for. Threads may ask.
+class TorqueMargins {
+ public:
+  TorqueMargin of(const Case& c, int body, FrictionChoice friction);
+
+ private:
+  std::mutex mutex_;
+  std::map<int, TorqueMargin> known_;  // of bodies
+};
 
 }  // namespace separation

@@ -35,6 +35,7 @@ struct Result {
 struct Effort {
   bool peaks = true;
   bool clearance = true;
+  bool margins = true;   ///< torque margins of hinges
   bool remarks = false;  ///< effects that are hardly intended
 };
 

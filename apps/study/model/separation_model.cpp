@@ -71,8 +71,8 @@ void add(std::span<const contact::Quantity<T>> quantities, const T& of,
   }
 }
 
-void add_body(const Case& c, const separation::Outcome& outcome, int number,
-              Numbers& to) {
+void add_body(const Case& c, const separation::Outcome& outcome, bool margins,
+              int number, Numbers& to) {
   const separation::Body& body = c.bodies[number];
   const separation::BodyRecord& record = outcome.memory.bodies[number];
   if (body.hinge.kind == multibody::HingeKind::none) return;
@@ -86,9 +86,9 @@ void add_body(const Case& c, const separation::Outcome& outcome, int number,
     add(separation::latch_quantities(), record, name, to);
   }
   add(separation::body_quantities(), record, name, to);
-  if (body.hinge.margin) {
+  if (body.hinge.margin && margins) {
     add(separation::margin_quantities(),
-        torque_margin(c, number, outcome.friction), name, to);
+        outcome.margins->of(c, number, outcome.friction), name, to);
   }
   if (record.release.time != separation::History::not_yet) {
     add(separation::release_quantities(), record.release, name + ".at_release",
@@ -165,7 +165,8 @@ std::vector<std::string> warnings_of(const Case& c,
 
 }  // namespace
 
-Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
+Numbers numbers_of(const Case& c, const separation::Outcome& outcome,
+                   bool margins) {
   const auto& memory = outcome.memory;
   Numbers numbers;
   add("end_time_s", outcome.end_time, numbers);
@@ -181,7 +182,7 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
     numbers.emplace(over_limit, *share);
   }
   for (std::size_t i = 0; i < c.bodies.size(); ++i) {
-    add_body(c, outcome, static_cast<int>(i), numbers);
+    add_body(c, outcome, margins, static_cast<int>(i), numbers);
   }
   add_events(c, outcome, numbers);
   add_clearance(c, outcome, numbers);
@@ -274,7 +275,7 @@ Result SeparationModel::run(Case c, const Effort& effort,
   options.only_events = !effort.peaks && !effort.clearance;
   if (stop) options.stop = [&stop](long) { return stop(); };
   const separation::Outcome outcome = separation::run_case(c, options);
-  Result result{outcome.failure, numbers_of(c, outcome)};
+  Result result{outcome.failure, numbers_of(c, outcome, effort.margins)};
   if (effort.remarks) {
     result.unreached = unreached(c, outcome);
     result.warnings = warnings_of(c, outcome);

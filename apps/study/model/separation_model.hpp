@@ -51,7 +51,9 @@ class SeparationModel : public Model {
 /// BODY.at_release.velocity_m_per_s[1], event.NAME.BODY.time_s,
 /// clearance.A.B.smallest_m, clearance.smallest_m of all pairs; blanks of names
 /// are underscores.
+/// @param margins  those of torque margins too, which take long
 std::map<std::string, double> numbers_of(const separation::Case& c,
-                                         const separation::Outcome& outcome);
+                                         const separation::Outcome& outcome,
+                                         bool margins = true);
 
 }  // namespace study

@@ -497,6 +497,19 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
 }
 
 // Two moments of inertia that are good alone make no body together.
+// An older program did not come to the end of these.
+TEST_F(HingeStudy, RunsOfTheSolarArrayDoNotFail) {
+  for (const char* number : {"1", "19", "33"}) {
+    const auto result =
+        folder_.run("hinge-study " CONTACT_DATA_DIR
+                    "/studies/solar_array.toml --runs 40 --run " +
+                    std::string(number));
+    EXPECT_EQ(result.status, 0) << number;
+    EXPECT_EQ(result.err.find("failed"), result.err.npos) << result.err;
+    EXPECT_EQ(result.out.find("failed"), result.out.npos) << result.out;
+  }
+}
+
 TEST_F(HingeStudy, RunsWithoutACaseHaveNoHistory) {
   folder_.write("body.toml",
                 "name = 'c'\nrun = { end_time_s = 0.2 }\n"
