@@ -9,11 +9,11 @@
 #include "separation/results/output_times.hpp"
 #include "separation/results/record.hpp"
 #include "separation/simulation/pace.hpp"
-#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 
 class Run;
+class TorqueMargins;
 
 /// Asked before every step of a run with the number of steps so far: why the
 /// run has to stop, "" to go on. It may look at a flag that another thread or a
@@ -41,7 +41,7 @@ struct Outcome {
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
   History history;                          ///< its state at the end
-  std::shared_ptr<TorqueMargins> margins = std::make_shared<TorqueMargins>();
+  std::shared_ptr<TorqueMargins> margins;   ///< not null
 };
 
 /// All that a run needs to go on later.
