@@ -10,6 +10,7 @@
 #include "multibody/motion/state_check.hpp"
 #include "separation/case/system_of.hpp"
 #include "separation/results/state_check.hpp"
+#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 
@@ -145,9 +146,14 @@ std::vector<double> Run::values() const {
 }
 
 Outcome Run::outcome_with(Recorder::Memory memory) const {
-  Outcome outcome{
-      friction(), message_, simulation_->time(),   std::move(memory),
-      counts(),   {},       simulation_->history()};
+  Outcome outcome{friction(),
+                  message_,
+                  simulation_->time(),
+                  std::move(memory),
+                  counts(),
+                  {},
+                  simulation_->history(),
+                  std::make_shared<TorqueMargins>()};
   for (int body = 0; body < static_cast<int>(case_.bodies.size()); ++body) {
     outcome.modes.push_back(simulation_->sample().mode(body));
   }

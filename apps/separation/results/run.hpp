@@ -10,11 +10,11 @@
 #include "separation/results/output_times.hpp"
 #include "separation/results/record.hpp"
 #include "separation/simulation/pace.hpp"
-#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 
 class Run;
+class TorqueMargins;
 
 /// Called before every step of a run with the number of steps so far; returns
 /// the reason to stop, or "" to continue. It may read a flag that another
@@ -42,7 +42,7 @@ struct Outcome {
   multibody::MotionCounts counts;
   std::vector<multibody::HingeMode> modes;  ///< at the end
   History history;                          ///< its state at the end
-  std::shared_ptr<TorqueMargins> margins = std::make_shared<TorqueMargins>();
+  std::shared_ptr<TorqueMargins> margins;   ///< not null
 };
 
 /// State from which a run can continue.
