@@ -257,7 +257,7 @@ row "[Repair manuals](../reference/references.md#car-ball-joints), ball joints o
   "turning torque without load 0.5 to 3.5 N m" \
   "ball of 25 mm pressed 1 to 10 um into 3 mm of POM (2.8 GPa) in a rigid shell, f0 0.05 to 0.1" \
   "$ours N m" "$(verdict 0.5 3.5 "$ours")" \
-  "no sizes are stated; a micrometre in a stiff shell decides"
+  "no sizes are stated, and a micrometre in a stiff shell decides"
 
 # CLEARANCE_um E_GPa LINER_mm LOAD: friction moment over f0 R rho of a hip of
 # 22.225 mm, new.
