@@ -43,6 +43,7 @@ struct Carrier {
   /// It stands in inertial space: hinges on it are hinges to the ground. Mass
   /// and inertia do not count, and any point of it is its centre of mass.
   bool fixed = false;
+  bool flows = false;  ///< its mass changes: ForceModel::add_masses()
 };
 
 /// A body and its hinge, as a person describes it.
@@ -60,6 +61,7 @@ struct Body {
   Eigen::Matrix3d hinge_to_carrier_zero = Eigen::Matrix3d::Identity();
   /// Index of the body that it hangs on, before or after it; -1: the carrier.
   int parent = -1;
+  bool flows = false;  ///< as Carrier::flows
 };
 
 /// A body in its own axes of calculation.
@@ -99,7 +101,8 @@ class System {
   const Carrier& carrier() const { return carrier_; }
   const std::vector<Link>& links() const { return links_; }
   int size() const { return static_cast<int>(links_.size()); }
-  /// All hang on the carrier, the paper's case: else it is a deeper tree.
+  /// All hang on the carrier and keep their masses, the paper's case: else it
+  /// is a deeper tree, or solved as one.
   bool is_star() const { return is_star_; }
   /// Bodies in an order in which children come after parents; of a star 0, 1,
   /// ...
