@@ -64,22 +64,6 @@ void check_inertia(const TomlTable& table, std::string_view key,
   }
 }
 
-std::optional<Matrix3d> read_inertia(const TomlTable& table) {
-  if (const auto m =
-          table.optional_numbers("inertia", {3, 3}, Interval::any())) {
-    table.refuse_both("inertia", "principal_inertia");
-    const Matrix3d inertia = Eigen::Map<const Matrix3d>(m->data());
-    check_inertia(table, "inertia", inertia);
-    return inertia;
-  }
-  if (const auto moments = optional_vector(table, "principal_inertia")) {
-    const Matrix3d inertia = moments->asDiagonal();
-    check_inertia(table, "principal_inertia", inertia);
-    return inertia;
-  }
-  return {};
-}
-
 // Name, shapes and directions.
 RigidBody read_form(const TomlTable& table) {
   RigidBody body;
@@ -98,6 +82,24 @@ RigidBody read_form(const TomlTable& table) {
 }
 
 }  // namespace
+
+std::optional<Matrix3d> read_inertia(const TomlTable& table,
+                                     const std::string& prefix) {
+  const std::string rows = prefix + "inertia";
+  const std::string principal = prefix + "principal_inertia";
+  if (const auto m = table.optional_numbers(rows, {3, 3}, Interval::any())) {
+    table.refuse_both(rows, principal);
+    const Matrix3d inertia = Eigen::Map<const Matrix3d>(m->data());
+    check_inertia(table, rows, inertia);
+    return inertia;
+  }
+  if (const auto moments = optional_vector(table, principal)) {
+    const Matrix3d inertia = moments->asDiagonal();
+    check_inertia(table, principal, inertia);
+    return inertia;
+  }
+  return {};
+}
 
 RigidBody read_carrier(const TomlTable& table) {
   if (!table.flag("fixed")) return read_rigid_body(table);

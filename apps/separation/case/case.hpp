@@ -125,6 +125,7 @@ struct Force {
   Clock begin, end = never;
   /// Action of the force, one of force_kinds(); copies of a case share it.
   std::shared_ptr<const ForceLaw> law;
+  bool burns = false;  ///< mass of its body leaves with it
 };
 
 /// Something that happens once to each of its bodies.
@@ -187,6 +188,12 @@ struct Case {
   bool is_tree() const {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return body.hinge.on > 0; });
+  }
+  /// The mass of a rigid body changes.
+  bool flows(int body) const {
+    return std::ranges::any_of(forces, [body](const Force& force) {
+      return force.body == body && force.burns;
+    });
   }
   /// An event latches the hinge of this body.
   bool has_latch(int body) const {

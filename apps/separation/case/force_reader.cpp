@@ -80,6 +80,7 @@ Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
     table.must_be("body", "a body, not the carrier, which is fixed");
   }
   force.law = kind.read(from);
+  force.burns = force.law->propellant() != nullptr;
   return force;
 }
 

@@ -49,6 +49,10 @@ std::string event_text(const Event& event, const Body& body,
   return text(body.hinge.name, engages ? "latches" : "does not engage");
 }
 
+std::string empty_text(const Force& force) {
+  return force.name + ": propellant is used up";
+}
+
 // Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
 // differences below this say nothing.
 constexpr double negligible = 1e-8;
@@ -91,6 +95,7 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
     add(body,
         {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
          "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
+    if (c.flows(static_cast<int>(i))) add(body, {"mass_kg"});
   }
   if (clearance) {
     for (const Case::Pair& pair : c.clearance) {
@@ -180,6 +185,12 @@ std::size_t Rows::column(const std::string& name) const {
 }
 
 bool can_be_noted(const Note& note, const Case& c) {
+  if (std::ranges::any_of(c.forces, [&](const Force& force) {
+        return force.burns && note.body == c.rigid_body(force.body).name &&
+               note.what == empty_text(force);
+      })) {
+    return true;
+  }
   const auto body = std::ranges::find(
       c.bodies, note.body, [](const Body& b) { return b.rigid.name; });
   if (body == c.bodies.end()) return false;
@@ -224,13 +235,17 @@ void Recorder::go_on_with(const Simulation& simulation) {
   for (PairWay& way : ways_) way.forget();
 }
 
-void Recorder::add_motion(const BodyMotion& body) {
+void Recorder::add_motion(const Simulation& simulation, int number) {
+  const BodyMotion& body = simulation.sample().motions()[number];
   const Vector3d w = body.rotation.transpose() * body.angular_velocity;
   const Eigen::Quaterniond q(body.rotation);
   for (const double x : body.position) add(x);
   for (const double v : body.velocity) add(v);
   for (const double x : {q.w(), q.x(), q.y(), q.z()}) add(x);
   for (const double x : w) add(x);
+  if (case_.flows(number)) {
+    add(simulation.flow().of(number, simulation.time()).mass);
+  }
 }
 
 void Recorder::look_at_peaks(const Simulation& simulation,
@@ -482,6 +497,7 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     note_change(change, was_on_stop);
   }
   note_impacts(time);
+  note_empty(simulation);
   for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
     add_rest(i, time);
     const Body& body = case_.bodies[i];
@@ -595,13 +611,13 @@ void Recorder::look(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   if (keep_rows_) {
     add(sample.time());
-    add_motion(sample.carrier());
+    add_motion(simulation, 0);
   }
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
     look_at_peaks(simulation, sample, i);
     if (!keep_rows_) continue;
     add_hinge(simulation, i);
-    add_motion(sample.body(i));
+    add_motion(simulation, 1 + i);
   }
   look_at_distances(simulation, keep_rows_);
   look_at_forces(simulation, memory_.forces);

@@ -176,7 +176,8 @@ class Recorder {
   bool breaks(const Simulation& simulation,
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
-  void add_motion(const multibody::BodyMotion& body);
+  void add_motion(const Simulation& simulation, int number);
+  void note_empty(const Simulation& simulation);
   void add(double number) { memory_.rows.numbers.push_back(number); }
 
   const Case& case_;

@@ -31,7 +31,7 @@ double History::release_of(int body, const Case& c) const {
 }
 
 CaseForces::CaseForces(const Case& c, const History& history)
-    : case_(c), stops_(c, history) {
+    : case_(c), stops_(c, history), flow_(c, history) {
   for (std::size_t i = 0; i < c.forces.size(); ++i) {
     const Force& force = c.forces[i];
     if (history.spent[i]) continue;
@@ -41,7 +41,7 @@ CaseForces::CaseForces(const Case& c, const History& history)
     const double end = time_of(force.end);
     const double off = force.law->ends_with_hinge()
                            ? history.release_of(force.body, c)
-                           : History::not_yet;
+                           : flow_.empty_at(static_cast<int>(i));
     const Active active{&force, time_of(force.begin), std::min(end, off),
                         time_of(force.law->own_clock())};
     if (std::isinf(active.begin)) continue;
@@ -64,6 +64,7 @@ void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
     active.force->law->add(instant(active, time, bodies), forces);
   }
   stops_.add_forces(bodies, forces);
+  flow_.add_forces(time, bodies, forces);
 }
 
 void CaseForces::add_kinks(double during, std::span<const BodyMotion> bodies,

@@ -6,6 +6,7 @@
 #include "multibody/system/force_model.hpp"
 #include "separation/case/case.hpp"
 #include "separation/simulation/compliant_stops.hpp"
+#include "separation/simulation/mass_flow.hpp"
 
 namespace separation {
 
@@ -48,6 +49,10 @@ class CaseForces final : public multibody::ForceModel {
 
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const override;
+  void add_masses(double time,
+                  std::vector<multibody::BodyMass>& to) const override {
+    flow_.add_masses(time, to);
+  }
   double next_break(double time) const override;
   void add_kinks(double during, std::span<const multibody::BodyMotion> bodies,
                  std::vector<multibody::KinkedVariable>& to) const override;
@@ -59,6 +64,7 @@ class CaseForces final : public multibody::ForceModel {
   /// Energy that forces store, J.
   double stored_energy(double time,
                        std::span<const multibody::BodyMotion> bodies) const;
+  const MassFlow& flow() const { return flow_; }
   /// As CompliantStops has it.
   double stop_moment(int body,
                      std::span<const multibody::BodyMotion> bodies) const {
@@ -79,6 +85,7 @@ class CaseForces final : public multibody::ForceModel {
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing
   CompliantStops stops_;
+  MassFlow flow_;
 };
 
 }  // namespace separation

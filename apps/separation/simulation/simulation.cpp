@@ -71,6 +71,7 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
       forces_(std::make_shared<CaseForces>(c, history_)),
       motion_(system_of(c), friction_of(c, friction), forces_, start_of(c),
               options_of(c)) {
+  check_propellant(c);
   add_events();
   add_stops();
   if (end_pushes()) renew_forces();

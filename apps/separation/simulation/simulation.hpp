@@ -66,6 +66,9 @@ class Simulation {
     return forces_->stored_energy(time(), sample().motions());
   }
 
+  /// Masses now, and what becomes of them.
+  const MassFlow& flow() const { return forces_->flow(); }
+
   /// Moment by which a stop pushes a body, as far as friction does not have to,
   /// and by which a latch holds one (on an axis about it), N m.
   /// @param of  the sample's hinge of the body
