@@ -67,13 +67,10 @@ void check_inertia(const TomlTable& table, std::string_view key,
 // Name, shapes and directions.
 RigidBody read_form(const TomlTable& table) {
   RigidBody body;
-  body.name = table.text("name");
-  // It becomes part of the names of columns and data sets.
-  if (body.name.find_first_of("./,\"\n\r") != std::string::npos) {
-    table.must_be("name", "a name without . / , \" and line ends");
-  }
+  body.name = column_text(table, "name");
   for (const TomlTable& shape : table.tables("shape")) {
     body.shapes.push_back(read_shape(shape));
+    body.shapes.back().name = shape.optional_text("name").value_or("");
   }
   for (const TomlTable& named : table.tables("direction")) {
     body.directions.push_back({named.text("name"), direction(named, "vector")});

@@ -117,6 +117,22 @@ struct Clock {
 };
 inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 
+/// Bodies whose distance is watched, a < b.
+struct WatchedPair {
+  int a, b;
+  std::string name = {};  ///< of the clearance; "": none
+  /// While it is watched. An event about one of them counts when it has come
+  /// for that body, one about both when it has for both.
+  Clock begin = {}, end = never;
+  std::vector<int> a_shapes = {}, b_shapes = {};  ///< empty: all
+
+  bool is_plain() const {
+    return name.empty() && begin.event < 0 && begin.time == 0 &&
+           end.event < 0 && end.time == never.time && a_shapes.empty() &&
+           b_shapes.empty();
+  }
+};
+
 class ForceLaw;
 
 struct Force {
@@ -130,12 +146,19 @@ struct Force {
 
 /// Something that happens once to each of its bodies.
 struct Event {
-  enum class Trigger { time, angle, reaction, after };
+  enum class Trigger { time, angle, reaction, after, distance };
   enum class Node { hinge, lock };
-  enum class Action { break_lock, break_hinge, open_latch, latch };
+  enum class Action {
+    break_lock,
+    break_hinge,
+    open_latch,
+    latch,
+    end_run,
+    none,  ///< it is noted
+  };
   std::string name;
   Trigger trigger;
-  double value;  ///< s, rad, N; after: delay, s
+  double value;  ///< s, rad, N; after: delay, s; distance: m, falling
   Node node;     ///< reaction: of which node
   Action action;
   std::vector<int> bodies;
@@ -144,6 +167,9 @@ struct Event {
   bool together;
   /// Latches engage at this rate of the hinge or below, rad/s.
   double rate_below = std::numeric_limits<double>::infinity();
+  /// distance: of each of its bodies those that it is one of; of a body that
+  /// none has, all.
+  std::vector<WatchedPair> pairs = {};
 };
 
 /// Friction of a run.
@@ -170,10 +196,7 @@ struct Case {
   std::vector<Body> bodies;
   std::vector<Force> forces;
   std::vector<Event> events;
-  struct Pair {
-    int a, b;
-  };
-  /// Bodies whose distance is watched.
+  using Pair = WatchedPair;
   std::vector<Pair> clearance;
 
   const RigidBody& rigid_body(int i) const {
@@ -202,6 +225,11 @@ struct Case {
              std::ranges::count(event.bodies, body) > 0;
     });
   }
+  /// Events by distances.
+  bool has_touches() const {
+    return std::ranges::any_of(
+        events, [](const Event& event) { return !event.pairs.empty(); });
+  }
   /// Stops or latches take energy.
   bool has_impacts() const {
     return std::ranges::any_of(
@@ -226,7 +254,9 @@ inline std::string column_name(std::string name) {
 }
 /// The distance of two bodies in columns, without its unit.
 inline std::string clearance_column(const Case& c, const Case::Pair& pair) {
-  return "clearance." + column_name(c.rigid_body(pair.a).name) + "." +
+  const std::string name =
+      pair.name.empty() ? "" : column_name(pair.name) + ".";
+  return "clearance." + name + column_name(c.rigid_body(pair.a).name) + "." +
          column_name(c.rigid_body(pair.b).name);
 }
 

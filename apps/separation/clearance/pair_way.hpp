@@ -9,6 +9,11 @@
 
 namespace separation {
 
+/// No point of b within a radius of its centre of mass is faster against a,
+/// m/s.
+double speed_bound(const multibody::BodyMotion& a,
+                   const multibody::BodyMotion& b, double radius);
+
 /// How near two bodies may be on their way, from a distance that was computed
 /// and from how far they have moved against each other since.
 class PairWay {

@@ -43,6 +43,10 @@ std::string event_text(const Event& event, const Body& body,
       return text(body.hinge.name, "breaks");
     case Event::Action::open_latch:
       return text("latch of " + body.hinge.name, "opens");
+    case Event::Action::end_run:
+      return event.name + ": the run ends";
+    case Event::Action::none:
+      return event.name + ": occurs";
     case Event::Action::latch:
       break;
   }
@@ -112,15 +116,7 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
   return columns;
 }
 
-Clearance clearance_of(const Case& c) {
-  std::vector<std::vector<Shape>> shapes;
-  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
-    shapes.push_back(c.rigid_body(static_cast<int>(i)).shapes);
-  }
-  std::vector<Clearance::Pair> pairs;
-  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
-  return {shapes, pairs};
-}
+Clearance clearance_of(const Case& c) { return clearance_of(c, c.clearance); }
 
 namespace {
 
@@ -218,11 +214,8 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
   }
   memory_.pairs.resize(c.clearance.size());
   for (std::size_t i = 0; clearance_ && i < c.clearance.size(); ++i) {
-    double radius = 0;
-    for (const Shape& shape : c.rigid_body(c.clearance[i].b).shapes) {
-      radius = std::max(radius, reach(shape));
-    }
-    ways_.emplace_back(clearance_->pairs()[i], radius);
+    ways_.emplace_back(clearance_->pairs()[i],
+                       reach(c.rigid_body(c.clearance[i].b).shapes));
   }
   memory_.forces.resize(c.forces.size());
 }
@@ -447,6 +440,20 @@ void Recorder::note_impact(const multibody::HingeImpact& impact) {
   memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
 }
 
+// Engines that have used up their propellant since the last look.
+void Recorder::note_empty(const Simulation& simulation) {
+  for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
+    const Force& force = case_.forces[f];
+    if (!force.burns) continue;
+    const double time = simulation.flow().empty_at(f);
+    if (!(memory_.last_time < time && time <= simulation.time())) continue;
+    const auto later =
+        std::ranges::upper_bound(memory_.notes, time, {}, &Note::time);
+    memory_.notes.insert(
+        later, {time, case_.rigid_body(force.body).name, empty_text(force)});
+  }
+}
+
 // Sticking and sliding, with the time at rest and at rims.
 void Recorder::look_at_changes(const Simulation& simulation) {
   const double time = simulation.time();
@@ -520,7 +527,8 @@ void Recorder::note_distance(std::size_t i, double distance, double time) {
     pair.time = time;
   }
   if (std::isnan(distance) && fault_.empty()) {
-    const auto& [a, b] = case_.clearance[i];
+    const int a = case_.clearance[i].a;
+    const int b = case_.clearance[i].b;
     fault_ = fmt::format(
         "t = {:.6g} s: the distance of {} and {} could not be certified", time,
         case_.rigid_body(a).name, case_.rigid_body(b).name);
@@ -538,6 +546,11 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
   const double time = sample.time();
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     PairWay& way = ways_[i];
+    if (!simulation.history().is_on(case_.clearance[i], time, case_)) {
+      way.forget();
+      if (keep) add(NAN);
+      continue;
+    }
     way.move_on(time, sample.motions());
     const double known = memory_.pairs[i].smallest;
     const double least = std::min(way.least_now(), way.least_since());
@@ -552,6 +565,7 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
     if (keep) add(distance);
     const bool may_be_smaller = way.least_since() < pair.smallest - negligible;
     if (refine_ && (changes || may_be_smaller) && way.since() < time &&
+        simulation.history().is_on(case_.clearance[i], way.since(), case_) &&
         way.since() >= simulation.motion().step_begin()) {
       search_distance(simulation, i);
     }
@@ -561,7 +575,8 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
 // The smallest distance of a pair between the last look and this one, for each
 // of its solids with each.
 void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
-  const auto [a, b] = clearance_->pairs()[i];
+  const int a = clearance_->pairs()[i].a;
+  const int b = clearance_->pairs()[i].b;
   const multibody::Motion& motion = simulation.motion();
   const MotionSample& sample = simulation.sample();
   for (std::size_t solids = 0; solids < clearance_->solid_pairs(i); ++solids) {
@@ -650,6 +665,7 @@ bool Recorder::breaks(const Simulation& simulation,
                        });
   };
   const Event::Action action = case_.events[h.event].action;
+  if (action >= Event::Action::end_run) return true;
   if (broken(action)) return false;
   const HingeMode mode = simulation.sample().mode(h.body);
   const bool locked = mode == HingeMode::locked;
@@ -677,6 +693,7 @@ void Recorder::before(const Simulation& simulation,
     memory_.notes.push_back({simulation.time(), body.rigid.name,
                              event_text(event, body, !fails),
                              fails ? rate_of(body.hinge, sample, h.body) : 0});
+    memory_.notes.back().approach = simulation.approach(h);
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);

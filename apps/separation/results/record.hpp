@@ -28,7 +28,7 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
-/// Distances of the bodies that a case watches.
+/// Distances of the bodies that a case watches, Case::clearance.
 Clearance clearance_of(const Case& c);
 
 /// Columns of the rows of a case.
@@ -97,9 +97,10 @@ struct Note {
   std::string body;
   std::string what;
   // Of an impact, else 0.
-  double rate = 0;     ///< of the hinge before it, on an axis with its sign
-  double impulse = 0;  ///< N m s; 0 too on a compliant stop
-  double loss = 0;     ///< of energy, J
+  double rate = 0;      ///< of the hinge before it, on an axis with its sign
+  double impulse = 0;   ///< N m s; 0 too on a compliant stop
+  double loss = 0;      ///< of energy, J
+  double approach = 0;  ///< of bodies that come near each other, m/s
 };
 
 /// Whether a run of the case may note that.

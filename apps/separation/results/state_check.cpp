@@ -174,6 +174,8 @@ void check_notes(const std::vector<Note>& notes, const Case& c,
             "in the order of time");
     require(std::isfinite(note.rate), "notes.rate", note.rate, "finite");
     check_size(note.impulse, "notes.impulse");
+    require(std::isfinite(note.approach), "notes.approach", note.approach,
+            "finite");
     check_size(note.loss, "notes.loss");
     before = note.time;
     if (can_be_noted(note, c)) continue;

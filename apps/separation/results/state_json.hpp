@@ -45,7 +45,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
                                    largest_impulse, stop_loss, rest_on_stop,
                                    on_stop, peak_latch, peak_latch_time,
                                    latch_impulse, latch_loss, joints, release)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss,
+                                   approach)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
                                    overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)

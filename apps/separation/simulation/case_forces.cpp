@@ -49,6 +49,12 @@ CaseForces::CaseForces(const Case& c, const History& history)
     breaks_.insert(breaks_.end(), {active.begin, active.end, active.own});
     force.law->add_breaks(active.begin, breaks_);
   }
+  const auto add_window = [&](const WatchedPair& pair) {
+    if (pair.is_plain()) return;
+    breaks_.push_back(history.time_of(pair.begin, pair, c));
+    breaks_.push_back(history.time_of(pair.end, pair, c));
+  };
+  std::ranges::for_each(c.clearance, add_window);
   std::sort(breaks_.begin(), breaks_.end());
 }
 

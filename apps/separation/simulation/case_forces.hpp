@@ -34,6 +34,15 @@ struct History {
   /// When a clock strikes for a body: of an event that is not about the body
   /// the first time counts. not_yet if that is not known.
   double time_of(const Clock& clock, int body, const Case& c) const;
+  /// When a clock strikes for a pair: WatchedPair::begin.
+  double time_of(const Clock& clock, const WatchedPair& pair,
+                 const Case& c) const {
+    return std::max(time_of(clock, pair.a, c), time_of(clock, pair.b, c));
+  }
+  bool is_on(const WatchedPair& pair, double time, const Case& c) const {
+    return time >= time_of(pair.begin, pair, c) &&
+           time <= time_of(pair.end, pair, c);
+  }
   /// When the hinge of a body (1 +) broke; not_yet.
   double release_of(int body, const Case& c) const;
 };

@@ -11,6 +11,7 @@
 #include "multibody/motion/motion.hpp"
 #include "separation/case/case.hpp"
 #include "separation/simulation/case_forces.hpp"
+#include "separation/simulation/touches.hpp"
 
 namespace separation {
 
@@ -104,6 +105,11 @@ class Simulation {
   bool apply();
   /// A latch that is due engages: not where the hinge turns too fast for it.
   bool engages(const Happening& h) const;
+  /// How fast bodies approach each other whose event is due, m/s; 0: it is not
+  /// about distances.
+  double approach(const Happening& h) const;
+  /// An event has ended the run.
+  bool is_over() const;
   const std::string& message() const { return message_; }
 
   /// Angle of a body's hinge, also after its release: hinge_angle(). NaN
@@ -118,6 +124,7 @@ class Simulation {
 
  private:
   void add_events();
+  void add_touch(const Happening& h);
   bool is_due(const Happening& h) const;
   bool is_armed(const Happening& h) const;
   bool has_happened(const Happening& h) const;
@@ -140,6 +147,7 @@ class Simulation {
 
   const Case& case_;
   History history_;
+  std::optional<Touches> touches_;
   std::shared_ptr<const CaseForces> forces_;
   multibody::Motion motion_;
   /// +1: an angle event of a body waits for larger angles; [event][body].
