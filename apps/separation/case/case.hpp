@@ -172,6 +172,14 @@ struct Event {
   std::vector<WatchedPair> pairs = {};
 };
 
+/// A body whose motion is asked for at an event or at the end.
+struct TipOff {
+  int body;   ///< rigid body
+  int event;  ///< -1: the end
+  /// Across which its rate is wanted, body axes.
+  std::optional<Eigen::Vector3d> direction;
+};
+
 /// Friction of a run.
 enum class FrictionChoice { full, ideal, traditional };
 /// Their words, in order.
@@ -198,6 +206,7 @@ struct Case {
   std::vector<Event> events;
   using Pair = WatchedPair;
   std::vector<Pair> clearance;
+  std::vector<TipOff> tip_offs;
 
   const RigidBody& rigid_body(int i) const {
     return i == 0 ? carrier : bodies[i - 1].rigid;

@@ -162,6 +162,7 @@ Keys case_keys() {
       {"body", Dimension::number, body_keys(), {}, "load"},
       table_key("event", event_keys()),
       table_key("force", force_keys()),
+      table_key("tip_off", {{"body"}, {"events"}, {"direction"}}),
       table_key("clearance", with(clearance_keys(), window_keys()))};
 }
 

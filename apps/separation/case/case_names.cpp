@@ -98,13 +98,18 @@ std::vector<int> CaseNames::bodies_of(const TomlTable& table,
 int CaseNames::event_of(const TomlTable& table, std::string_view key,
                         std::string_view except) const {
   const auto name = table.optional_text(key);
-  if (!name) return -1;
-  const auto found = std::find(events.begin(), events.end(), *name);
-  if (*name == except) table.must_be(key, "another event");
+  return name ? event_called(table, key, *name, except) : -1;
+}
+
+int CaseNames::event_called(const TomlTable& table, std::string_view key,
+                            const std::string& name,
+                            std::string_view except) const {
+  const auto found = std::find(events.begin(), events.end(), name);
+  if (name == except) table.must_be(key, "another event");
   if (found == events.end()) {
     std::vector<std::string> others = events;
     std::erase(others, except);
-    table.fail(key, contact::detail::unknown("event", *name, others));
+    table.fail(key, contact::detail::unknown("event", name, others));
   }
   return static_cast<int>(found - events.begin());
 }

@@ -42,6 +42,9 @@ struct CaseNames {
   /// @param except  an event that it may not be, "" for none
   int event_of(const contact::TomlTable& table, std::string_view key,
                std::string_view except = "") const;
+  /// The same of one text of several.
+  int event_called(const contact::TomlTable& table, std::string_view key,
+                   const std::string& name, std::string_view except = "") const;
   /// KEY_at (a time), or KEY_at_event with KEY_delay.
   Clock clock(const contact::TomlTable& table, const std::string& key,
               const Clock& otherwise) const;

@@ -110,6 +110,31 @@ void read_all_forces(const TomlTable& file, const CaseNames& names, Case& c) {
   }
 }
 
+void read_tip_offs(const TomlTable& file, const CaseNames& names, Case& c) {
+  for (const TomlTable& table : file.tables("tip_off")) {
+    for (const int body : names.rigid_bodies_of(table, "body")) {
+      if (std::ranges::count(c.tip_offs, body, &TipOff::body) > 0) {
+        table.must_be("body", "a body of no other [[tip_off]]");
+      }
+      TipOff of{body, -1, {}};
+      if (const auto name = table.optional_text("direction")) {
+        const auto& all = c.rigid_body(body).directions;
+        const auto found = std::ranges::find(all, *name, &NamedDirection::name);
+        if (found == all.end()) {
+          table.must_be("direction", "that of a direction of its body");
+        }
+        of.direction = found->vector;
+      }
+      c.tip_offs.push_back(of);
+      if (!table.has("events")) continue;
+      for (const std::string& name : table.texts("events")) {
+        of.event = names.event_called(table, "events", name);
+        c.tip_offs.push_back(of);
+      }
+    }
+  }
+}
+
 Case whole_case(const TomlTable& file, const JointLaws& laws) {
   contact::SharedLaws made;
   Case c = case_of_file(file, laws, made);
@@ -132,6 +157,7 @@ Case case_of_file(const TomlTable& file, const JointLaws& laws,
   c.clearance = read_clearance(file, names);
   read_events(file, c, names);
   read_all_forces(file, names, c);
+  read_tip_offs(file, names, c);
   file.refuse_idle();
   return c;
 }

@@ -218,6 +218,7 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
                        reach(c.rigid_body(c.clearance[i].b).shapes));
   }
   memory_.forces.resize(c.forces.size());
+  memory_.tip_offs.resize(c.tip_offs.size());
 }
 
 void Recorder::go_on_with(const Simulation& simulation) {
@@ -440,6 +441,33 @@ void Recorder::note_impact(const multibody::HingeImpact& impact) {
   memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
 }
 
+// At an event that comes for a body, the first one of those about others; of
+// the event -1 every time.
+void Recorder::look_at_tip_offs(const Simulation& simulation,
+                                const Happening& h) {
+  for (std::size_t i = 0; i < memory_.tip_offs.size(); ++i) {
+    const auto& [number, event, direction] = case_.tip_offs[i];
+    TipOffRecord& record = memory_.tip_offs[i];
+    if (event != h.event) continue;
+    if (event >= 0 &&
+        (record.time != History::not_yet ||
+         (number != 1 + h.body &&
+          std::ranges::count(case_.events[event].bodies, number - 1) > 0))) {
+      continue;
+    }
+    const BodyMotion& body = simulation.sample().motions()[number];
+    const Eigen::AngleAxisd turn(body.rotation);
+    record.time = simulation.time();
+    record.rates = body.rotation.transpose() * body.angular_velocity;
+    record.velocity = body.velocity;
+    record.attitude = turn.angle() * turn.axis();
+    if (direction) record.across = record.rates.cross(*direction).norm();
+    if (case_.flows(number)) {
+      record.mass = simulation.flow().of(number, record.time).mass;
+    }
+  }
+}
+
 // Engines that have used up their propellant since the last look.
 void Recorder::note_empty(const Simulation& simulation) {
   for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
@@ -637,6 +665,7 @@ void Recorder::look(const Simulation& simulation) {
   look_at_distances(simulation, keep_rows_);
   look_at_forces(simulation, memory_.forces);
   look_at_energy(simulation, first);
+  look_at_tip_offs(simulation, {-1, -1});
   if (refine_) refine_peaks(simulation);
 }
 
@@ -683,8 +712,9 @@ void Recorder::before(const Simulation& simulation,
   looks_.clear();
   const auto& sample = simulation.sample();
   for (std::size_t i = 0; i < happenings.size(); ++i) {
-    if (!breaks(simulation, happenings, i)) continue;
     const Happening& h = happenings[i];
+    look_at_tip_offs(simulation, h);
+    if (!breaks(simulation, happenings, i)) continue;
     const Event& event = case_.events[h.event];
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;

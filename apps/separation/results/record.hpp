@@ -91,6 +91,17 @@ struct BodyRecord {
   } release;
 };
 
+/// Motion of a body at an event, just before what that does, or at the end.
+struct TipOffRecord {
+  double time = History::not_yet;
+  Eigen::Vector3d rates = Eigen::Vector3d::Zero();     ///< body axes, rad/s
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< inertial axes, m/s
+  /// Axis times angle, body axes to inertial ones, rad.
+  Eigen::Vector3d attitude = Eigen::Vector3d::Zero();
+  double across = NAN;  ///< rate across TipOff::direction, rad/s
+  double mass = NAN;    ///< of one that flows, kg
+};
+
 /// Something that happened, in words.
 struct Note {
   double time;
@@ -144,6 +155,7 @@ class Recorder {
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
     std::vector<ForceRecord> forces;
+    std::vector<TipOffRecord> tip_offs;
     std::vector<int> modes;  ///< mode of each body at the last look
     double last_time = 0;
     double first_balance = 0;
@@ -178,6 +190,7 @@ class Recorder {
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
   void add_motion(const Simulation& simulation, int number);
+  void look_at_tip_offs(const Simulation& simulation, const Happening& h);
   void note_empty(const Simulation& simulation);
   void add(double number) { memory_.rows.numbers.push_back(number); }
 

@@ -142,6 +142,15 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.bodies.size(); ++i) {
     j["bodies"].push_back(body_json(c, outcome, static_cast<int>(i)));
   }
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    const auto& [body, event, direction] = c.tip_offs[i];
+    const TipOffRecord& record = memory.tip_offs[i];
+    if (record.time == History::not_yet) continue;
+    ordered_json of = {{"body", c.rigid_body(body).name},
+                       {"at", event < 0 ? "end" : c.events[event].name}};
+    add(tip_off_quantities(), record, of);
+    j["tip_off"].push_back(std::move(of));
+  }
   j["clearance"] = clearance_json(c, outcome);
   // A given motion of the carrier does work that no book shows.
   j["energy"] = {{"largest_J", memory.largest_energy},

@@ -138,6 +138,14 @@ void add_clearance(const Case& c, const separation::Outcome& outcome,
   }
 }
 
+// NAME.at[EVENT] or NAME.at_end.
+std::string tip_off_name(const Case& c, const separation::TipOff& of) {
+  const std::string name = column_name(c.rigid_body(of.body).name);
+  return of.event < 0 ? name + ".at_end"
+                      : fmt::format("{}.at[{}]", name,
+                                    column_name(c.events[of.event].name));
+}
+
 std::vector<Unreached> unreached(const Case& c,
                                  const separation::Outcome& outcome) {
   std::vector<Unreached> result;
@@ -158,6 +166,14 @@ std::vector<Unreached> unreached(const Case& c,
     }
     result.push_back({clearance_column(c, pair) + ".",
                       "the times at which it is watched do not come"});
+  }
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    if (outcome.memory.tip_offs[i].time != separation::History::not_yet) {
+      continue;
+    }
+    result.push_back({tip_off_name(c, c.tip_offs[i]) + ".",
+                      fmt::format("event \"{}\" does not occur",
+                                  c.events[c.tip_offs[i].event].name)});
   }
   for (const auto& [event, bodies] : separation::missed_events(c, outcome)) {
     for (const std::string& body : bodies) {
@@ -200,6 +216,11 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome) {
   }
   add_events(c, outcome, numbers);
   add_clearance(c, outcome, numbers);
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    if (memory.tip_offs[i].time == separation::History::not_yet) continue;
+    add(separation::tip_off_quantities(), memory.tip_offs[i],
+        tip_off_name(c, c.tip_offs[i]), numbers);
+  }
   return numbers;
 }
 
