@@ -38,6 +38,15 @@ void Dynamics::set_mode(int body, JointMode mode) {
   kernel_->set_mode(body, mode);
 }
 
+void Dynamics::set_mass(const System& system, const BodyMass& mass) {
+  assert(tree_);
+  const Eigen::Matrix3d axes =
+      mass.body == 0 ? Eigen::Matrix3d(Eigen::Matrix3d::Identity())
+                     : system.links()[mass.body - 1].axes;
+  tree_->forest().set_mass(mass.body, mass.mass, axes.transpose() * mass.com,
+                           axes.transpose() * mass.inertia * axes);
+}
+
 void Dynamics::fitting_moments(std::span<const Vec3<double>> moments,
                                std::span<const Eigen::Matrix3d> slopes,
                                std::span<Vec3<double>> to) {

@@ -8,6 +8,7 @@
 
 #include "libcontact/base/instruction_set.hpp"
 #include "multibody/dynamics/kernel/dynamics_kernel.hpp"
+#include "multibody/system/force_model.hpp"
 
 namespace multibody {
 
@@ -41,6 +42,8 @@ class Dynamics {
   /// in the state; releasing a joint changes the layout.
   void set_mode(int body, JointMode mode);
   const StateLayout& layout() const { return layout_; }
+  /// A mass that changes is this now; not of a star.
+  void set_mass(const System& system, const BodyMass& mass);
 
   /// Full evaluation, independent of positions, velocities of the centres of
   /// mass and the carrier's rotation. Not for a fixed carrier, whose

@@ -41,14 +41,15 @@ ForestTurn turn_of(const ForestBody& body) {
 detail::ForestHinge hinge_of(const ForestBody& body) {
   const Vector3d r =
       body.parent < 0 ? Vector3d(Vector3d::Zero()) : body.hinge_from_com;
+  const Vector3d arm = r - body.com;
   const Matrix3d inertia =
-      body.inertia +
-      body.mass * (r.squaredNorm() * Matrix3d::Identity() - r * r.transpose());
+      body.inertia + body.mass * (arm.squaredNorm() * Matrix3d::Identity() -
+                                  arm * arm.transpose());
   return {.parent = body.parent,
           .turn = turn_of(body),
           .mass = body.mass,
           .r = vec3(r),
-          .mass_r = vec3(Vector3d(body.mass * r)),
+          .mass_r = vec3(Vector3d(body.mass * arm)),
           .from_parent = vec3(body.hinge_from_parent_com),
           .axis = vec3(body.axis),
           .inertia = mat3(inertia)};
@@ -131,6 +132,14 @@ Forest::Forest(std::vector<ForestBody> bodies, contact::InstructionSet set)
 void Forest::set_hinge(int body, int parent, bool held) {
   bodies_[body].parent = parent;
   bodies_[body].held = held;
+  hinges_[body] = hinge_of(bodies_[body]);
+}
+
+void Forest::set_mass(int body, double mass, const Vector3d& com,
+                      const Matrix3d& inertia) {
+  bodies_[body].mass = mass;
+  bodies_[body].com = com;
+  bodies_[body].inertia = inertia;
   hinges_[body] = hinge_of(bodies_[body]);
 }
 

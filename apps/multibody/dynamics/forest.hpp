@@ -38,6 +38,9 @@ struct ForestBody {
   Eigen::Vector3d hinge_from_parent_com = Eigen::Vector3d::Zero();
   /// axis only: unit vector of the axis, body axes.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
+  /// Where the centre of mass is now: what is said of "the centre of mass" in
+  /// states, motions and of points is said of 0. Body axes, m.
+  Eigen::Vector3d com = Eigen::Vector3d::Zero();
 };
 
 /// Results of an instant for a body, in its own axes.
@@ -108,6 +111,9 @@ class Forest {
 
   /// @param parent  the body's parent, or -1: becomes a root
   void set_hinge(int body, int parent, bool held);
+  /// @param com  ForestBody::com
+  void set_mass(int body, double mass, const Eigen::Vector3d& com,
+                const Eigen::Matrix3d& inertia);
   void set_fixed(int root, bool fixed) { bodies_[root].fixed = fixed; }
 
   const detail::ForestKernel& kernel() const { return kernel_; }

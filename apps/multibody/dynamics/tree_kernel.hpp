@@ -16,6 +16,8 @@ class TreeKernel final : public DynamicsKernel {
   TreeKernel(const System& system, contact::InstructionSet set);
 
   void set_mode(int body, JointMode mode) override;
+  /// Dynamics::set_mass()
+  Forest& forest() { return forest_; }
   void evaluate(const double* state, const CarrierActiveForces<double>& carrier,
                 const LinkForces<double>* bodies) override;
   void evaluate_prescribed(const double* state,

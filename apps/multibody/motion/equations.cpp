@@ -27,6 +27,19 @@ void clear(ActiveForces<double>& forces) {
   for (LinkForces<double>& body : forces.bodies) body = {};
 }
 
+// Energy that a body gains, kinetic and potential, by what leaves it and moves
+// in it: m' v^2/2 + m v (w x c') + w I' w/2 - g (m c)', at its centre of mass.
+double flow_power(const BodyMass& mass, const BodyMotion& body,
+                  const Vector3d& gravity) {
+  const Vector3d v = body.point_velocity(mass.com);
+  const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+  const Vector3d moves = body.rotation * mass.com_rate;
+  return 0.5 *
+             (mass.mass_rate * v.squaredNorm() + w.dot(mass.inertia_rate * w)) +
+         mass.mass * v.dot(body.angular_velocity.cross(moves)) -
+         gravity.dot(mass.mass_rate * body.point(mass.com) + mass.mass * moves);
+}
+
 }  // namespace
 
 Equations::Equations(const System& motion_system,
@@ -134,6 +147,13 @@ CoupledReport Equations::resolve_rest(double time, const double* state,
   return at.report;
 }
 
+void Equations::set_masses(double time, std::vector<BodyMass>& masses,
+                           Dynamics& dynamics) const {
+  masses.clear();
+  if (forces) forces->add_masses(time, masses);
+  for (const BodyMass& mass : masses) dynamics.set_mass(system, mass);
+}
+
 bool Equations::rates(double time, const double* state, FrictionMemory& from,
                       MotionInstant& at, double* to) const {
   double power = 0;
@@ -145,6 +165,10 @@ bool Equations::rates(double time, const double* state, FrictionMemory& from,
     for (int i = 0; i <= size(); ++i) {
       power += at.forces[i].force.dot(at.bodies[i].velocity) +
                at.forces[i].moment.dot(at.bodies[i].angular_velocity);
+    }
+    set_masses(time, at.masses, at.friction.dynamics);
+    for (const BodyMass& mass : at.masses) {
+      power += flow_power(mass, at.bodies[mass.body], gravity);
     }
   } else {
     clear(at.friction.forces);

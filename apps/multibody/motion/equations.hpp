@@ -20,6 +20,7 @@ struct MotionInstant {
 
   std::vector<BodyMotion> bodies;  ///< carrier, then the bodies
   std::vector<BodyForce> forces;
+  std::vector<BodyMass> masses;  ///< those that change
   Evaluation friction;
 };
 
@@ -68,6 +69,9 @@ class Equations {
   CoupledReport resolve_rest(double time, const double* state, bool due);
   /// Restarts, including the integrals of the loads of held hinges.
   void begin_at(double time, const double* state);
+  /// Masses that change, as they are at a time.
+  void set_masses(double time, std::vector<BodyMass>& masses,
+                  Dynamics& dynamics) const;
   /// The next break after a time.
   double break_after(double time) const;
   /// Changes the mode of a hinge.

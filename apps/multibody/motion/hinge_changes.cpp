@@ -75,7 +75,8 @@ CoupledReport HingeChanges::resolve_rest(double time,
 
 void HingeChanges::stop(int body, std::vector<double>& state) {
   if (equations_.rate_of(body, state.data()).isZero(0)) return;
-  const auto jumps = impulse_.apply({{body, Vector3d::Zero()}}, false, state);
+  const auto jumps =
+      impulse_.apply(view_.time(), {{body, Vector3d::Zero()}}, false, state);
   state[equations_.dissipated_at(body)] += jumps.front().loss;
 }
 
@@ -84,7 +85,7 @@ std::vector<Impulse::Jump> HingeChanges::jump(
     double time, const std::vector<Impulse::Target>& targets, bool ideal,
     std::vector<double>& state) {
   const std::vector<double> before = state;
-  const auto jumps = impulse_.apply(targets, ideal, state);
+  const auto jumps = impulse_.apply(time, targets, ideal, state);
   for (std::size_t t = 0; t < targets.size(); ++t) {
     equations_.losses[targets[t].body] += jumps[t].loss;
   }
@@ -176,7 +177,7 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
     return targets;
   };
   std::vector<double> held = state;
-  impulse_.apply(still(), false, held);
+  impulse_.apply(time, still(), false, held);
   for (Bounce& bounce : bounces) {
     const int body = bounce.stop->body;
     bounce.rate = std::abs(equations_.rate_of(body, state.data()).z());

@@ -85,10 +85,12 @@ Eigen::MatrixXd Impulse::mobility(const std::vector<Unknown>& unknowns,
   return result;
 }
 
-std::vector<Impulse::Jump> Impulse::apply(const std::vector<Target>& targets,
+std::vector<Impulse::Jump> Impulse::apply(double time,
+                                          const std::vector<Target>& targets,
                                           bool ideal,
                                           std::vector<double>& state) {
   if (targets.empty()) return {};
+  equations_.set_masses(time, masses_, dynamics_);
   const std::vector<double> still = make_still(targets, ideal, state);
   std::vector<Unknown> unknowns;
   std::vector<double> changes;

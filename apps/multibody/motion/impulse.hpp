@@ -32,8 +32,8 @@ class Impulse {
   /// @param ideal  resting hinges turn freely; else they hold. Locked hinges
   ///   hold.
   /// @return one for each target
-  std::vector<Jump> apply(const std::vector<Target>& targets, bool ideal,
-                          std::vector<double>& state);
+  std::vector<Jump> apply(double time, const std::vector<Target>& targets,
+                          bool ideal, std::vector<double>& state);
 
  private:
   /// A component of a target's moment.
@@ -52,6 +52,7 @@ class Impulse {
   const Equations& equations_;
   Dynamics dynamics_;
   ActiveForces<double> moments_;
+  std::vector<BodyMass> masses_;
 };
 
 }  // namespace multibody

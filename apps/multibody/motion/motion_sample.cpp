@@ -160,6 +160,15 @@ Vector3d MotionSample::acceleration(int place) const {
     if (links[i].parent != body) continue;
     force -= axes(i) * vec3(hinges.reaction(i).force);
   }
+  for (const BodyMass& mass : now_->masses) {
+    if (mass.body != place) continue;
+    // Of the centre of mass, which is at c.
+    const BodyMotion& motion = motions()[place];
+    const Vector3d c = motion.rotation * mass.com;
+    const Vector3d& w = motion.angular_velocity;
+    return equations_.gravity + force / mass.mass -
+           angular_acceleration(place).cross(c) - w.cross(w.cross(c));
+  }
   return equations_.gravity + force / links[body].mass;
 }
 
@@ -174,14 +183,30 @@ Vector3d MotionSample::angular_acceleration(int place) const {
 
 EnergyBook MotionSample::energy() const {
   EnergyBook book{};
+  book.gravity = -0.0;  // what is added to it keeps its sign
+  std::vector<BodyMass> changed;
+  if (equations_.forces) equations_.forces->add_masses(time_, changed);
+  const auto add = [&](int place, double mass, const Matrix3d& inertia,
+                       const Matrix3d& axes) {
+    const BodyMotion& body = motions()[place];
+    const auto now = std::ranges::find(changed, place, &BodyMass::body);
+    if (now == changed.end()) {
+      book.kinetic += kinetic_energy(mass, inertia, axes, body);
+      book.gravity -= mass * equations_.gravity.dot(body.position);
+      return;
+    }
+    BodyMotion com = body;
+    com.position = body.point(now->com);
+    com.velocity = body.point_velocity(now->com);
+    book.kinetic +=
+        kinetic_energy(now->mass, now->inertia, Matrix3d::Identity(), com);
+    book.gravity -= now->mass * equations_.gravity.dot(com.position);
+  };
   const Carrier& carrier = equations_.system.carrier();
-  book.kinetic = kinetic_energy(carrier.mass, carrier.inertia,
-                                Matrix3d::Identity(), motions()[0]);
-  book.gravity = -carrier.mass * equations_.gravity.dot(motions()[0].position);
+  add(0, carrier.mass, carrier.inertia, Matrix3d::Identity());
   for (int i = 0; i < equations_.size(); ++i) {
     const Link& link = equations_.system.links()[i];
-    book.kinetic += kinetic_energy(link.mass, link.inertia, link.axes, body(i));
-    book.gravity -= link.mass * equations_.gravity.dot(body(i).position);
+    add(1 + i, link.mass, link.inertia, link.axes);
     book.dissipated += state_[equations_.dissipated_at(i)];
     book.impacts += equations_.losses[i];
   }

@@ -120,13 +120,18 @@ class MotionSample {
 };
 
 /// An application's event: a function that crosses 0, continuous between
-/// changes of hinges and breaks of the forces. Pairs of crossings within a step
-/// are found if the function is close to a polynomial of degree 6 over the
-/// step; if not, MotionOptions::longest_step helps.
+/// changes of hinges and breaks of the forces. Crossings that come back within
+/// a step are found where the function is about a polynomial of degree 6 over
+/// it; MotionOptions::longest_step helps where it is not. Where it is known how
+/// fast the function may change, rising crossings are found however fast they
+/// come back, but for those that rise above 0 by less than `negligible`.
 struct MotionEvent {
   enum class Crossing { rising, falling, either };
   std::function<double(const MotionSample&)> function;
   Crossing crossing = Crossing::either;
+  /// A bound of the size of its rate, where bodies keep their velocities.
+  std::function<double(const MotionSample&)> speed = {};
+  double negligible = 0;
 };
 
 }  // namespace multibody

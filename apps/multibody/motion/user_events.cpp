@@ -38,7 +38,7 @@ void UserEvents::sample(Stepper& stepper) {
   look(F::middle, true);
   for (Watched& w : all_) {
     const std::array three{w.before, w.values[F::middle], w.values[F::last]};
-    w.full = !w.needs_forces || !F::is_far(three);
+    w.full = !w.event.speed && (!w.needs_forces || !F::is_far(three));
   }
   for (const int k : {0, 1, 2, 4, 5}) look(k, false);
 }
@@ -48,18 +48,65 @@ std::optional<StepEvent> UserEvents::first(Stepper& stepper) {
   for (int i = 0; i < static_cast<int>(all_.size()); ++i) {
     Watched& w = all_[i];
     w.crossed.reset();
-    if (!w.full) continue;
-    const StepFunction function(stepper.begin(), stepper.end(),
-                                [&](double time) {
-                                  view_.show(stepper, time);
-                                  return w.event.function(view_);
-                                });
-    w.crossed = function.first_crossing(w.values, w.before, w.event.crossing);
+    if (w.event.speed) {
+      w.crossed = first_rise(w, stepper);
+    } else if (w.full) {
+      const StepFunction function(stepper.begin(), stepper.end(),
+                                  [&](double time) {
+                                    view_.show(stepper, time);
+                                    return w.event.function(view_);
+                                  });
+      w.crossed = function.first_crossing(w.values, w.before, w.event.crossing);
+    }
     if (w.crossed && (!first || w.crossed->time < first->time)) {
       first = {StepEvent::Kind::user, i, w.crossed->time, w.crossed->rises};
     }
   }
   return first;
+}
+
+// Halves the step where the function may rise above 0: by its speed, and as
+// much more as that differs at the ends.
+std::optional<StepFunction::Crossed> UserEvents::first_rise(const Watched& w,
+                                                            Stepper& stepper) {
+  struct Point {
+    double time, value, speed;
+  };
+  // A value that stays just below 0 would take as many looks as its way has
+  // parts of what is negligible.
+  constexpr int many = 300;
+  double least = w.event.negligible;
+  int looks = 0;
+  const auto look = [&](double time) -> Point {
+    if (++looks > many) least *= 1.1;
+    view_.show(stepper, time);
+    return {time, w.event.function(view_), w.event.speed(view_)};
+  };
+  const auto search = [&](const auto& self, const Point& from,
+                          const Point& to) -> std::optional<double> {
+    const double way =
+        (to.time - from.time) *
+        (std::max(from.speed, to.speed) + std::abs(from.speed - to.speed));
+    const bool may_rise =
+        to.value >= 0
+            ? from.value < 0
+            : from.value >= 0 || from.value + to.value + way > 2 * least;
+    if (!may_rise) return {};
+    const double time = from.time + (to.time - from.time) / 2;
+    if (!(from.time < time && time < to.time)) {
+      return to.value >= 0 ? std::optional(to.time) : std::nullopt;
+    }
+    const Point middle = look(time);
+    const auto found = self(self, from, middle);
+    return found ? found : self(self, middle, to);
+  };
+  const Point begin = look(stepper.begin());
+  if (begin.value >= 0 && w.before < 0) {
+    return StepFunction::Crossed{begin.time, true};
+  }
+  const auto time = search(search, begin, look(stepper.end()));
+  if (!time) return {};
+  return StepFunction::Crossed{*time, true};
 }
 
 void UserEvents::go_on() {

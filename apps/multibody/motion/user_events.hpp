@@ -47,6 +47,8 @@ class UserEvents {
     std::optional<StepFunction::Crossed> crossed{};
   };
   static void note(Watched& watched, double value);
+  std::optional<StepFunction::Crossed> first_rise(const Watched& watched,
+                                                  Stepper& stepper);
 
   MotionSample& view_;
   std::vector<Watched> all_;

@@ -46,8 +46,23 @@ struct BodyForce {
   }
 };
 
-/// A function of the bodies' positions at whose values a force has kinks, such
-/// as the rows of a table.
+/// Mass of a body that changes on the way, as propellant leaves it.
+///
+/// All places of the body, its motion and what forces say of it count on from
+/// what its centre of mass was at the start.
+struct BodyMass {
+  int body;                 ///< in rows of bodies: the carrier comes first
+  double mass;              ///< kg, > 0
+  Eigen::Vector3d com;      ///< centre of mass, body axes, m
+  Eigen::Matrix3d inertia;  ///< about it, body axes, kg m^2
+  // Their rates.
+  double mass_rate;
+  Eigen::Vector3d com_rate;
+  Eigen::Matrix3d inertia_rate;
+};
+
+/// A variable of the bodies' places over which a force has kinks, as a table
+/// has at its rows.
 struct KinkedVariable {
   double value;
   std::span<const double> kinks;  ///< increasing
@@ -67,6 +82,12 @@ class ForceModel {
   /// Adds to `forces`, one for each body, initially 0.
   virtual void add_forces(double time, std::span<const BodyMotion> bodies,
                           std::span<BodyForce> forces) const = 0;
+
+  /// Appends the bodies whose mass changes, those with Carrier::flows or
+  /// Body::flows, as they are at a time. The accelerations are those of a rigid
+  /// body of that mass: what leaves it is a matter of add_forces().
+  virtual void add_masses([[maybe_unused]] double time,
+                          [[maybe_unused]] std::vector<BodyMass>& to) const {}
 
   /// Next time after `time` at which a force jumps or has a kink: steps end
   /// there, and add_forces() at that time gives the forces after it. Infinity:

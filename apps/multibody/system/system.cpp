@@ -70,7 +70,7 @@ void check_spin(const Link& link, const std::string& place) {
   if (link.kind == HingeKind::ball && link.inertia(2, 2) == 0) {
     refuse(place + ".inertia_com",
            "above 0 about the line from the hinge to the centre of mass, "
-           "where bodies hang on bodies");
+           "where bodies hang on bodies or masses change");
   }
 }
 
@@ -103,7 +103,9 @@ System::System(const Carrier& carrier, const std::vector<Body>& bodies)
   std::vector<int> parents;
   for (const Link& link : links_) parents.push_back(link.parent);
   order_ = parents_first(parents);
-  is_star_ = std::ranges::all_of(parents, [](int p) { return p < 0; });
+  is_star_ = !carrier.flows &&
+             std::ranges::all_of(parents, [](int p) { return p < 0; }) &&
+             std::ranges::none_of(bodies, &Body::flows);
   for (std::size_t i = 0; i < bodies.size() && !is_star_; ++i) {
     check_spin(links_[i], fmt::format("bodies[{}]", i));
   }

@@ -44,6 +44,7 @@ struct Carrier {
   /// Fixed in inertial space: hinges on it are hinges to the ground. Mass and
   /// inertia have no effect, and any point may be its centre of mass.
   bool fixed = false;
+  bool flows = false;  ///< its mass changes: ForceModel::add_masses()
 };
 
 /// A body and its hinge, as the user describes them.
@@ -61,6 +62,7 @@ struct Body {
   Eigen::Matrix3d hinge_to_carrier_zero = Eigen::Matrix3d::Identity();
   /// Index of the parent body, before or after this body; -1: the carrier.
   int parent = -1;
+  bool flows = false;  ///< as Carrier::flows
 };
 
 /// A body in its own axes of calculation.
@@ -100,8 +102,8 @@ class System {
   const Carrier& carrier() const { return carrier_; }
   const std::vector<Link>& links() const { return links_; }
   int size() const { return static_cast<int>(links_.size()); }
-  /// Whether all bodies hang on the carrier, as in the paper; else a deeper
-  /// tree.
+  /// All hang on the carrier and keep their masses, the paper's case: else it
+  /// is a deeper tree, or solved as one.
   bool is_star() const { return is_star_; }
   /// Bodies in an order with children after parents; for a star 0, 1, ...
   const std::vector<int>& order() const { return order_; }

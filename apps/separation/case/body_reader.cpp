@@ -64,32 +64,13 @@ void check_inertia(const TomlTable& table, std::string_view key,
   }
 }
 
-std::optional<Matrix3d> read_inertia(const TomlTable& table) {
-  if (const auto m =
-          table.optional_numbers("inertia", {3, 3}, Interval::any())) {
-    table.refuse_both("inertia", "principal_inertia");
-    const Matrix3d inertia = Eigen::Map<const Matrix3d>(m->data());
-    check_inertia(table, "inertia", inertia);
-    return inertia;
-  }
-  if (const auto moments = optional_vector(table, "principal_inertia")) {
-    const Matrix3d inertia = moments->asDiagonal();
-    check_inertia(table, "principal_inertia", inertia);
-    return inertia;
-  }
-  return {};
-}
-
 // Name, shapes and directions.
 RigidBody read_form(const TomlTable& table) {
   RigidBody body;
-  body.name = table.text("name");
-  // It becomes part of the names of columns and data sets.
-  if (body.name.find_first_of("./,\"\n\r") != std::string::npos) {
-    table.must_be("name", "a name without . / , \" and line ends");
-  }
+  body.name = column_text(table, "name");
   for (const TomlTable& shape : table.tables("shape")) {
     body.shapes.push_back(read_shape(shape));
+    body.shapes.back().name = shape.optional_text("name").value_or("");
   }
   for (const TomlTable& named : table.tables("direction")) {
     body.directions.push_back({named.text("name"), direction(named, "vector")});
@@ -98,6 +79,24 @@ RigidBody read_form(const TomlTable& table) {
 }
 
 }  // namespace
+
+std::optional<Matrix3d> read_inertia(const TomlTable& table,
+                                     const std::string& prefix) {
+  const std::string rows = prefix + "inertia";
+  const std::string principal = prefix + "principal_inertia";
+  if (const auto m = table.optional_numbers(rows, {3, 3}, Interval::any())) {
+    table.refuse_both(rows, principal);
+    const Matrix3d inertia = Eigen::Map<const Matrix3d>(m->data());
+    check_inertia(table, rows, inertia);
+    return inertia;
+  }
+  if (const auto moments = optional_vector(table, principal)) {
+    const Matrix3d inertia = moments->asDiagonal();
+    check_inertia(table, principal, inertia);
+    return inertia;
+  }
+  return {};
+}
 
 RigidBody read_carrier(const TomlTable& table) {
   if (!table.flag("fixed")) return read_rigid_body(table);

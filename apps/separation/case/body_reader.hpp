@@ -1,5 +1,8 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 #include "libcontact/files/toml_reader.hpp"
 #include "separation/case/case.hpp"
 
@@ -9,7 +12,12 @@ namespace separation {
 /// and [[body]] that they share.
 RigidBody read_rigid_body(const contact::TomlTable& table);
 
-/// As above for [carrier]; a fixed carrier has neither mass nor inertia.
+/// The keys `inertia` or `principal_inertia` after a prefix; none if both are
+/// missing.
+std::optional<Eigen::Matrix3d> read_inertia(const contact::TomlTable& table,
+                                            const std::string& prefix = {});
+
+/// The same of [carrier]; a fixed one has neither mass nor inertia.
 RigidBody read_carrier(const contact::TomlTable& table);
 
 }  // namespace separation

@@ -119,6 +119,22 @@ struct Clock {
 };
 inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 
+/// Bodies whose distance is watched, a < b.
+struct WatchedPair {
+  int a, b;
+  std::string name = {};  ///< of the clearance; "": none
+  /// While it is watched. An event about one of them counts when it has come
+  /// for that body, one about both when it has for both.
+  Clock begin = {}, end = never;
+  std::vector<int> a_shapes = {}, b_shapes = {};  ///< empty: all
+
+  bool is_plain() const {
+    return name.empty() && begin.event < 0 && begin.time == 0 &&
+           end.event < 0 && end.time == never.time && a_shapes.empty() &&
+           b_shapes.empty();
+  }
+};
+
 class ForceLaw;
 
 struct Force {
@@ -127,17 +143,25 @@ struct Force {
   Clock begin, end = never;
   /// Action of the force, one of force_kinds(); copies of a case share it.
   std::shared_ptr<const ForceLaw> law;
+  bool burns = false;  ///< mass of its body leaves with it
 };
 
 /// An event that occurs once for each of its bodies.
 struct Event {
-  enum class Trigger { time, angle, reaction, after };
+  enum class Trigger { time, angle, reaction, after, distance };
   enum class Node { hinge, lock };
-  enum class Action { break_lock, break_hinge, open_latch, latch };
+  enum class Action {
+    break_lock,
+    break_hinge,
+    open_latch,
+    latch,
+    end_run,
+    none,  ///< it is noted
+  };
   std::string name;
   Trigger trigger;
-  double value;  ///< s, rad, N; after: delay, s
-  Node node;     ///< reaction: its node
+  double value;  ///< s, rad, N; after: delay, s; distance: m, falling
+  Node node;     ///< reaction: of which node
   Action action;
   std::vector<int> bodies;
   int after = -1;  ///< the event that arms it, -1: always armed
@@ -145,6 +169,17 @@ struct Event {
   bool together;
   /// Latches engage at this rate of the hinge or below, rad/s.
   double rate_below = std::numeric_limits<double>::infinity();
+  /// distance: of each of its bodies those that it is one of; of a body that
+  /// none has, all.
+  std::vector<WatchedPair> pairs = {};
+};
+
+/// A body whose motion is asked for at an event or at the end.
+struct TipOff {
+  int body;   ///< rigid body
+  int event;  ///< -1: the end
+  /// Across which its rate is wanted, body axes.
+  std::optional<Eigen::Vector3d> direction;
 };
 
 /// Friction of a run.
@@ -171,11 +206,9 @@ struct Case {
   std::vector<Body> bodies;
   std::vector<Force> forces;
   std::vector<Event> events;
-  struct Pair {
-    int a, b;
-  };
-  /// Pairs of bodies whose distance is computed.
+  using Pair = WatchedPair;
   std::vector<Pair> clearance;
+  std::vector<TipOff> tip_offs;
 
   const RigidBody& rigid_body(int i) const {
     return i == 0 ? carrier : bodies[i - 1].rigid;
@@ -190,14 +223,25 @@ struct Case {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return body.hinge.on > 0; });
   }
-  /// Whether an event latches the hinge of this body.
+  /// The mass of a rigid body changes.
+  bool flows(int body) const {
+    return std::ranges::any_of(forces, [body](const Force& force) {
+      return force.body == body && force.burns;
+    });
+  }
+  /// An event latches the hinge of this body.
   bool has_latch(int body) const {
     return std::ranges::any_of(events, [body](const Event& event) {
       return event.action == Event::Action::latch &&
              std::ranges::count(event.bodies, body) > 0;
     });
   }
-  /// Whether stops or latches dissipate energy.
+  /// Events by distances.
+  bool has_touches() const {
+    return std::ranges::any_of(
+        events, [](const Event& event) { return !event.pairs.empty(); });
+  }
+  /// Stops or latches take energy.
   bool has_impacts() const {
     return std::ranges::any_of(
                bodies,
@@ -221,7 +265,9 @@ inline std::string column_name(std::string name) {
 }
 /// The distance of two bodies in columns, without its unit.
 inline std::string clearance_column(const Case& c, const Case::Pair& pair) {
-  return "clearance." + column_name(c.rigid_body(pair.a).name) + "." +
+  const std::string name =
+      pair.name.empty() ? "" : column_name(pair.name) + ".";
+  return "clearance." + name + column_name(c.rigid_body(pair.a).name) + "." +
          column_name(c.rigid_body(pair.b).name);
 }
 

@@ -36,10 +36,10 @@ Keys run_keys() {
 }
 
 Keys shape_keys() {
-  Keys keys = with(
-      {{"kind"}}, of("capsule cylinder cone", {{"from", Dimension::length},
-                                               {"to", Dimension::length},
-                                               {"radius", Dimension::length}}));
+  Keys keys = with({{"kind"}, {"name"}}, of("capsule cylinder cone",
+                                            {{"from", Dimension::length},
+                                             {"to", Dimension::length},
+                                             {"radius", Dimension::length}}));
   keys = with(keys, of("hull", {{"points", Dimension::length}}));
   return with(keys, of("box", {{"centre", Dimension::length},
                                {"size", Dimension::length},
@@ -108,6 +108,7 @@ Keys event_keys() {
           {"bodies", Dimension::number, {}, {}, "loads"},
           {"breaks"},
           {"locks"},
+          {"ends"},
           {"rate_below", Dimension::angular_velocity},
           {"after"},
           {"together"},
@@ -115,19 +116,28 @@ Keys event_keys() {
           {"time", Dimension::time},
           {"delay", Dimension::time},
           {"angle", Dimension::angle},
-          {"reaction", Dimension::force}};
+          {"reaction", Dimension::force},
+          {"touches"},
+          {"clearance"},
+          {"distance", Dimension::length}};
+}
+
+Keys clearance_keys() {
+  return {{"a"}, {"b"}, {"name"}, {"a_shapes"}, {"b_shapes"}};
+}
+
+// While something is: KEY_at or KEY_at_event with KEY_delay.
+Keys window_keys() {
+  return {{"starts_at", Dimension::time},
+          {"starts_at_event"},
+          {"starts_delay", Dimension::time},
+          {"ends_at", Dimension::time},
+          {"ends_at_event"},
+          {"ends_delay", Dimension::time}};
 }
 
 Keys force_keys() {
-  Keys keys = {{"kind"},
-               {"name"},
-               {"body"},
-               {"starts_at", Dimension::time},
-               {"starts_at_event"},
-               {"starts_delay", Dimension::time},
-               {"ends_at", Dimension::time},
-               {"ends_at_event"},
-               {"ends_delay", Dimension::time}};
+  Keys keys = with({{"kind"}, {"name"}, {"body"}}, window_keys());
   for (const ForceKind& kind : force_kinds()) {
     keys = with(keys, of(kind.name, kind.keys));
   }
@@ -152,7 +162,8 @@ Keys case_keys() {
       {"body", Dimension::number, body_keys(), {}, "load"},
       table_key("event", event_keys()),
       table_key("force", force_keys()),
-      table_key("clearance", {{"a"}, {"b"}})};
+      table_key("tip_off", {{"body"}, {"events"}, {"direction"}}),
+      table_key("clearance", with(clearance_keys(), window_keys()))};
 }
 
 }  // namespace separation

@@ -9,6 +9,7 @@
 namespace separation {
 namespace {
 
+using contact::Interval;
 using contact::TomlTable;
 
 std::vector<std::string> body_names(const Case& c, bool with_carrier) {
@@ -57,10 +58,16 @@ std::vector<int> CaseNames::rigid_bodies(std::string_view name) const {
 
 std::vector<int> CaseNames::rigid_bodies_of(const TomlTable& table,
                                             std::string_view key) const {
-  auto found = rigid_bodies(table.text(key));
+  return rigid_bodies_of(table, key, table.text(key));
+}
+
+std::vector<int> CaseNames::rigid_bodies_of(const TomlTable& table,
+                                            std::string_view key,
+                                            const std::string& name) const {
+  auto found = rigid_bodies(name);
   if (found.empty()) {
-    table.fail(key, contact::detail::unknown("body", table.text(key),
-                                             body_names(of, true)));
+    table.fail(key,
+               contact::detail::unknown("body", name, body_names(of, true)));
   }
   return found;
 }
@@ -91,15 +98,48 @@ std::vector<int> CaseNames::bodies_of(const TomlTable& table,
 int CaseNames::event_of(const TomlTable& table, std::string_view key,
                         std::string_view except) const {
   const auto name = table.optional_text(key);
-  if (!name) return -1;
-  const auto found = std::find(events.begin(), events.end(), *name);
-  if (*name == except) table.must_be(key, "another event");
+  return name ? event_called(table, key, *name, except) : -1;
+}
+
+int CaseNames::event_called(const TomlTable& table, std::string_view key,
+                            const std::string& name,
+                            std::string_view except) const {
+  const auto found = std::find(events.begin(), events.end(), name);
+  if (name == except) table.must_be(key, "another event");
   if (found == events.end()) {
     std::vector<std::string> others = events;
     std::erase(others, except);
-    table.fail(key, contact::detail::unknown("event", *name, others));
+    table.fail(key, contact::detail::unknown("event", name, others));
   }
   return static_cast<int>(found - events.begin());
+}
+
+Clock CaseNames::clock(const TomlTable& table, const std::string& key,
+                       const Clock& otherwise) const {
+  const auto time =
+      table.optional_number(key + "_at", Interval::non_negative());
+  const int event = event_of(table, key + "_at_event");
+  const auto delay =
+      table.optional_number(key + "_delay", Interval::non_negative());
+  table.refuse_both(key + "_at_event", key + "_at");
+  if (delay && event < 0) table.needs(key + "_delay", key + "_at_event");
+  if (event >= 0) return {0, event, delay.value_or(0)};
+  return time ? Clock{*time, -1, 0} : otherwise;
+}
+
+std::pair<Clock, Clock> CaseNames::window(const TomlTable& table,
+                                          std::string_view what) const {
+  const Clock begin = clock(table, "starts", Clock{});
+  const Clock end = clock(table, "ends", never);
+  if (begin.event != end.event) return {begin, end};
+  const bool timed = begin.event < 0;
+  const double from = timed ? begin.time : begin.delay;
+  const double to = timed ? end.time : end.delay;
+  if (to > from) return {begin, end};
+  const char* const key = timed ? "ends_at" : "ends_delay";
+  table.must_be(table.has(key) ? key : "ends_at_event",
+                fmt::format("later than {} begins, {:.6g} s{}", what, from,
+                            timed ? "" : " after the event"));
 }
 
 }  // namespace separation

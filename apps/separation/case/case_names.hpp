@@ -3,6 +3,7 @@
 #include <Eigen/Core>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "libcontact/files/toml_reader.hpp"
@@ -29,13 +30,27 @@ struct CaseNames {
   /// The bodies named by the text of a key; throws Error if there are none.
   std::vector<int> rigid_bodies_of(const contact::TomlTable& table,
                                    std::string_view key) const;
-  /// The bodies named by one or several texts; all if the key is missing.
+  /// The same of one text of several.
+  std::vector<int> rigid_bodies_of(const contact::TomlTable& table,
+                                   std::string_view key,
+                                   const std::string& name) const;
+  /// The bodies that one or several texts name; all if the key is missing.
   std::vector<int> bodies_of(const contact::TomlTable& table,
                              std::string_view key) const;
   /// The event named by the text of a key; -1 if the key is missing.
   /// @param except  an event that is not allowed, "" for none
   int event_of(const contact::TomlTable& table, std::string_view key,
                std::string_view except = "") const;
+  /// The same of one text of several.
+  int event_called(const contact::TomlTable& table, std::string_view key,
+                   const std::string& name, std::string_view except = "") const;
+  /// KEY_at (a time), or KEY_at_event with KEY_delay.
+  Clock clock(const contact::TomlTable& table, const std::string& key,
+              const Clock& otherwise) const;
+  /// starts_... and ends_..., which is later as far as that is known.
+  /// @param what  that begins, for messages
+  std::pair<Clock, Clock> window(const contact::TomlTable& table,
+                                 std::string_view what) const;
 };
 
 }  // namespace separation

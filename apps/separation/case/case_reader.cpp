@@ -9,6 +9,7 @@
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_names.hpp"
+#include "separation/case/clearance_reader.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
 #include "separation/case/form/body_tree.hpp"
@@ -68,9 +69,8 @@ void check_latches(const std::vector<TomlTable>& tables, const Case& c) {
   }
 }
 
-void read_events(const TomlTable& file, Case& c, CaseNames& names) {
-  const auto tables = file.tables("event");
-  for (const TomlTable& table : tables) {
+void read_event_names(const TomlTable& file, CaseNames& names) {
+  for (const TomlTable& table : file.tables("event")) {
     const std::string name = table.text("name");
     if (std::find(names.events.begin(), names.events.end(), name) !=
         names.events.end()) {
@@ -78,6 +78,10 @@ void read_events(const TomlTable& file, Case& c, CaseNames& names) {
     }
     names.events.push_back(name);
   }
+}
+
+void read_events(const TomlTable& file, Case& c, const CaseNames& names) {
+  const auto tables = file.tables("event");
   for (const TomlTable& table : tables) {
     c.events.push_back(read_event(table, names));
   }
@@ -106,48 +110,29 @@ void read_all_forces(const TomlTable& file, const CaseNames& names, Case& c) {
   }
 }
 
-void read_clearance(const TomlTable& file, const CaseNames& names, Case& c) {
-  const auto tables = file.tables("clearance");
-  const auto add = [&](int a, int b) {
-    c.clearance.push_back({std::min(a, b), std::max(a, b)});
-  };
-  const auto shaped = [&](const TomlTable& table, std::string_view key) {
-    auto bodies = names.rigid_bodies_of(table, key);
-    if (c.rigid_body(bodies.front()).shapes.empty()) {
-      table.must_be(key, "a body with shapes");
-    }
-    return bodies;
-  };
-  for (const TomlTable& table : tables) {
-    const auto of_a = shaped(table, "a");
-    const auto of_b = shaped(table, "b");
-    if (of_a.size() == 1 && of_a == of_b) {
-      table.must_be("b", "another body than a");
-    }
-    for (const int a : of_a) {
-      for (const int b : of_b) {
-        if (a != b) add(a, b);
+void read_tip_offs(const TomlTable& file, const CaseNames& names, Case& c) {
+  for (const TomlTable& table : file.tables("tip_off")) {
+    for (const int body : names.rigid_bodies_of(table, "body")) {
+      if (std::ranges::count(c.tip_offs, body, &TipOff::body) > 0) {
+        table.must_be("body", "a body of no other [[tip_off]]");
+      }
+      TipOff of{body, -1, {}};
+      if (const auto name = table.optional_text("direction")) {
+        const auto& all = c.rigid_body(body).directions;
+        const auto found = std::ranges::find(all, *name, &NamedDirection::name);
+        if (found == all.end()) {
+          table.must_be("direction", "that of a direction of its body");
+        }
+        of.direction = found->vector;
+      }
+      c.tip_offs.push_back(of);
+      if (!table.has("events")) continue;
+      for (const std::string& name : table.texts("events")) {
+        of.event = names.event_called(table, "events", name);
+        c.tip_offs.push_back(of);
       }
     }
   }
-  if (tables.empty()) {
-    const int count = static_cast<int>(c.bodies.size()) + 1;
-    for (int a = 0; a < count; ++a) {
-      for (int b = a + 1; b < count; ++b) {
-        if (!c.rigid_body(a).shapes.empty() && !c.rigid_body(b).shapes.empty())
-          add(a, b);
-      }
-    }
-  }
-  const auto order = [](const Case::Pair& p, const Case::Pair& q) {
-    return std::pair(p.a, p.b) < std::pair(q.a, q.b);
-  };
-  std::sort(c.clearance.begin(), c.clearance.end(), order);
-  c.clearance.erase(std::unique(c.clearance.begin(), c.clearance.end(),
-                                [](const Case::Pair& p, const Case::Pair& q) {
-                                  return p.a == q.a && p.b == q.b;
-                                }),
-                    c.clearance.end());
 }
 
 Case whole_case(const TomlTable& file, const JointLaws& laws) {
@@ -168,9 +153,11 @@ Case case_of_file(const TomlTable& file, const JointLaws& laws,
   read_carrier_of(file, c);
   CaseNames names{c, {}, {}};
   read_all_bodies(file, laws, made, c, names);
+  read_event_names(file, names);
+  c.clearance = read_clearance(file, names);
   read_events(file, c, names);
   read_all_forces(file, names, c);
-  read_clearance(file, names, c);
+  read_tip_offs(file, names, c);
   file.refuse_idle();
   return c;
 }

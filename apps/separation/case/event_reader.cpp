@@ -2,9 +2,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <numbers>
 
+#include "libcontact/base/complaint.hpp"
+#include "separation/case/clearance_reader.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/reading.hpp"
 
@@ -24,7 +27,55 @@ constexpr std::array<Condition, 3> conditions = {{
     {Event::Trigger::reaction, "reaction", Interval::positive()},
 }};
 
-void read_condition(const TomlTable& table, Event& event) {
+// Bodies that come so near to each other.
+bool read_distance(const TomlTable& table, const CaseNames& names,
+                   Event& event) {
+  table.refuse_both("clearance", "touches");
+  const bool touches = table.has("touches");
+  const auto distance =
+      table.optional_number("distance", Interval::non_negative());
+  if (distance && !table.has("clearance")) table.needs("distance", "clearance");
+  if (!touches && !table.has("clearance")) return false;
+  event.trigger = Event::Trigger::distance;
+  event.value = distance.value_or(0);
+  if (touches) {
+    const auto bodies = table.texts("touches");
+    if (bodies.size() != 2) table.must_be("touches", "two names of bodies");
+    event.pairs =
+        pairs_of(table, {bodies[0], bodies[1]}, {"touches", "touches"}, names);
+    return true;
+  }
+  const std::string name = table.text("clearance");
+  std::vector<std::string> known;
+  for (const WatchedPair& pair : names.of.clearance) {
+    if (pair.name == name) event.pairs.push_back(pair);
+    if (!pair.name.empty() &&
+        std::ranges::find(known, pair.name) == known.end()) {
+      known.push_back(pair.name);
+    }
+  }
+  if (name.empty() || event.pairs.empty()) {
+    table.fail("clearance", contact::detail::unknown("clearance", name, known));
+  }
+  return true;
+}
+
+// Bodies that it is about, if the file does not say so.
+std::vector<int> bodies_near(const Event& event) {
+  std::vector<int> bodies;
+  for (const WatchedPair& pair : event.pairs) {
+    for (const int body : {pair.a, pair.b}) {
+      if (body > 0 && std::ranges::count(bodies, body - 1) == 0) {
+        bodies.push_back(body - 1);
+      }
+    }
+  }
+  std::ranges::sort(bodies);
+  return bodies;
+}
+
+void read_condition(const TomlTable& table, const CaseNames& names,
+                    Event& event) {
   const Condition* found = nullptr;
   for (const Condition& condition : conditions) {
     const auto value = table.optional_number(condition.key, condition.range);
@@ -34,6 +85,12 @@ void read_condition(const TomlTable& table, Event& event) {
     event.trigger = condition.trigger;
     event.value = *value;
   }
+  if (table.has("touches") || table.has("clearance")) {
+    const char* const key = table.has("touches") ? "touches" : "clearance";
+    if (found != nullptr) table.refuse_both(key, found->key);
+    table.refuse_both("delay", key);
+  }
+  if (read_distance(table, names, event)) return;
   const auto delay = table.optional_number("delay", Interval::non_negative());
   if (found != nullptr) {
     table.refuse_both("delay", found->key);
@@ -42,7 +99,7 @@ void read_condition(const TomlTable& table, Event& event) {
     return;
   }
   if (event.after < 0) {
-    table.needs("time, angle, reaction or after");
+    table.needs("time, angle, reaction, touches, clearance or after");
   }
   event.trigger = Event::Trigger::after;
   event.value = delay.value_or(0);
@@ -50,13 +107,19 @@ void read_condition(const TomlTable& table, Event& event) {
 
 void read_action(const TomlTable& table, Event& event) {
   table.refuse_both("locks", "breaks");
+  table.refuse_both("ends", "breaks");
+  table.refuse_both("ends", "locks");
   if (table.optional_choice("locks", {"hinge"})) {
     event.action = Event::Action::latch;
   } else if (table.has("breaks")) {
     event.action = static_cast<Event::Action>(
         table.choice("breaks", {"lock", "hinge", "latch"}));
+  } else if (table.optional_choice("ends", {"run"})) {
+    event.action = Event::Action::end_run;
+  } else if (table.has("touches") || table.has("clearance")) {
+    event.action = Event::Action::none;
   } else {
-    table.needs("breaks or locks");
+    table.needs("breaks, locks or ends");
   }
 }
 
@@ -68,6 +131,10 @@ void read_latch(const TomlTable& table, Event& event) {
   }
   if (event.trigger == Event::Trigger::reaction) {
     table.needs("reaction", "breaks");
+  }
+  if (event.trigger == Event::Trigger::distance) {
+    table.needs(table.has("touches") ? "touches" : "clearance",
+                "breaks or ends");
   }
   if (!rate) return;
   if (event.trigger != Event::Trigger::angle)
@@ -82,7 +149,7 @@ void check_nodes(const TomlTable& table, const CaseNames& names,
     const Body& body = names.of.bodies[i];
     const bool hinge = body.hinge.kind != multibody::HingeKind::none;
     const bool lock = event.action == Event::Action::break_lock;
-    if (lock ? !body.lock : !hinge) {
+    if (event.action < Event::Action::end_run && (lock ? !body.lock : !hinge)) {
       table.needs(table.has("locks") ? "locks" : "breaks",
                   fmt::format("one on body \"{}\"", body.rigid.name));
     }
@@ -112,7 +179,10 @@ Event read_event(const TomlTable& table, const CaseNames& names) {
   read_action(table, event);
   event.after = names.event_of(table, "after", event.name);
   event.together = table.flag("together");
-  read_condition(table, event);
+  read_condition(table, names, event);
+  if (!table.has("bodies") && !event.pairs.empty()) {
+    event.bodies = bodies_near(event);
+  }
   read_latch(table, event);
   event.node = static_cast<Event::Node>(
       table.optional_choice("node", {"hinge", "lock"}).value_or(0));

@@ -34,6 +34,23 @@ struct ForceEnds {
   Eigen::Vector3d other_point = Eigen::Vector3d::Zero();
 };
 
+/// What an engine burns.
+struct Propellant {
+  double exhaust_speed;  ///< thrust over what leaves, m/s
+  double mass = std::numeric_limits<double>::infinity();  ///< kg
+  /// Of the body without it: the centre of mass, as ForceEnds::point; left out:
+  /// where it is with it. The inertia about that, body axes; left out: in
+  /// proportion to the mass.
+  std::optional<Eigen::Vector3d> empty_com = {};
+  std::optional<Eigen::Matrix3d> empty_inertia = {};
+};
+
+/// What an engine does until a time: thrust, and its integral.
+struct Burn {
+  double thrust;   ///< N
+  double impulse;  ///< since its begin, N s
+};
+
 /// Action of a force between its begin and its end.
 class ForceLaw {
  public:
@@ -55,7 +72,14 @@ class ForceLaw {
   virtual void add_kinks(
       [[maybe_unused]] const ForceInstant& at,
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
-  /// Whether it acts through the hinge of its body and ends with it.
+  /// It burns this; null: nothing. It ends when that is used up.
+  virtual const Propellant* propellant() const { return nullptr; }
+  /// @param begin, own  as of ForceInstant
+  virtual Burn burn([[maybe_unused]] double time, [[maybe_unused]] double begin,
+                    [[maybe_unused]] double own) const {
+    return {};
+  }
+  /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }
   /// Whether it stores energy, like a torsion spring, and the stored energy, J.
   virtual bool stores() const { return false; }

@@ -1,26 +1,9 @@
 #include "separation/case/force_reader.hpp"
 
-#include <fmt/format.h>
-
 #include "separation/case/force_kind.hpp"
 
 namespace separation {
 namespace {
-
-// Ends that are known to come before their begins.
-void check_clocks(const TomlTable& table, const Force& force) {
-  const Clock& begin = force.begin;
-  const Clock& end = force.end;
-  if (begin.event != end.event) return;
-  const bool timed = begin.event < 0;
-  const double from = timed ? begin.time : begin.delay;
-  const double to = timed ? end.time : end.delay;
-  if (to > from) return;
-  const char* const key = timed ? "ends_at" : "ends_delay";
-  table.must_be(table.has(key) ? key : "ends_at_event",
-                fmt::format("later than the force begins, {:.6g} s{}", from,
-                            timed ? "" : " after the event"));
-}
 
 const ForceKind& read_kind(const TomlTable& table) {
   const std::vector<ForceKind>& kinds = force_kinds();
@@ -60,24 +43,15 @@ Eigen::Vector3d ForceTable::carrier_point() const {
 }
 
 Clock ForceTable::clock(const std::string& key, const Clock& otherwise) const {
-  const auto time =
-      table.optional_number(key + "_at", Interval::non_negative());
-  const int event = names.event_of(table, key + "_at_event");
-  const auto delay =
-      table.optional_number(key + "_delay", Interval::non_negative());
-  table.refuse_both(key + "_at_event", key + "_at");
-  if (delay && event < 0) table.needs(key + "_delay", key + "_at_event");
-  if (event >= 0) return {0, event, delay.value_or(0)};
-  return time ? Clock{*time, -1, 0} : otherwise;
+  return names.clock(table, key, otherwise);
 }
 
 Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
   const ForceKind& kind = read_kind(table);
   ForceTable from{table, names, 0, copy, 0};
   const std::string name = table.text("name");
-  Force force{name, 0, from.clock("starts", Clock{}), from.clock("ends", never),
-              nullptr};
-  check_clocks(table, force);
+  const auto [begin, end] = names.window(table, "the force");
+  Force force{name, 0, begin, end, nullptr};
   const auto bodies = names.rigid_bodies_of(table, "body");
   from.copies = static_cast<int>(bodies.size());
   from.body = force.body = bodies[copy];
@@ -85,6 +59,7 @@ Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
     table.must_be("body", "a body, not the carrier, which is fixed");
   }
   force.law = kind.read(from);
+  force.burns = force.law->propellant() != nullptr;
   return force;
 }
 

@@ -9,6 +9,14 @@ namespace separation {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
+std::string column_text(const TomlTable& table, std::string_view key) {
+  std::string text = table.text(key);
+  if (text.find_first_of("./,\"\n\r") != std::string::npos) {
+    table.must_be(key, "a name without . / , \" and line ends");
+  }
+  return text;
+}
+
 std::optional<Vector3d> optional_vector(const TomlTable& table,
                                         std::string_view key) {
   const auto values = table.optional_numbers(key, {3}, Interval::any());

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "libcontact/files/toml_reader.hpp"
@@ -11,6 +12,9 @@ namespace separation {
 
 using contact::Interval;
 using contact::TomlTable;
+
+/// A text that becomes part of the names of columns and data sets.
+std::string column_text(const TomlTable& table, std::string_view key);
 
 std::optional<Eigen::Vector3d> optional_vector(const TomlTable& table,
                                                std::string_view key);

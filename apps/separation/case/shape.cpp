@@ -92,6 +92,12 @@ double reach(const Shape& shape) {
   return ends + shape.radius;
 }
 
+double reach(const std::vector<Shape>& shapes) {
+  double farthest = 0;
+  for (const Shape& shape : shapes) farthest = std::max(farthest, reach(shape));
+  return farthest;
+}
+
 Shape box(const Vector3d& centre, const Vector3d& size,
           const Matrix3d& rotation) {
   Shape shape{ShapeKind::hull};

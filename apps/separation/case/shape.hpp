@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <string>
 #include <vector>
 
 /// Stages, boosters and tanks as simple solids.
@@ -26,12 +27,14 @@ struct Shape {
   /// Corners of the hull and its triangles, counter-clockwise from outside.
   std::vector<Eigen::Vector3d> points = {};
   std::vector<std::array<int, 3>> faces = {};
+  std::string name = {};  ///< "": none
 
   void move(const Eigen::Vector3d& by);
 };
 
-/// Largest distance of a point of the solid from the origin, m.
+/// No point of the solid is farther from the origin, m; of all of them.
 double reach(const Shape& shape);
+double reach(const std::vector<Shape>& shapes);
 
 /// The convex hull of points; its corners are the extreme points.
 /// @throws contact::Error if the points are fewer than 4 or (nearly) in one

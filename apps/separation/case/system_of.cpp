@@ -14,6 +14,7 @@ multibody::System system_of(const Case& c) {
     part.kind = body.hinge.kind;
     part.mass = body.rigid.mass;
     part.inertia = body.rigid.inertia;
+    part.flows = c.flows(1 + static_cast<int>(bodies.size()));
     if (part.kind != multibody::HingeKind::none) {
       part.hinge_from_com = body.hinge.body_point;
       part.parent = body.hinge.on - 1;
@@ -22,7 +23,8 @@ multibody::System system_of(const Case& c) {
     }
     bodies.push_back(part);
   }
-  return {{c.carrier.mass, c.carrier.inertia, c.carrier.fixed}, bodies};
+  return {{c.carrier.mass, c.carrier.inertia, c.carrier.fixed, c.flows(0)},
+          bodies};
 }
 
 double hinge_angle(const Hinge& hinge, const Eigen::Matrix3d& rotation) {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "separation/clearance/nearest.hpp"
 
@@ -16,6 +17,14 @@ Clearance::Clearance(const std::vector<std::vector<Shape>>& shapes,
   for (const auto& body : shapes) {
     solids_.emplace_back(body.begin(), body.end());
   }
+  for (Pair& pair : pairs_) {
+    for (auto [body, of] : {std::pair{pair.a, &pair.a_shapes},
+                            std::pair{pair.b, &pair.b_shapes}}) {
+      if (!of->empty()) continue;
+      of->resize(solids_[body].size());
+      std::iota(of->begin(), of->end(), 0);
+    }
+  }
 }
 
 namespace {
@@ -28,15 +37,16 @@ RelativePlace place_in(const BodyMotion& a, const BodyMotion& b) {
 }  // namespace
 
 std::size_t Clearance::solid_pairs(std::size_t pair) const {
-  return solids_[pairs_[pair].a].size() * solids_[pairs_[pair].b].size();
+  return pairs_[pair].a_shapes.size() * pairs_[pair].b_shapes.size();
 }
 
 Clearance::SolidLook Clearance::look(std::size_t pair, std::size_t solids,
                                      double time, const BodyMotion& a,
                                      const BodyMotion& b) const {
-  const auto& of_b = solids_[pairs_[pair].b];
-  const Solid& solid_a = solids_[pairs_[pair].a][solids / of_b.size()];
-  const Solid& solid_b = of_b[solids % of_b.size()];
+  const Pair& of = pairs_[pair];
+  const std::size_t count = of.b_shapes.size();
+  const Solid& solid_a = solids_[of.a][of.a_shapes[solids / count]];
+  const Solid& solid_b = solids_[of.b][of.b_shapes[solids % count]];
   const RelativePlace place = place_in(a, b);
   const Nearest found =
       nearest(solid_a, solid_b, place, std::numeric_limits<double>::infinity());
@@ -63,9 +73,10 @@ Nearest Clearance::nearest_of(const Pair& pair,
   const BodyMotion& b = bodies[pair.b];
   const RelativePlace b_in_a = place_in(a, b);
   Nearest best{std::numeric_limits<double>::infinity()};
-  for (const Solid& of_a : solids_[pair.a]) {
-    for (const Solid& of_b : solids_[pair.b]) {
-      const Nearest found = nearest(of_a, of_b, b_in_a, best.distance);
+  for (const int of_a : pair.a_shapes) {
+    for (const int of_b : pair.b_shapes) {
+      const Nearest found = nearest(
+          solids_[pair.a][of_a], solids_[pair.b][of_b], b_in_a, best.distance);
       if (std::isnan(found.distance)) return found;
       if (found.distance < best.distance) best = found;
     }

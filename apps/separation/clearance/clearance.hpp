@@ -17,10 +17,11 @@ namespace separation {
 /// nearest() (separation/clearance_test.cpp).
 class Clearance {
  public:
-  /// Two bodies, numbered as in `shapes`.
+  /// Two bodies, numbered as in `shapes`, and which of their shapes; none: all.
   struct Pair {
     int a;
     int b;
+    std::vector<int> a_shapes = {}, b_shapes = {};
   };
 
   /// @param shapes  of each body, from its centre of mass, body axes; may be

@@ -6,6 +6,13 @@
 
 namespace separation {
 
+double speed_bound(const multibody::BodyMotion& a,
+                   const multibody::BodyMotion& b, double radius) {
+  const Eigen::Vector3d apart = b.position - a.position;
+  return (b.velocity - a.velocity - a.angular_velocity.cross(apart)).norm() +
+         (b.angular_velocity - a.angular_velocity).norm() * radius;
+}
+
 void PairWay::move_on(double time,
                       std::span<const multibody::BodyMotion> bodies) {
   const multibody::BodyMotion& a = bodies[pair_.a];
@@ -16,9 +23,7 @@ void PairWay::move_on(double time,
   // No point of a solid turns faster, or has turned farther, than one at its
   // radius; of a rotation's matrix 1/sqrt(2) of Frobenius' norm is the largest
   // stretch.
-  const double speed =
-      (b.velocity - a.velocity - a.angular_velocity.cross(apart)).norm() +
-      (b.angular_velocity - a.angular_velocity).norm() * radius_;
+  const double speed = speed_bound(a, b, radius_);
   const double moved =
       (place_ - known_place_).norm() +
       (rotation_ - known_rotation_).norm() / std::sqrt(2.) * radius_;

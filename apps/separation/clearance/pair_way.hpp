@@ -10,8 +10,13 @@
 
 namespace separation {
 
-/// Lower bound of the distance of two moving bodies, from a computed distance
-/// and their relative motion since.
+/// No point of b within a radius of its centre of mass is faster against a,
+/// m/s.
+double speed_bound(const multibody::BodyMotion& a,
+                   const multibody::BodyMotion& b, double radius);
+
+/// How near two bodies may be on their way, from a distance that was computed
+/// and from how far they have moved against each other since.
 class PairWay {
  public:
   /// @param radius  largest distance of a point of b's solids from its centre

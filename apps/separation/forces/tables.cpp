@@ -1,9 +1,24 @@
 #include "separation/forces/tables.hpp"
 
+#include <algorithm>
+
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
+
+double integral(const Table<double>& table, double x) {
+  const auto& [at, values] = table;
+  if (x <= at.front()) return (x - at.front()) * values.front();
+  double sum = 0;
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    const double end = std::min(x, at[i]);
+    const double last = end == at[i] ? values[i] : table(end);
+    sum += (end - at[i - 1]) * (values[i - 1] + last) / 2;
+    if (end == x) return sum;
+  }
+  return sum + (x - at.back()) * values.back();
+}
 
 RowsOver read_variable(const ForceTable& from) {
   const TomlTable& table = from.table;

@@ -42,6 +42,9 @@ struct Table {
   }
 };
 
+/// From its first row, which counts from 0, to x.
+double integral(const Table<double>& table, double x);
+
 /// Variable of a force's tables: time since the force began, or the angle of
 /// the body's hinge.
 enum class Variable { none, time, angle };

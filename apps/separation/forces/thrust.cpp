@@ -1,42 +1,101 @@
+#include <algorithm>
 #include <cmath>
 
-#include "separation/case/force_kind.hpp"
+#include "separation/case/body_reader.hpp"
+#include "separation/forces/tables.hpp"
 
 namespace separation {
 namespace {
 
-/// An engine: full thrust until it is cut off, then T exp(-t/decay).
+/// An engine: its thrust until it is cut off, then T exp(-t/decay).
 struct Thrust final : ForceLaw {
   Eigen::Vector3d point;
-  Eigen::Vector3d force;  ///< body axes, N
+  Eigen::Vector3d direction;  ///< body axes
+  bool timed = false;         ///< the table is one over time
+  Table<double> thrust;       ///< N
   Clock cutoff;
   double decay;  ///< s
+  std::optional<Propellant> burnt;
+
+  double full(double time, double begin, double own) const {
+    return timed ? thrust(std::min(time, own), begin) : thrust.values.front();
+  }
+  double part(double time, double own) const {
+    if (time < own) return 1;
+    return decay > 0 ? std::exp((own - time) / decay) : 0;
+  }
 
   void add(const ForceInstant& at,
            std::span<multibody::BodyForce> forces) const override {
-    double part = 1;
-    if (at.time >= at.own) {
-      part = decay > 0 ? std::exp((at.own - at.time) / decay) : 0;
-    }
     const multibody::BodyMotion& body = at.on();
+    const Eigen::Vector3d force = full(at.time, at.begin, at.own) * direction;
     forces[at.body].add_at(body, body.point(point),
-                           body.rotation * (part * force));
+                           body.rotation * (part(at.time, at.own) * force));
   }
   ForceEnds where(const Case&, int) const override { return {point}; }
   Clock own_clock() const override { return cutoff; }
+  void add_breaks(double begin, std::vector<double>& breaks) const override {
+    if (timed) thrust.add_breaks(begin, breaks);
+  }
+  const Propellant* propellant() const override {
+    return burnt ? &*burnt : nullptr;
+  }
+  Burn burn(double time, double begin, double own) const override {
+    const double cut = std::max(begin, own);
+    double impulse =
+        integral(thrust, std::min(time, cut) - begin) - integral(thrust, 0);
+    if (time > cut && decay > 0) {
+      impulse +=
+          full(cut, begin, own) * decay * (part(cut, own) - part(time, own));
+    }
+    return {full(time, begin, own) * part(time, own), impulse};
+  }
 };
+
+std::optional<Propellant> read_propellant(const ForceTable& from) {
+  const TomlTable& table = from.table;
+  constexpr double standard_gravity = 9.80665;  // m/s^2
+  const auto impulse =
+      table.optional_number("specific_impulse", Interval::positive());
+  auto speed = table.optional_number("exhaust_speed", Interval::positive());
+  table.refuse_both("specific_impulse", "exhaust_speed");
+  if (impulse) speed = *impulse * standard_gravity;
+  for (const char* key : {"propellant", "empty_com", "empty_inertia",
+                          "empty_principal_inertia"}) {
+    if (!table.has(key)) continue;
+    if (!speed) table.needs(key, "specific_impulse or exhaust_speed");
+    if (!table.has("propellant")) table.needs(key, "propellant");
+  }
+  if (!speed) return {};
+  Propellant propellant{*speed};
+  propellant.mass = table.optional_number("propellant", Interval::positive())
+                        .value_or(propellant.mass);
+  if (const auto com = optional_vector(table, "empty_com")) {
+    propellant.empty_com = *com - from.rigid_body().com;
+  }
+  propellant.empty_inertia = read_inertia(table, "empty_");
+  return propellant;
+}
 
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Thrust>();
   law->point = from.point();
-  law->force = table.number("thrust", Interval::non_negative()) *
-               direction(table, "direction");
+  law->timed = table.has("time");
+  if (law->timed) {
+    const auto at = times_with_jumps(table, "time");
+    law->thrust = {
+        at, table.numbers("thrust", {at.size()}, Interval::non_negative())};
+  } else {
+    law->thrust = {{0}, {table.number("thrust", Interval::non_negative())}};
+  }
+  law->direction = direction(table, "direction");
   law->cutoff = from.clock("cutoff", never);
   law->decay = table.optional_number("decay", Interval::positive()).value_or(0);
   if (law->decay > 0 && law->cutoff.event < 0 && std::isinf(law->cutoff.time)) {
     table.needs("decay", "cutoff_at or cutoff_at_event");
   }
+  law->burnt = read_propellant(from);
   return law;
 }
 
@@ -47,11 +106,18 @@ ForceKind thrust() {
   return {"thrust",
           {{"point", Dimension::length},
            {"direction"},
+           {"time", Dimension::time},
            {"thrust", Dimension::force},
            {"cutoff_at", Dimension::time},
            {"cutoff_at_event"},
            {"cutoff_delay", Dimension::time},
-           {"decay", Dimension::time}},
+           {"decay", Dimension::time},
+           {"specific_impulse", Dimension::time},
+           {"exhaust_speed", Dimension::velocity},
+           {"propellant", Dimension::mass},
+           {"empty_com", Dimension::length},
+           {"empty_inertia", Dimension::inertia},
+           {"empty_principal_inertia", Dimension::inertia}},
           read};
 }
 

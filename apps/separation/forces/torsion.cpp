@@ -49,24 +49,13 @@ struct Torsion final : ForceLaw {
   bool stores() const override { return true; }
   double stored(const ForceInstant& at) const override {
     const double angle = hinge_angle(at.hinge(), at.parent(), at.on());
-    return table.at.empty() ? work_to(free_angle - angle) : -table_work(angle);
+    return table.at.empty() ? work_to(free_angle - angle)
+                            : -integral(table, angle);
   }
 
  private:
   double work_to(double turn) const {
     return turn * (preload + stiffness * turn / 2);
-  }
-  // From the first row to an angle.
-  double table_work(double angle) const {
-    const auto& [at, values] = table;
-    if (angle <= at.front()) return (angle - at.front()) * values.front();
-    double sum = 0;
-    for (std::size_t i = 1; i < at.size(); ++i) {
-      const double end = std::min(angle, at[i]);
-      sum += (end - at[i - 1]) * (values[i - 1] + table(end)) / 2;
-      if (end == angle) return sum;
-    }
-    return sum + (angle - at.back()) * values.back();
   }
 };
 

@@ -107,8 +107,34 @@ constexpr Quantity<Release> of_release[] = {
      [](const Release& r) -> const Eigen::Vector3d& { return r.velocity; }},
 };
 
+constexpr Quantity<TipOffRecord> of_tip_off[] = {
+    {"time", "", Dimension::time, "when that is",
+     [](const TipOffRecord& t) { return t.time; }},
+    {"angular_velocity", "", Dimension::angular_velocity, "body axes",
+     [](const TipOffRecord& t) -> const Eigen::Vector3d& { return t.rates; }},
+    {"velocity", "", Dimension::velocity, "inertial axes",
+     [](const TipOffRecord& t) -> const Eigen::Vector3d& {
+       return t.velocity;
+     }},
+    {"attitude", "", Dimension::angle,
+     "axis times angle, body axes to inertial ones",
+     [](const TipOffRecord& t) -> const Eigen::Vector3d& {
+       return t.attitude;
+     }},
+    {"tip_off_rate", "", Dimension::angular_velocity,
+     "across the direction that is named",
+     [](const TipOffRecord& t) { return t.across; }, "",
+     [](const TipOffRecord& t) { return !std::isnan(t.across); }},
+    {"mass", "", Dimension::mass, "of a body whose mass flows",
+     [](const TipOffRecord& t) { return t.mass; }, "",
+     [](const TipOffRecord& t) { return !std::isnan(t.mass); }},
+};
+
 }  // namespace
 
+std::span<const Quantity<TipOffRecord>> tip_off_quantities() {
+  return of_tip_off;
+}
 std::span<const Quantity<JointPeaks>> joint_quantities() { return of_joint; }
 std::span<const Quantity<BodyRecord>> hinge_quantities() { return of_hinge; }
 std::span<const Quantity<BodyRecord>> lock_quantities() { return of_lock; }

@@ -19,6 +19,7 @@ std::span<const contact::Quantity<BodyRecord>> latch_quantities();
 std::span<const contact::Quantity<BodyRecord>> body_quantities();
 std::span<const contact::Quantity<BodyRecord::Release>> release_quantities();
 
+std::span<const contact::Quantity<TipOffRecord>> tip_off_quantities();
 std::span<const contact::Quantity<TorqueMargin>> margin_quantities();
 
 /// Rates in degrees, as angles.

@@ -43,10 +43,18 @@ std::string event_text(const Event& event, const Body& body,
       return text(body.hinge.name, "breaks");
     case Event::Action::open_latch:
       return text("latch of " + body.hinge.name, "opens");
+    case Event::Action::end_run:
+      return event.name + ": the run ends";
+    case Event::Action::none:
+      return event.name + ": occurs";
     case Event::Action::latch:
       break;
   }
   return text(body.hinge.name, engages ? "latches" : "does not engage");
+}
+
+std::string empty_text(const Force& force) {
+  return force.name + ": propellant is used up";
 }
 
 // Distances of bodies of some metres are exact to 1e-8 m (nearest.hpp):
@@ -91,6 +99,7 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
     add(body,
         {"x_m", "y_m", "z_m", "vx_m_per_s", "vy_m_per_s", "vz_m_per_s", "qw",
          "qx", "qy", "qz", "wx_rad_per_s", "wy_rad_per_s", "wz_rad_per_s"});
+    if (c.flows(static_cast<int>(i))) add(body, {"mass_kg"});
   }
   if (clearance) {
     for (const Case::Pair& pair : c.clearance) {
@@ -107,15 +116,7 @@ std::vector<std::string> history_columns(const Case& c, bool clearance) {
   return columns;
 }
 
-Clearance clearance_of(const Case& c) {
-  std::vector<std::vector<Shape>> shapes;
-  for (std::size_t i = 0; i <= c.bodies.size(); ++i) {
-    shapes.push_back(c.rigid_body(static_cast<int>(i)).shapes);
-  }
-  std::vector<Clearance::Pair> pairs;
-  for (const auto& [a, b] : c.clearance) pairs.push_back({a, b});
-  return {shapes, pairs};
-}
+Clearance clearance_of(const Case& c) { return clearance_of(c, c.clearance); }
 
 namespace {
 
@@ -180,6 +181,12 @@ std::size_t Rows::column(const std::string& name) const {
 }
 
 bool can_be_noted(const Note& note, const Case& c) {
+  if (std::ranges::any_of(c.forces, [&](const Force& force) {
+        return force.burns && note.body == c.rigid_body(force.body).name &&
+               note.what == empty_text(force);
+      })) {
+    return true;
+  }
   const auto body = std::ranges::find(
       c.bodies, note.body, [](const Body& b) { return b.rigid.name; });
   if (body == c.bodies.end()) return false;
@@ -207,13 +214,11 @@ Recorder::Recorder(const Case& c, bool rows, bool clearance, bool refine)
   }
   memory_.pairs.resize(c.clearance.size());
   for (std::size_t i = 0; clearance_ && i < c.clearance.size(); ++i) {
-    double radius = 0;
-    for (const Shape& shape : c.rigid_body(c.clearance[i].b).shapes) {
-      radius = std::max(radius, reach(shape));
-    }
-    ways_.emplace_back(clearance_->pairs()[i], radius);
+    ways_.emplace_back(clearance_->pairs()[i],
+                       reach(c.rigid_body(c.clearance[i].b).shapes));
   }
   memory_.forces.resize(c.forces.size());
+  memory_.tip_offs.resize(c.tip_offs.size());
 }
 
 void Recorder::go_on_with(const Simulation& simulation) {
@@ -224,13 +229,17 @@ void Recorder::go_on_with(const Simulation& simulation) {
   for (PairWay& way : ways_) way.forget();
 }
 
-void Recorder::add_motion(const BodyMotion& body) {
+void Recorder::add_motion(const Simulation& simulation, int number) {
+  const BodyMotion& body = simulation.sample().motions()[number];
   const Vector3d w = body.rotation.transpose() * body.angular_velocity;
   const Eigen::Quaterniond q(body.rotation);
   for (const double x : body.position) add(x);
   for (const double v : body.velocity) add(v);
   for (const double x : {q.w(), q.x(), q.y(), q.z()}) add(x);
   for (const double x : w) add(x);
+  if (case_.flows(number)) {
+    add(simulation.flow().of(number, simulation.time()).mass);
+  }
 }
 
 void Recorder::look_at_peaks(const Simulation& simulation,
@@ -432,6 +441,47 @@ void Recorder::note_impact(const multibody::HingeImpact& impact) {
   memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
 }
 
+// At an event that comes for a body, the first one of those about others; of
+// the event -1 every time.
+void Recorder::look_at_tip_offs(const Simulation& simulation,
+                                const Happening& h) {
+  for (std::size_t i = 0; i < memory_.tip_offs.size(); ++i) {
+    const auto& [number, event, direction] = case_.tip_offs[i];
+    TipOffRecord& record = memory_.tip_offs[i];
+    if (event != h.event) continue;
+    if (event >= 0 &&
+        (record.time != History::not_yet ||
+         (number != 1 + h.body &&
+          std::ranges::count(case_.events[event].bodies, number - 1) > 0))) {
+      continue;
+    }
+    const BodyMotion& body = simulation.sample().motions()[number];
+    const Eigen::AngleAxisd turn(body.rotation);
+    record.time = simulation.time();
+    record.rates = body.rotation.transpose() * body.angular_velocity;
+    record.velocity = body.velocity;
+    record.attitude = turn.angle() * turn.axis();
+    if (direction) record.across = record.rates.cross(*direction).norm();
+    if (case_.flows(number)) {
+      record.mass = simulation.flow().of(number, record.time).mass;
+    }
+  }
+}
+
+// Engines that have used up their propellant since the last look.
+void Recorder::note_empty(const Simulation& simulation) {
+  for (int f = 0; f < static_cast<int>(case_.forces.size()); ++f) {
+    const Force& force = case_.forces[f];
+    if (!force.burns) continue;
+    const double time = simulation.flow().empty_at(f);
+    if (!(memory_.last_time < time && time <= simulation.time())) continue;
+    const auto later =
+        std::ranges::upper_bound(memory_.notes, time, {}, &Note::time);
+    memory_.notes.insert(
+        later, {time, case_.rigid_body(force.body).name, empty_text(force)});
+  }
+}
+
 // Sticking and sliding, with the time at rest and at rims.
 void Recorder::look_at_changes(const Simulation& simulation) {
   const double time = simulation.time();
@@ -482,6 +532,7 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     note_change(change, was_on_stop);
   }
   note_impacts(time);
+  note_empty(simulation);
   for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
     add_rest(i, time);
     const Body& body = case_.bodies[i];
@@ -504,7 +555,8 @@ void Recorder::note_distance(std::size_t i, double distance, double time) {
     pair.time = time;
   }
   if (std::isnan(distance) && fault_.empty()) {
-    const auto& [a, b] = case_.clearance[i];
+    const int a = case_.clearance[i].a;
+    const int b = case_.clearance[i].b;
     fault_ = fmt::format(
         "t = {:.6g} s: the distance of {} and {} could not be certified", time,
         case_.rigid_body(a).name, case_.rigid_body(b).name);
@@ -522,6 +574,11 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
   const double time = sample.time();
   for (std::size_t i = 0; i < ways_.size(); ++i) {
     PairWay& way = ways_[i];
+    if (!simulation.history().is_on(case_.clearance[i], time, case_)) {
+      way.forget();
+      if (keep) add(NAN);
+      continue;
+    }
     way.move_on(time, sample.motions());
     const double known = memory_.pairs[i].smallest;
     const double least = std::min(way.least_now(), way.least_since());
@@ -536,6 +593,7 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
     if (keep) add(distance);
     const bool may_be_smaller = way.least_since() < pair.smallest - negligible;
     if (refine_ && (changes || may_be_smaller) && way.since() < time &&
+        simulation.history().is_on(case_.clearance[i], way.since(), case_) &&
         way.since() >= simulation.motion().step_begin()) {
       search_distance(simulation, i);
     }
@@ -545,7 +603,8 @@ void Recorder::look_at_distances(const Simulation& simulation, bool keep) {
 // The smallest distance of a pair between the last look and this one, for each
 // of its solids with each.
 void Recorder::search_distance(const Simulation& simulation, std::size_t i) {
-  const auto [a, b] = clearance_->pairs()[i];
+  const int a = clearance_->pairs()[i].a;
+  const int b = clearance_->pairs()[i].b;
   const multibody::Motion& motion = simulation.motion();
   const MotionSample& sample = simulation.sample();
   for (std::size_t solids = 0; solids < clearance_->solid_pairs(i); ++solids) {
@@ -595,17 +654,18 @@ void Recorder::look(const Simulation& simulation) {
   const auto& sample = simulation.sample();
   if (keep_rows_) {
     add(sample.time());
-    add_motion(sample.carrier());
+    add_motion(simulation, 0);
   }
   for (int i = 0; i < static_cast<int>(case_.bodies.size()); ++i) {
     look_at_peaks(simulation, sample, i);
     if (!keep_rows_) continue;
     add_hinge(simulation, i);
-    add_motion(sample.body(i));
+    add_motion(simulation, 1 + i);
   }
   look_at_distances(simulation, keep_rows_);
   look_at_forces(simulation, memory_.forces);
   look_at_energy(simulation, first);
+  look_at_tip_offs(simulation, {-1, -1});
   if (refine_) refine_peaks(simulation);
 }
 
@@ -634,6 +694,7 @@ bool Recorder::breaks(const Simulation& simulation,
                        });
   };
   const Event::Action action = case_.events[h.event].action;
+  if (action >= Event::Action::end_run) return true;
   if (broken(action)) return false;
   const HingeMode mode = simulation.sample().mode(h.body);
   const bool locked = mode == HingeMode::locked;
@@ -651,8 +712,9 @@ void Recorder::before(const Simulation& simulation,
   looks_.clear();
   const auto& sample = simulation.sample();
   for (std::size_t i = 0; i < happenings.size(); ++i) {
-    if (!breaks(simulation, happenings, i)) continue;
     const Happening& h = happenings[i];
+    look_at_tip_offs(simulation, h);
+    if (!breaks(simulation, happenings, i)) continue;
     const Event& event = case_.events[h.event];
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
@@ -661,6 +723,7 @@ void Recorder::before(const Simulation& simulation,
     memory_.notes.push_back({simulation.time(), body.rigid.name,
                              event_text(event, body, !fails),
                              fails ? rate_of(body.hinge, sample, h.body) : 0});
+    memory_.notes.back().approach = simulation.approach(h);
     BodyRecord::Release& release = memory_.bodies[h.body].release;
     if (!hinge || release.time != History::not_yet) continue;
     const HingeSample now = sample.hinge(h.body);

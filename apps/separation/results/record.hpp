@@ -29,7 +29,7 @@ struct Rows {
   std::size_t column(const std::string& name) const;
 };
 
-/// Distances of the pairs of bodies of a case.
+/// Distances of the bodies that a case watches, Case::clearance.
 Clearance clearance_of(const Case& c);
 
 /// Columns of the rows of a case.
@@ -92,15 +92,27 @@ struct BodyRecord {
   } release;
 };
 
-/// An event of a run, in words.
+/// Motion of a body at an event, just before what that does, or at the end.
+struct TipOffRecord {
+  double time = History::not_yet;
+  Eigen::Vector3d rates = Eigen::Vector3d::Zero();     ///< body axes, rad/s
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero();  ///< inertial axes, m/s
+  /// Axis times angle, body axes to inertial ones, rad.
+  Eigen::Vector3d attitude = Eigen::Vector3d::Zero();
+  double across = NAN;  ///< rate across TipOff::direction, rad/s
+  double mass = NAN;    ///< of one that flows, kg
+};
+
+/// Something that happened, in words.
 struct Note {
   double time;
   std::string body;
   std::string what;
-  // For an impact, else 0.
-  double rate = 0;     ///< hinge's rate before, on an axis with its sign
-  double impulse = 0;  ///< N m s; also 0 on a compliant stop
-  double loss = 0;     ///< energy loss, J
+  // Of an impact, else 0.
+  double rate = 0;      ///< of the hinge before it, on an axis with its sign
+  double impulse = 0;   ///< N m s; 0 too on a compliant stop
+  double loss = 0;      ///< of energy, J
+  double approach = 0;  ///< of bodies that come near each other, m/s
 };
 
 /// Whether a run of the case can have this note.
@@ -144,7 +156,8 @@ class Recorder {
     std::vector<Note> notes;
     std::vector<PairRecord> pairs;
     std::vector<ForceRecord> forces;
-    std::vector<int> modes;  ///< mode of each body, last evaluation
+    std::vector<TipOffRecord> tip_offs;
+    std::vector<int> modes;  ///< mode of each body at the last look
     double last_time = 0;
     double first_balance = 0;
     double largest_drift = 0;   ///< drift of the energy balance, J
@@ -177,7 +190,9 @@ class Recorder {
   bool breaks(const Simulation& simulation,
               const std::vector<Happening>& happenings, std::size_t i) const;
   void look_at_energy(const Simulation& simulation, bool first);
-  void add_motion(const multibody::BodyMotion& body);
+  void add_motion(const Simulation& simulation, int number);
+  void look_at_tip_offs(const Simulation& simulation, const Happening& h);
+  void note_empty(const Simulation& simulation);
   void add(double number) { memory_.rows.numbers.push_back(number); }
 
   const Case& case_;

@@ -65,6 +65,7 @@ void Run::go_on_with(std::unique_ptr<Simulation> simulation,
   next_ = outputs_.after(time_);
   status_ = Status::running;
   message_.clear();
+  end_if_over();
 }
 
 bool Run::is_due_to_stop() {
@@ -112,9 +113,17 @@ bool Run::move_on(double time) {
         if (!simulation_->apply()) {
           return give_up(Status::failed, simulation_->message());
         }
-        if (!record()) return false;
+        if (!record() || end_if_over()) return false;
     }
   }
+}
+
+// By an event.
+bool Run::end_if_over() {
+  if (!simulation_->is_over()) return false;
+  next_ = outputs_.after(case_.end_time);
+  status_ = Status::finished;
+  return true;
 }
 
 Run::Status Run::advance_to(double time) {

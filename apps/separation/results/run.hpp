@@ -134,6 +134,7 @@ class Run {
   bool is_recorded();
   bool give_up(Status status, std::string why);
   bool is_due_to_stop();
+  bool end_if_over();
   FrictionChoice friction() const {
     return options_.friction.value_or(case_.friction);
   }

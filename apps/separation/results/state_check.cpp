@@ -67,6 +67,7 @@ bool has_as_many(const RunState& state, const Case& c) {
          std::ranges::equal(history.touches, c.bodies, same_stops) &&
          memory.forces.size() == c.forces.size() &&
          memory.pairs.size() == c.clearance.size() &&
+         memory.tip_offs.size() == c.tip_offs.size() &&
          is_of_bodies(memory.modes) &&
          std::ranges::equal(memory.bodies, c.bodies, same_joints);
 }
@@ -174,6 +175,8 @@ void check_notes(const std::vector<Note>& notes, const Case& c,
             "in the order of time");
     require(std::isfinite(note.rate), "notes.rate", note.rate, "finite");
     check_size(note.impulse, "notes.impulse");
+    require(std::isfinite(note.approach), "notes.approach", note.approach,
+            "finite");
     check_size(note.loss, "notes.loss");
     before = note.time;
     if (can_be_noted(note, c)) continue;
@@ -189,6 +192,9 @@ void check_memory(const Recorder::Memory& memory, const Case& c,
   for (const int mode : memory.modes) check_mode(mode, "modes");
   for (const BodyRecord& body : memory.bodies) check_body(body, past);
   for (const PairRecord& pair : memory.pairs) check_pair(pair, past);
+  for (const TipOffRecord& tip_off : memory.tip_offs) {
+    past.check_or_never(tip_off.time, "tip_offs.time");
+  }
   for (std::size_t i = 0; i < memory.forces.size(); ++i) {
     check_force(memory.forces[i], *c.forces[i].law, past);
   }

@@ -45,13 +45,16 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(BodyRecord, peak_reaction,
                                    largest_impulse, stop_loss, rest_on_stop,
                                    on_stop, peak_latch, peak_latch_time,
                                    latch_impulse, latch_loss, joints, release)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(TipOffRecord, time, rates, velocity,
+                                   attitude, across, mass)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Note, time, body, what, rate, impulse, loss,
+                                   approach)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(PairRecord, smallest, time, overlap_from,
                                    overlap_to)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(ForceRecord, on, acted, fault, fault_time)
 // Without rows and notes, which have a separate file.
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Recorder::Memory, bodies, pairs, forces,
-                                   modes, last_time, first_balance,
+                                   tip_offs, modes, last_time, first_balance,
                                    largest_drift, largest_energy, begun)
 
 /// CBOR between the format's name and a check sum. The name occurs twice, as

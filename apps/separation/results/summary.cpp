@@ -55,6 +55,7 @@ ordered_json note_json(const Note& note) {
   ordered_json j = {
       {"time_s", note.time}, {"body", note.body}, {"what", note.what}};
   if (note.rate != 0) j["rate_deg_per_s"] = note.rate / contact::degree;
+  if (note.approach != 0) j["approach_m_per_s"] = note.approach;
   if (note.impulse == 0) return j;
   j["impulse_N_m_s"] = note.impulse;
   j["energy_J"] = note.loss;
@@ -93,10 +94,12 @@ ordered_json clearance_json(const Case& c, const Outcome& outcome) {
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const PairRecord& pair = outcome.memory.pairs[i];
     if (pair.smallest == History::not_yet) continue;
-    ordered_json j = {{"a", c.rigid_body(c.clearance[i].a).name},
-                      {"b", c.rigid_body(c.clearance[i].b).name},
-                      {"smallest_m", pair.smallest},
-                      {"time_s", pair.time}};
+    ordered_json j;
+    if (!c.clearance[i].name.empty()) j["name"] = c.clearance[i].name;
+    j["a"] = c.rigid_body(c.clearance[i].a).name;
+    j["b"] = c.rigid_body(c.clearance[i].b).name;
+    j["smallest_m"] = pair.smallest;
+    j["time_s"] = pair.time;
     if (pair.overlap_from != History::not_yet) {
       j["overlap_s"] = {pair.overlap_from, pair.overlap_to};
     }
@@ -139,6 +142,15 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
   j["bodies"] = ordered_json::array();
   for (std::size_t i = 0; i < c.bodies.size(); ++i) {
     j["bodies"].push_back(body_json(c, outcome, static_cast<int>(i)));
+  }
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    const auto& [body, event, direction] = c.tip_offs[i];
+    const TipOffRecord& record = memory.tip_offs[i];
+    if (record.time == History::not_yet) continue;
+    ordered_json of = {{"body", c.rigid_body(body).name},
+                       {"at", event < 0 ? "end" : c.events[event].name}};
+    add(tip_off_quantities(), record, of);
+    j["tip_off"].push_back(std::move(of));
   }
   j["clearance"] = clearance_json(c, outcome);
   // A given motion of the carrier does work that no book shows.

@@ -31,7 +31,7 @@ double History::release_of(int body, const Case& c) const {
 }
 
 CaseForces::CaseForces(const Case& c, const History& history)
-    : case_(c), stops_(c, history) {
+    : case_(c), stops_(c, history), flow_(c, history) {
   for (std::size_t i = 0; i < c.forces.size(); ++i) {
     const Force& force = c.forces[i];
     if (history.spent[i]) continue;
@@ -41,7 +41,7 @@ CaseForces::CaseForces(const Case& c, const History& history)
     const double end = time_of(force.end);
     const double off = force.law->ends_with_hinge()
                            ? history.release_of(force.body, c)
-                           : History::not_yet;
+                           : flow_.empty_at(static_cast<int>(i));
     const Active active{&force, time_of(force.begin), std::min(end, off),
                         time_of(force.law->own_clock())};
     if (std::isinf(active.begin)) continue;
@@ -49,6 +49,12 @@ CaseForces::CaseForces(const Case& c, const History& history)
     breaks_.insert(breaks_.end(), {active.begin, active.end, active.own});
     force.law->add_breaks(active.begin, breaks_);
   }
+  const auto add_window = [&](const WatchedPair& pair) {
+    if (pair.is_plain()) return;
+    breaks_.push_back(history.time_of(pair.begin, pair, c));
+    breaks_.push_back(history.time_of(pair.end, pair, c));
+  };
+  std::ranges::for_each(c.clearance, add_window);
   std::sort(breaks_.begin(), breaks_.end());
 }
 
@@ -64,6 +70,7 @@ void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
     active.force->law->add(instant(active, time, bodies), forces);
   }
   stops_.add_forces(bodies, forces);
+  flow_.add_forces(time, bodies, forces);
 }
 
 void CaseForces::add_kinks(double during, std::span<const BodyMotion> bodies,

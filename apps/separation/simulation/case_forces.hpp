@@ -7,6 +7,7 @@
 #include "multibody/system/force_model.hpp"
 #include "separation/case/case.hpp"
 #include "separation/simulation/compliant_stops.hpp"
+#include "separation/simulation/mass_flow.hpp"
 
 namespace separation {
 
@@ -34,7 +35,16 @@ struct History {
   /// Time of a clock for a body: for an event of other bodies its first time.
   /// not_yet if unknown.
   double time_of(const Clock& clock, int body, const Case& c) const;
-  /// Time at which the hinge of a body (1 +) broke; not_yet.
+  /// When a clock strikes for a pair: WatchedPair::begin.
+  double time_of(const Clock& clock, const WatchedPair& pair,
+                 const Case& c) const {
+    return std::max(time_of(clock, pair.a, c), time_of(clock, pair.b, c));
+  }
+  bool is_on(const WatchedPair& pair, double time, const Case& c) const {
+    return time >= time_of(pair.begin, pair, c) &&
+           time <= time_of(pair.end, pair, c);
+  }
+  /// When the hinge of a body (1 +) broke; not_yet.
   double release_of(int body, const Case& c) const;
 };
 
@@ -49,6 +59,10 @@ class CaseForces final : public multibody::ForceModel {
 
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const override;
+  void add_masses(double time,
+                  std::vector<multibody::BodyMass>& to) const override {
+    flow_.add_masses(time, to);
+  }
   double next_break(double time) const override;
   void add_kinks(double during, std::span<const multibody::BodyMotion> bodies,
                  std::vector<multibody::KinkedVariable>& to) const override;
@@ -60,7 +74,8 @@ class CaseForces final : public multibody::ForceModel {
   /// Energy stored by forces, J.
   double stored_energy(double time,
                        std::span<const multibody::BodyMotion> bodies) const;
-  /// As in CompliantStops.
+  const MassFlow& flow() const { return flow_; }
+  /// As CompliantStops has it.
   double stop_moment(int body,
                      std::span<const multibody::BodyMotion> bodies) const {
     return stops_.moment(body, bodies);
@@ -80,6 +95,7 @@ class CaseForces final : public multibody::ForceModel {
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing
   CompliantStops stops_;
+  MassFlow flow_;
 };
 
 }  // namespace separation

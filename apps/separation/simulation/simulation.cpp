@@ -71,6 +71,8 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
       forces_(std::make_shared<CaseForces>(c, history_)),
       motion_(system_of(c), friction_of(c, friction), forces_, start_of(c),
               options_of(c)) {
+  check_propellant(c);
+  if (c.has_touches()) touches_.emplace(c);
   add_events();
   add_stops();
   if (end_pushes()) renew_forces();
@@ -104,6 +106,10 @@ void Simulation::add_events() {
     }
     for (const int body : event.bodies) {
       const Happening h{e, body};
+      if (event.trigger == Event::Trigger::distance) {
+        add_touch(h);
+        continue;
+      }
       if (event.trigger == Event::Trigger::angle && event.value < angle(body)) {
         sense_[e][body] = -1;
       }
@@ -145,6 +151,43 @@ void Simulation::add_events() {
          multibody::MotionEvent::Crossing::rising});
     meanings_.push_back({{-1, -1}, f});
   }
+}
+
+void Simulation::add_touch(const Happening& h) {
+  // Nearest points are known to 1e-8 m (nearest.hpp).
+  constexpr double negligible = 1e-8;
+  motion_.add_event({[this, h](const MotionSample& sample) {
+                       if (has_happened(h)) return -1.0;
+                       return is_armed(h)
+                                  ? touches_->condition(h.event, h.body,
+                                                        history_, sample)
+                                  : 1.0;
+                     },
+                     multibody::MotionEvent::Crossing::rising,
+                     [this, h](const MotionSample& sample) {
+                       return has_happened(h) || !is_armed(h)
+                                  ? 0.0
+                                  : touches_->speed(h.event, h.body, sample);
+                     },
+                     negligible});
+  meanings_.push_back({h});
+}
+
+double Simulation::approach(const Happening& h) const {
+  if (case_.events[h.event].pairs.empty()) return 0;
+  return touches_->approach(h.event, h.body, history_, motion_);
+}
+
+bool Simulation::is_over() const {
+  for (std::size_t e = 0; e < case_.events.size(); ++e) {
+    if (case_.events[e].action == Event::Action::end_run &&
+        std::ranges::any_of(history_.events[e], [](double time) {
+          return time != History::not_yet;
+        })) {
+      return true;
+    }
+  }
+  return false;
 }
 
 // Every touch of a compliant stop becomes a function of the motion.
@@ -246,8 +289,10 @@ void Simulation::find_due() {
       if (has_happened(h) || !is_armed(h)) continue;
       const bool timed = event.trigger == Event::Trigger::time ||
                          event.trigger == Event::Trigger::after;
-      // A latch catches what passes its angle, not what is beyond it.
+      // A latch catches what passes its angle, not what is beyond it, and what
+      // is near already does not come near.
       const auto is_met = [&] {
+        if (event.trigger == Event::Trigger::distance) return false;
         return event.action == Event::Action::latch
                    ? is_at_latch(sample(), h) && engages(h)
                    : condition(sample(), h) >= 0;
@@ -418,6 +463,9 @@ bool Simulation::perform(const Happening& h, multibody::MotionChange& breaks) {
       return true;
     case Event::Action::open_latch:
       if (mode == HingeMode::latched) breaks.unlocked.push_back(h.body);
+      return true;
+    case Event::Action::end_run:
+    case Event::Action::none:
       return true;
     case Event::Action::break_hinge:
       break;

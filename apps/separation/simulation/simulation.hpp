@@ -12,6 +12,7 @@
 #include "multibody/motion/motion.hpp"
 #include "separation/case/case.hpp"
 #include "separation/simulation/case_forces.hpp"
+#include "separation/simulation/touches.hpp"
 
 namespace separation {
 
@@ -67,8 +68,11 @@ class Simulation {
     return forces_->stored_energy(time(), sample().motions());
   }
 
-  /// Moment of a stop on a body, beyond the moment held by friction, and moment
-  /// of a latch (on an axis about it), N m.
+  /// Masses now, and what becomes of them.
+  const MassFlow& flow() const { return forces_->flow(); }
+
+  /// Moment by which a stop pushes a body, as far as friction does not have to,
+  /// and by which a latch holds one (on an axis about it), N m.
   /// @param of  the sample's hinge of the body
   double stop_moment(const multibody::MotionSample& sample,
                      const multibody::HingeSample& of, int body) const;
@@ -102,6 +106,11 @@ class Simulation {
   bool apply();
   /// Whether a due latch engages: not if the hinge turns too fast.
   bool engages(const Happening& h) const;
+  /// How fast bodies approach each other whose event is due, m/s; 0: it is not
+  /// about distances.
+  double approach(const Happening& h) const;
+  /// An event has ended the run.
+  bool is_over() const;
   const std::string& message() const { return message_; }
 
   /// Angle of a body's hinge, also after its release: hinge_angle(). NaN
@@ -116,6 +125,7 @@ class Simulation {
 
  private:
   void add_events();
+  void add_touch(const Happening& h);
   bool is_due(const Happening& h) const;
   bool is_armed(const Happening& h) const;
   bool has_happened(const Happening& h) const;
@@ -138,6 +148,7 @@ class Simulation {
 
   const Case& case_;
   History history_;
+  std::optional<Touches> touches_;
   std::shared_ptr<const CaseForces> forces_;
   multibody::Motion motion_;
   /// +1: an angle event of a body waits for larger angles; [event][body].

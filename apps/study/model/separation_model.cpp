@@ -118,18 +118,32 @@ void add_events(const Case& c, const separation::Outcome& outcome,
 
 void add_clearance(const Case& c, const separation::Outcome& outcome,
                    std::map<std::string, double>& to) {
-  double smallest = separation::History::not_yet;
+  // Of all, and of those with a name.
+  std::map<std::string, double> smallest;
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const separation::PairRecord& pair = outcome.memory.pairs[i];
     if (pair.smallest == separation::History::not_yet) continue;
     const std::string name = clearance_column(c, c.clearance[i]) + ".";
     to.emplace(name + "smallest_m", pair.smallest);
     to.emplace(name + "time_s", pair.time);
-    smallest = std::min(smallest, pair.smallest);
+    for (const std::string& of : {std::string(), c.clearance[i].name}) {
+      const std::string all =
+          of.empty() ? "clearance" : "clearance." + column_name(of);
+      const auto found = smallest.emplace(all, pair.smallest).first;
+      found->second = std::min(found->second, pair.smallest);
+    }
   }
-  if (smallest != separation::History::not_yet) {
-    to.emplace("clearance.smallest_m", smallest);
+  for (const auto& [all, distance] : smallest) {
+    to.emplace(all + ".smallest_m", distance);
   }
+}
+
+// NAME.at[EVENT] or NAME.at_end.
+std::string tip_off_name(const Case& c, const separation::TipOff& of) {
+  const std::string name = column_name(c.rigid_body(of.body).name);
+  return of.event < 0 ? name + ".at_end"
+                      : fmt::format("{}.at[{}]", name,
+                                    column_name(c.events[of.event].name));
 }
 
 std::vector<Unreached> unreached(const Case& c,
@@ -143,6 +157,23 @@ std::vector<Unreached> unreached(const Case& c,
     }
     result.push_back({column_name(name) + ".at_release.",
                       fmt::format("{} is not released", name)});
+  }
+  for (std::size_t i = 0; i < c.clearance.size(); ++i) {
+    const separation::WatchedPair& pair = c.clearance[i];
+    if (pair.is_plain() ||
+        outcome.memory.pairs[i].smallest != separation::History::not_yet) {
+      continue;
+    }
+    result.push_back({clearance_column(c, pair) + ".",
+                      "the times at which it is watched do not come"});
+  }
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    if (outcome.memory.tip_offs[i].time != separation::History::not_yet) {
+      continue;
+    }
+    result.push_back({tip_off_name(c, c.tip_offs[i]) + ".",
+                      fmt::format("event \"{}\" does not occur",
+                                  c.events[c.tip_offs[i].event].name)});
   }
   for (const auto& [event, bodies] : separation::missed_events(c, outcome)) {
     for (const std::string& body : bodies) {
@@ -186,6 +217,11 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome,
   }
   add_events(c, outcome, numbers);
   add_clearance(c, outcome, numbers);
+  for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
+    if (memory.tip_offs[i].time == separation::History::not_yet) continue;
+    add(separation::tip_off_quantities(), memory.tip_offs[i],
+        tip_off_name(c, c.tip_offs[i]), numbers);
+  }
   return numbers;
 }
 

@@ -15,6 +15,7 @@ std::string events_csv(const Case& c, const Outcome& outcome,
     columns.insert(columns.end(),
                    {"rate_deg_per_s", "impulse_N_m_s", "energy_J"});
   }
+  if (c.has_touches()) columns.push_back("approach_m_per_s");
   const cli::Table table(std::move(style), columns);
   cli::Text rows;
   cli::RowWriter row(table, rows);
@@ -27,6 +28,9 @@ std::string events_csv(const Case& c, const Outcome& outcome,
       row.number(note.rate != 0 ? note.rate / contact::degree : NAN);
       row.number(jumps ? note.impulse : NAN);
       row.number(jumps ? note.loss : NAN);
+    }
+    if (c.has_touches()) {
+      row.number(note.approach != 0 ? note.approach : NAN);
     }
     row.end();
   }

@@ -93,10 +93,12 @@ cli::LinePlot reactions(const Case& c, const Rows& rows) {
 cli::LinePlot clearances(const Case& c, const Rows& rows) {
   cli::LinePlot plot = plot_of(c, {"clearance", "m"});
   for (const Case::Pair& pair : c.clearance) {
-    const auto& [a, b] = pair;
-    plot.curves.push_back(curve(
-        rows, fmt::format("{}, {}", c.rigid_body(a).name, c.rigid_body(b).name),
-        clearance_column(c, pair) + "_m"));
+    const std::string name = pair.name.empty() ? "" : pair.name + ": ";
+    plot.curves.push_back(
+        curve(rows,
+              fmt::format("{}{}, {}", name, c.rigid_body(pair.a).name,
+                          c.rigid_body(pair.b).name),
+              clearance_column(c, pair) + "_m"));
   }
   // Bodies that drift far apart do not hide how near they were.
   plot.y.logarithmic = cli::is_wide(plot.curves);

@@ -155,15 +155,20 @@ std::string nearest_points(const Case& c, const Take& take) {
     }
     std::size_t nearest = 0;
     for (std::size_t i = 1; i < columns.size(); ++i) {
-      if (take.rows->at(row, columns[i]) < take.rows->at(row, columns[nearest]))
+      const double least = take.rows->at(row, columns[nearest]);
+      if (std::isnan(least) || take.rows->at(row, columns[i]) < least) {
         nearest = i;
+      }
     }
+    // Outside of its times a clearance is not watched.
+    const bool known = !std::isnan(take.rows->at(row, columns[nearest]));
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const Pose pose = paths[i].pose(static_cast<double>(place));
       bodies[i].position = pose.position;
       bodies[i].rotation = pose.rotation.toRotationMatrix();
     }
-    const auto points = clearance.nearest_points(bodies, nearest);
+    const auto points =
+        known ? clearance.nearest_points(bodies, nearest) : std::nullopt;
     const Clearance::Pair& pair = clearance.pairs()[nearest];
     result.push_back(points ? static_cast<float>(nearest) : -1);
     for (const bool first : {true, false}) {
@@ -221,7 +226,7 @@ std::string page_data(const Replay& replay, int every) {
   for (const Force& force : c.forces)
     j["forces"].push_back(force_json(c, force));
   j["pairs"] = ordered_json::array();
-  for (const auto& [a, b] : c.clearance) j["pairs"].push_back({a, b});
+  for (const WatchedPair& p : c.clearance) j["pairs"].push_back({p.a, p.b});
   for (std::size_t i = 0; i < takes.size(); ++i) {
     j["takes"].push_back(take_json(replay.runs[i], takes[i]));
   }

@@ -1,0 +1,191 @@
+#include "separation/simulation/mass_flow.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
+#include "libcontact/base/linear/parts.hpp"
+#include "separation/case/force_law.hpp"
+#include "separation/simulation/case_forces.hpp"
+
+namespace separation {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using multibody::BodyForce;
+using multibody::BodyMass;
+using multibody::BodyMotion;
+
+namespace {
+
+// The first time at which so much has been burned, or not within the run.
+double empty_time(const ForceLaw& law, double begin, double own, double until) {
+  const Propellant& propellant = *law.propellant();
+  const auto is_empty = [&](double time) {
+    return law.burn(time, begin, own).impulse >=
+           propellant.exhaust_speed * propellant.mass;
+  };
+  if (!(begin < until)) return History::not_yet;
+  // The same wherever the run ends.
+  double before = begin;
+  double after = begin + 1;
+  while (!is_empty(after)) {
+    if (after > until) return History::not_yet;
+    before = after;
+    after += after - begin;
+  }
+  for (;;) {
+    const double middle = before + (after - before) / 2;
+    if (!(before < middle && middle < after)) return after;
+    (is_empty(middle) ? after : before) = middle;
+  }
+}
+
+// No more than this can be burned, kg.
+double most_burned(const Case& c, const Force& force) {
+  const Propellant& propellant = *force.law->propellant();
+  if (std::isfinite(propellant.mass)) return propellant.mass;
+  const double begin = force.begin.event < 0 ? force.begin.time : 0;
+  const double end = std::min(
+      c.end_time, force.end.event < 0 ? force.end.time : History::not_yet);
+  const Clock& own = force.law->own_clock();
+  return force.law
+             ->burn(std::max(begin, end), begin,
+                    own.event < 0 ? own.time : History::not_yet)
+             .impulse /
+         propellant.exhaust_speed;
+}
+
+}  // namespace
+
+MassFlow::MassFlow(const Case& c, const History& history) : case_(c) {
+  for (int f = 0; f < static_cast<int>(c.forces.size()); ++f) {
+    const Force& force = c.forces[f];
+    const Propellant* burnt = force.law->propellant();
+    if (!burnt) continue;
+    const RigidBody& body = c.rigid_body(force.body);
+    const auto time_of = [&](const Clock& clock) {
+      return history.time_of(clock, force.body, c);
+    };
+    Engine engine{f,
+                  force.body,
+                  force.law.get(),
+                  time_of(force.begin),
+                  time_of(force.end),
+                  time_of(force.law->own_clock())};
+    engine.empty = empty_time(*force.law, engine.begin, engine.own, c.end_time);
+    engine.end = std::min(engine.end, engine.empty);
+    engine.com = -burnt->empty_com.value_or(Vector3d::Zero()) / burnt->mass;
+    engine.inertia = burnt->empty_inertia
+                         ? (body.inertia - *burnt->empty_inertia) / burnt->mass
+                         : Matrix3d(body.inertia / body.mass);
+    engines_.push_back(engine);
+    if (std::ranges::count(bodies_, force.body) == 0) {
+      bodies_.push_back(force.body);
+    }
+  }
+}
+
+double MassFlow::Engine::rate(double time) const {
+  if (!(time >= begin && time < end)) return 0;
+  return law->burn(time, begin, own).thrust / law->propellant()->exhaust_speed;
+}
+
+double MassFlow::Engine::burned(double time) const {
+  if (!(time > begin)) return 0;
+  const Propellant& burnt = *law->propellant();
+  return std::min(
+      burnt.mass,
+      law->burn(std::min(time, end), begin, own).impulse / burnt.exhaust_speed);
+}
+
+double MassFlow::empty_at(int force) const {
+  const auto engine = std::ranges::find(engines_, force, &Engine::force);
+  return engine != engines_.end() && engine->end == engine->empty
+             ? engine->empty
+             : History::not_yet;
+}
+
+BodyMass MassFlow::of(int number, double time) const {
+  const RigidBody& body = case_.rigid_body(number);
+  BodyMass mass{number, body.mass,        Vector3d::Zero(), body.inertia,
+                0,      Vector3d::Zero(), Matrix3d::Zero()};
+  for (const Engine& engine : engines_) {
+    if (engine.body != number) continue;
+    const double burned = engine.burned(time);
+    const double rate = engine.rate(time);
+    mass.mass -= burned;
+    mass.com -= burned * engine.com;
+    mass.inertia -= burned * engine.inertia;
+    mass.mass_rate -= rate;
+    mass.com_rate -= rate * engine.com;
+    mass.inertia_rate -= rate * engine.inertia;
+  }
+  return mass;
+}
+
+void MassFlow::add_masses(double time, std::vector<BodyMass>& to) const {
+  for (const int body : bodies_) to.push_back(of(body, time));
+}
+
+void MassFlow::add_forces(double time, std::span<const BodyMotion> bodies,
+                          std::span<BodyForce> forces) const {
+  for (const int number : bodies_) {
+    const BodyMass mass = of(number, time);
+    const BodyMotion& body = bodies[number];
+    // Body axes.
+    const Vector3d w = body.rotation.transpose() * body.angular_velocity;
+    Vector3d flow = mass.mass * mass.com_rate;
+    Vector3d moment = -mass.inertia_rate * w;
+    for (const Engine& engine : engines_) {
+      if (engine.body != number) continue;
+      const Vector3d r = engine.law->where(case_, number).point - mass.com;
+      const double q = engine.rate(time);
+      flow += q * r;
+      moment -= q * r.cross(w.cross(r));
+    }
+    forces[number].add_at(body, body.point(mass.com),
+                          body.rotation * (-2 * w.cross(flow)));
+    forces[number].moment += body.rotation * moment;
+  }
+}
+
+void check_propellant(const Case& c) {
+  const auto count = static_cast<int>(c.bodies.size());
+  for (int number = 0; number <= count; ++number) {
+    const RigidBody& body = c.rigid_body(number);
+    double mass = body.mass;
+    Matrix3d inertia = body.inertia;
+    for (const Force& force : c.forces) {
+      const Propellant* burnt = force.law->propellant();
+      if (force.body != number || !burnt) continue;
+      const double burned = most_burned(c, force);
+      mass -= burned;
+      inertia -= burnt->empty_inertia
+                     ? Matrix3d(body.inertia - *burnt->empty_inertia)
+                     : Matrix3d(burned / body.mass * body.inertia);
+      const std::string place =
+          fmt::format("force \"{}\" on \"{}\": ", force.name, body.name);
+      if (!(mass > 0)) {
+        throw contact::Error(contact::detail::must_be(
+            place + fmt::format("what may be burned, {:.6g} kg,", burned),
+            fmt::format("less than the mass, {:.6g} kg, with that of the "
+                        "body's other engines",
+                        body.mass)));
+      }
+      const double least = contact::detail::symmetric_parts(inertia).values[0];
+      // Of a body without inertia about an axis, but for rounding.
+      if (!(least >= -1e-9 * body.inertia.norm())) {
+        throw contact::Error(contact::detail::must_be(
+            place + "empty_inertia",
+            "that of the body without this engine's propellant alone: with "
+            "its other engines it falls below 0"));
+      }
+    }
+  }
+}
+
+}  // namespace separation
