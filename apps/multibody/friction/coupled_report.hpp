@@ -55,6 +55,9 @@ struct CoupledReport {
   /// Largest ratio of the changes of M_t(R) to those of M_t between two
   /// iterations; at most kappa = |dM/dR||dR/dM| on one hinge.
   double contraction = 0;
+  /// ok: the moments are not proven to be the only ones; a search from many
+  /// starts, in several hinges at once, found no others.
+  bool others_possible = false;
   int body = -1;  ///< body that failed, -1: none in particular
   /// no_contact: which joint of that body's hinge, what came of its contact,
   /// and the force on it, N.

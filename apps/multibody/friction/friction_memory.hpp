@@ -31,10 +31,9 @@ struct FrictionMemory {
   /// Residual after a step of the loop without tracking over that before.
   double usual_gain = 1;
   int loops = 0;
-  /// Of a deeper tree: Hinges::tree_response(), and the evaluations until it is
-  /// worked out again.
+  /// Of a deeper tree: Hinges::tree_response(), and where the bodies were.
   double tree_response = 0;
-  int response_is_good_for = 0;
+  std::vector<double> response_at = {};
 
   /// The next evaluation starts from this moment, link axes.
   void set_moment(int body, const Eigen::Vector3d& moment) {
@@ -46,7 +45,7 @@ struct FrictionMemory {
     hinges[body].slope.setZero();
     tracked.stop(body);
     usual_gain = 1;
-    response_is_good_for = 0;
+    response_at.clear();
   }
 };
 

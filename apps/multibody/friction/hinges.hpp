@@ -113,11 +113,12 @@ class Hinges {
   double uncertain_moment() const;
   double kappa(int body);
   /// Of a deeper tree: a bound of the spectral radius of K, with
-  /// K_ij = |dM_i/dR_i||dR_i/dM_j|. Below 1 the moments are the only ones.
-  /// Allocates.
+  /// K_ij = |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the
+  /// moments are the only ones. Allocates.
   double tree_kappa();
-  /// Largest row sum of |dR_i/dM_j|, 1/m.
-  double tree_response() { return responses().rowwise().sum().maxCoeff(); }
+  /// Largest row sum of |dR_i/dM_j|, 1/m, worked out again where the bodies
+  /// have moved notably.
+  double tree_response();
   /// Of a deeper tree: the steps of Newton's method over all hinges at once,
   /// as changes about to be made. After solve().
   void set_tree_steps();
@@ -136,7 +137,8 @@ class Hinges {
     Eigen::Matrix3d acceleration, force, moment;
   };
   Response response(int body);
-  Eigen::MatrixXd responses();
+  Eigen::MatrixXd responses(Vec3<double> Reaction<double>::*part);
+  double chord(int body, Vec3<double> Reaction<double>::*part);
   /// Those of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;
