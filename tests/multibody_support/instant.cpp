@@ -89,27 +89,26 @@ BodyResult body_result(const BodyInstant& body, const Link& link,
 void accelerate_outward(const Instant& instant, const System& system,
                         InstantResult& result) {
   std::vector<Vector3d> velocities(instant.bodies.size());
-  const auto at = [](const Vector3d& acceleration, const Vector3d& angular,
-                     const Vector3d& w, const Vector3d& place) {
-    return Vector3d(acceleration + angular.cross(place) +
-                    w.cross(w.cross(place)));
+  struct Motion {
+    Vector3d acceleration, angular, w;
+    Vector3d at(const Vector3d& place) const {
+      return acceleration + angular.cross(place) + w.cross(w.cross(place));
+    }
   };
   for (const int i : system.order()) {
     const BodyInstant& body = instant.bodies[i];
     const int parent = body.body.parent;
     const Matrix3d to_body = relative_rotation(body).transpose();
-    const Vector3d& w =
-        parent < 0 ? instant.angular_velocity : velocities[parent];
-    const Vector3d hinge =
-        parent < 0 ? at(result.acceleration, result.angular_acceleration, w,
-                        body.body.hinge_from_carrier_com)
-                   : at(result.bodies[parent].acceleration,
-                        result.bodies[parent].angular_acceleration, w,
-                        body.body.hinge_from_carrier_com);
-    velocities[i] = to_body * w + relative_velocity(body);
-    result.bodies[i].acceleration =
-        at(to_body * hinge, result.bodies[i].angular_acceleration,
-           velocities[i], -body.body.hinge_from_com);
+    const Motion up =
+        parent < 0 ? Motion{result.acceleration, result.angular_acceleration,
+                            instant.angular_velocity}
+                   : Motion{result.bodies[parent].acceleration,
+                            result.bodies[parent].angular_acceleration,
+                            velocities[parent]};
+    velocities[i] = to_body * up.w + relative_velocity(body);
+    const Motion own{to_body * up.at(body.body.hinge_from_carrier_com),
+                     result.bodies[i].angular_acceleration, velocities[i]};
+    result.bodies[i].acceleration = own.at(-body.body.hinge_from_com);
   }
 }
 

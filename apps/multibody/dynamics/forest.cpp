@@ -25,8 +25,7 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 using Pivoted = Eigen::PartialPivLU<Matrix6>;
 
-Padded padded(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
-Vector3d vector(const Padded& v) { return {v.x, v.y, v.z}; }
+Vector3d vector(const Padded& v) { return vec3(vec3(v)); }
 Matrix3d matrix(const PaddedMatrix& m) {
   Matrix3d to;
   to << vector(m.x), vector(m.y), vector(m.z);
@@ -74,18 +73,18 @@ CarrierSolver<double> symmetric(const ForestPart& p) {
 
 void accelerate(const CarrierSolver<double>& solver, ForestPart& root) {
   const Vec3<double> none{0, 0, 0};
-  const auto [linear, angular] = solver.solve(
-      {none - vec3(vector(root.force)), none - vec3(vector(root.moment))});
-  root.linear = {linear.x, linear.y, linear.z};
-  root.angular = {angular.x, angular.y, angular.z};
+  const auto [linear, angular] =
+      solver.solve({none - vec3(root.force), none - vec3(root.moment)});
+  root.linear = padded(linear);
+  root.angular = padded(angular);
 }
 
 void accelerate(const Pivoted& solver, ForestPart& root) {
   Vector6 load;
   load << vector(root.force), vector(root.moment);
   const Vector6 acceleration = -solver.solve(load);
-  root.linear = padded(acceleration.head<3>());
-  root.angular = padded(acceleration.tail<3>());
+  root.linear = padded(vec3(Vector3d(acceleration.head<3>())));
+  root.angular = padded(vec3(Vector3d(acceleration.tail<3>())));
 }
 
 [[noreturn]] void refuse_body(std::size_t i, const std::string& what) {
@@ -166,8 +165,8 @@ void Forest::respond(const std::vector<ForestState>& state,
     if (bodies_[i].parent >= 0) continue;
     ForestPart& root = work.parts_[i];
     if (bodies_[i].fixed) {
-      root.linear = padded(vec3(state[i].acceleration));
-      root.angular = padded(vec3(state[i].angular_acceleration));
+      root.linear = padded(state[i].acceleration);
+      root.angular = padded(state[i].angular_acceleration);
     } else {
       std::visit([&](const auto& solver) { accelerate(solver, root); },
                  work.roots_[i]);
@@ -211,7 +210,7 @@ ForestMotion ForestWork::motion(int body) const {
   const Vector3d linear =
       vector(p.linear) - vector(p.angular).cross(r) - w.cross(w.cross(r));
   const auto in_own = [&](const Padded& v) { return vec3(own(body, v)); };
-  return {in_own(padded(linear)), in_own(p.angular), in_own(p.turn),
+  return {in_own(padded(vec3(linear))), in_own(p.angular), in_own(p.turn),
           in_own(p.reaction), in_own(p.reaction_moment)};
 }
 

@@ -85,11 +85,7 @@ class ForestWork {
                             Eigen::PartialPivLU<Eigen::Matrix<double, 6, 6>>>;
   // From the axes of the root.
   Vec3<double> own(int body, const detail::Padded& v) const {
-    const auto along = [&](const detail::Padded& axis) {
-      return axis.x * v.x + axis.y * v.y + axis.z * v.z;
-    };
-    const detail::PaddedMatrix& axes = parts_[body].rotation;
-    return {along(axes.x), along(axes.y), along(axes.z)};
+    return transposed_times(mat3(parts_[body].rotation), vec3(v));
   }
 
   std::vector<detail::ForestPart> parts_;

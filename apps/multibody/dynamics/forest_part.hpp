@@ -80,4 +80,15 @@ struct alignas(32) ForestPart {
 };
 
 }  // namespace detail
+
+[[gnu::always_inline]] inline detail::Padded padded(const Vec3<double>& v) {
+  return {v.x, v.y, v.z};
+}
+[[gnu::always_inline]] inline Vec3<double> vec3(const detail::Padded& v) {
+  return {v.x, v.y, v.z};
+}
+[[gnu::always_inline]] inline Mat3<double> mat3(const detail::PaddedMatrix& m) {
+  return {vec3(m.x), vec3(m.y), vec3(m.z)};
+}
+
 }  // namespace multibody

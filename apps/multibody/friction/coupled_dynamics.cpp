@@ -20,16 +20,10 @@ namespace {
 // near 1.
 constexpr double near_one = 0.5;
 
-// In a deeper tree kappa < 1 of each hinge proves nothing: |dM_i/dR_i| times
-// |dR_i/dM_j| as a matrix does.
+// In a deeper tree kappa < 1 of each hinge proves nothing: chords of M_i over
+// R_i times |dR_i/dM_j| as a matrix do. |M|/R is a chord too; others are a
+// third steeper at most (M = rho f N S, S grows from 1 to 1.31).
 bool is_unique_in_tree(Hinges& at) {
-  FrictionMemory& memory = at.memory();
-  if (memory.response_is_good_for-- <= 0) {
-    // Less than a turn, with steps of the usual length.
-    constexpr int evaluations = 64;
-    memory.response_is_good_for = evaluations;
-    memory.tree_response = at.tree_response();
-  }
   double most = 0;
   for (const int i : at.active()) {
     const Vec3<double>& force = at.reaction(i).force;
@@ -37,8 +31,7 @@ bool is_unique_in_tree(Hinges& at) {
     // NaN: neither force nor moment.
     if (!(share <= most) && !std::isnan(share)) most = share;
   }
-  return std::sqrt(most) * memory.tree_response < near_one ||
-         at.tree_kappa() < 1;
+  return std::sqrt(most) * at.tree_response() < near_one || at.tree_kappa() < 1;
 }
 
 // Whether the moments found can be the only ones: kappa < 1.

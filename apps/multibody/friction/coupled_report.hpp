@@ -57,6 +57,9 @@ struct CoupledReport {
   /// Largest ratio of the changes of M_t(R) to the changes of M_t between two
   /// iterations; at most kappa = |dM/dR||dR/dM| for one hinge.
   double contraction = 0;
+  /// ok: the moments are not proven to be the only ones; a search from many
+  /// starts, in several hinges at once, found no others.
+  bool others_possible = false;
   int body = -1;  ///< body that failed, -1: none in particular
   /// no_contact: the joint of that body's hinge, the status of its contact, and
   /// its force, N.

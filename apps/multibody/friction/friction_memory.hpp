@@ -32,10 +32,9 @@ struct FrictionMemory {
   /// before.
   double usual_gain = 1;
   int loops = 0;
-  /// For a deeper tree: Hinges::tree_response(), and the number of evaluations
-  /// until it is computed again.
+  /// Of a deeper tree: Hinges::tree_response(), and where the bodies were.
   double tree_response = 0;
-  int response_is_good_for = 0;
+  std::vector<double> response_at = {};
 
   /// The next evaluation starts from this moment, link axes.
   void set_moment(int body, const Eigen::Vector3d& moment) {
@@ -47,7 +46,7 @@ struct FrictionMemory {
     hinges[body].slope.setZero();
     tracked.stop(body);
     usual_gain = 1;
-    response_is_good_for = 0;
+    response_at.clear();
   }
 };
 

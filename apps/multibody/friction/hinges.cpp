@@ -334,12 +334,12 @@ void Hinges::set_tree_steps() {
   }
 }
 
-// |dR_i/dM_j| of the active hinges.
-Eigen::MatrixXd Hinges::responses() {
+// |dR_i/dM_j| of the active hinges, R_i their forces or moments.
+Eigen::MatrixXd Hinges::responses(Vec3<double> Reaction<double>::*part) {
   const std::vector<int>& all = active();
   Eigen::MatrixXd squares = Eigen::MatrixXd::Zero(all.size(), all.size());
   std::vector<Vector3d> before;
-  for (const int i : all) before.push_back(vec3(reaction(i).force));
+  for (const int i : all) before.push_back(vec3(reaction(i).*part));
   std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
   for (std::size_t j = 0; j < all.size(); ++j) {
     const int moved = all[j];
@@ -350,7 +350,7 @@ Eigen::MatrixXd Hinges::responses() {
       apply_changes();
       for (std::size_t i = 0; i < all.size(); ++i) {
         squares(i, j) +=
-            (vec3(reaction(all[i]).force) - before[i]).squaredNorm() /
+            (vec3(reaction(all[i]).*part) - before[i]).squaredNorm() /
             (size * size);
       }
       change(moved) = vec3(Vector3d(-by));
@@ -361,14 +361,91 @@ Eigen::MatrixXd Hinges::responses() {
   return squares.cwiseSqrt();
 }
 
-// By Collatz and Wielandt: the largest (K x)_i/x_i of any x > 0.
+// R(M) depends on places alone.
+double Hinges::tree_response() {
+  constexpr double near = 0.02;  // rad; of a ball twice that, by quaternions
+  std::vector<double>& known = memory_.response_at;
+  known.resize(1 + 4 * hinges_.size(), std::numeric_limits<double>::infinity());
+  bool is_near = known[0] == is_prescribed();
+  known[0] = is_prescribed();
+  for (int pass = 0; pass < (is_near ? 1 : 2); ++pass) {
+    for (int i = 0; i < size(); ++i) {
+      if (hinges_[i].mode == HingeMode::released) continue;
+      const double* s = at_.state.data() + at_.dynamics.layout().offset(i);
+      for (int k = 0; k < (hinges_[i].is_axis ? 1 : 4); ++k) {
+        double& last = known[1 + 4 * i + k];
+        is_near = is_near && std::abs(s[k] - last) <= near;
+        if (!is_near) last = s[k];
+      }
+    }
+  }
+  if (!is_near) {
+    memory_.tree_response =
+        responses(&Reaction<double>::force).rowwise().sum().maxCoeff();
+  }
+  return memory_.tree_response;
+}
+
+// Largest of the slopes and of |F(X') - F(X)|/|X' - X| over many X', one of
+// the parts of the reaction in the place of the present X.
+double Hinges::chord(int body, Vec3<double> Reaction<double>::*part) {
+  const Hinge& hinge = hinges_[body];
+  const auto [by_force, by_held] = slopes(body);
+  const bool is_force = part == &Reaction<double>::force;
+  // Moments count in groups alone.
+  const bool is_group = !by_held.isZero(0);
+  if (!is_force && !is_group) return 0;
+  double steepest = (is_force ? by_force : by_held).norm();
+  Reaction<double> at = reaction(body);
+  const auto solved = [&] {
+    return hinge.solver.slide(at, now(body).rate, memory(body).solver);
+  };
+  const Vector3d middle = solved();
+  const Vector3d here = vec3(at.*part);
+  const Vector3d axial(0, 0, hinge.is_axis ? here.z() : 0);
+  const double size = (here - axial).norm() > 0 ? (here - axial).norm() : 1;
+  // A pin's chord is steepest where only the size differs.
+  const bool is_pin = hinge.is_axis && !is_group;
+  const int around = is_pin ? 0 : 1;
+  const int per_decade = is_pin ? 4 : 1;
+  constexpr int decades = 6;
+  const auto look = [&](const Vector3d& way) {
+    for (int k = -decades * per_decade; k <= decades * per_decade; ++k) {
+      at.*part = vec3(
+          Vector3d(axial + size * std::pow(10, double(k) / per_decade) * way));
+      const double by = (vec3(at.*part) - here).norm();
+      if (by < 1e-3 * size) continue;
+      const double slope = (solved() - middle).norm() / by;
+      if (slope > steepest) steepest = slope;  // no NaN: no contact there
+    }
+  };
+  if (here != axial) look((here - axial) / size);
+  for (int x = -around; x <= around; ++x) {
+    for (int y = -around; y <= around; ++y) {
+      for (int z = -around; z <= around; ++z) {
+        if (x || y || z) look(Vector3d(x, y, z).normalized());
+      }
+    }
+  }
+  at.*part = vec3(here);
+  solved();
+  return steepest;
+}
+
+// Of two solutions |M_i' - M_i| <= c_i |R_i' - R_i| <= sum K_ij |M_j' - M_j|,
+// with c_i the steepest chord of friction from the present R_i, which no slope
+// at one of them bounds. So they are one where the spectral radius of K is
+// below 1. By Collatz and Wielandt: it is at most the largest (K x)_i/x_i of
+// any x > 0.
 double Hinges::tree_kappa() {
-  Eigen::MatrixXd k = responses();
+  Eigen::MatrixXd k = responses(&Reaction<double>::force);
+  Eigen::VectorXd by_held(k.rows());
   for (Eigen::Index i = 0; i < k.rows(); ++i) {
-    // A group's share in the held moment is treated as in a star.
-    const auto [by_force, by_held] = slopes(active()[i]);
-    k.row(i) *= by_force.norm();
-    if (!by_held.isZero(0)) k(i, i) = std::max(k(i, i), kappa(active()[i]));
+    k.row(i) *= chord(active()[i], &Reaction<double>::force);
+    by_held[i] = chord(active()[i], &Reaction<double>::moment);
+  }
+  if (!by_held.isZero(0)) {
+    k += by_held.asDiagonal() * responses(&Reaction<double>::moment);
   }
   Eigen::VectorXd x = Eigen::VectorXd::Ones(k.rows());
   double bound = std::numeric_limits<double>::infinity();
@@ -385,11 +462,10 @@ double Hinges::tree_kappa() {
 
 double Hinges::kappa(int body) {
   const Response by_moment = response(body);
-  const auto [by_force, by_held] = slopes(body);
   // Frobenius norms, up to 3 times the largest stretch: the safe side, also
   // where hinges act on each other.
-  return by_force.norm() * by_moment.force.norm() +
-         by_held.norm() * by_moment.moment.norm();
+  return chord(body, &Reaction<double>::force) * by_moment.force.norm() +
+         chord(body, &Reaction<double>::moment) * by_moment.moment.norm();
 }
 
 double Hinges::work_out_utilisation(int body) {

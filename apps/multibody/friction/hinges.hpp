@@ -114,13 +114,15 @@ class Hinges {
   /// friction solved to refined_tolerance, N m.
   double uncertain_moment() const;
   double kappa(int body);
-  /// For a deeper tree: a bound of the spectral radius of K, with K_ij =
-  /// |dM_i/dR_i||dR_i/dM_j|. Below 1 the moments are unique. Allocates.
+  /// Of a deeper tree: a bound of the spectral radius of K, with
+  /// K_ij = |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the
+  /// moments are the only ones. Allocates.
   double tree_kappa();
-  /// Largest row sum of |dR_i/dM_j|, 1/m.
-  double tree_response() { return responses().rowwise().sum().maxCoeff(); }
-  /// For a deeper tree: steps of Newton's method over all hinges at once, as
-  /// pending changes. Call after solve().
+  /// Largest row sum of |dR_i/dM_j|, 1/m, worked out again where the bodies
+  /// have moved notably.
+  double tree_response();
+  /// Of a deeper tree: the steps of Newton's method over all hinges at once,
+  /// as changes about to be made. After solve().
   void set_tree_steps();
 
   /// Effective inertia of a sliding ball joint, and its acceleration without
@@ -137,8 +139,9 @@ class Hinges {
     Eigen::Matrix3d acceleration, force, moment;
   };
   Response response(int body);
-  Eigen::MatrixXd responses();
-  /// Slopes of a hinge's friction over its reaction.
+  Eigen::MatrixXd responses(Vec3<double> Reaction<double>::*part);
+  double chord(int body, Vec3<double> Reaction<double>::*part);
+  /// Those of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;
   };

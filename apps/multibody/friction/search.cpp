@@ -15,6 +15,8 @@ using Eigen::VectorXd;
 
 // Solutions nearer than this are one.
 constexpr double same = 1e-6;
+// Friction moments that fit, as far as they are told from rounding.
+constexpr double tolerance = 1e-10;
 
 void add_new(std::vector<VectorXd>& found, const VectorXd& x) {
   const auto is_same = [&](const VectorXd& y) {
@@ -35,12 +37,15 @@ class Search {
     return x;
   }
 
+  // From the beginning: a change would lose the digits of small moments to
+  // large ones before, and everything to NaN.
   void set_moments(const VectorXd& x) {
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      hinges_.change(active_[k]) = vec3(
-          Vector3d(x.segment<3>(3 * k) - hinges_.memory(active_[k]).moment));
+      hinges_.memory(active_[k]).moment = x.segment<3>(3 * k);
     }
-    hinges_.apply_changes();
+    ++hinges_.evaluation().number;
+    hinges_.memory().tracked.forget_applied();
+    hinges_.start();
   }
 
   // M_t(R(x)) - x
@@ -55,16 +60,43 @@ class Search {
     return f;
   }
 
+  // All moments are looked at.
+  bool is_scan() const {
+    return active_.size() == 1 && hinges_[active_[0]].is_axis;
+  }
   // From where the outer loop left off.
   std::vector<VectorXd> scan(const VectorXd& before) {
-    const bool one_axis = active_.size() == 1 && hinges_[active_[0]].is_axis;
-    return one_axis ? scan_axis() : scan_starts(before);
+    return is_scan() ? scan_axis() : scan_starts(before);
   }
 
  private:
+  bool solve_from(VectorXd& x) {
+    return hinges_.is_tree() ? solve_tree_from(x) : solve_star_from(x);
+  }
+
+  // Newton's method through the tree, whose steps end where slopes say little:
+  // an evaluation for each, however many hinges there are.
+  bool solve_tree_from(VectorXd& x) {
+    constexpr int limit = 60;
+    constexpr double longest = 0.3;
+    for (int step = 0; step < limit; ++step) {
+      const VectorXd f = mismatch(x);
+      if (!f.allFinite()) return false;
+      if (f.norm() <= tolerance * (x.norm() + (f + x).norm())) return true;
+      hinges_.set_tree_steps();
+      VectorXd by(x.size());
+      for (std::size_t k = 0; k < active_.size(); ++k) {
+        by.segment<3>(3 * k) = vec3(hinges_.change(active_[k]));
+      }
+      const double most = longest * std::max(x.norm(), f.norm());
+      x += std::min(1.0, most / by.norm()) * by;
+    }
+    return false;
+  }
+
   // Powell's hybrid method (MINPACK): Newton's alone gets stuck where a
   // friction near its limit turns with the reaction.
-  bool solve_from(VectorXd& x) {
+  bool solve_star_from(VectorXd& x) {
     struct Function {
       Search* search;
       int operator()(const VectorXd& at, VectorXd& f) const {
@@ -78,7 +110,6 @@ class Search {
     solver.parameters.maxfev = 100 * (x.size() + 1);
     solver.solveNumericalDiff(x);
     // Whatever it says of its steps.
-    constexpr double tolerance = 1e-10;
     const VectorXd f = mismatch(x);
     return f.norm() <= tolerance * (x.norm() + (f + x).norm());
   }
@@ -124,6 +155,23 @@ class Search {
     return found;
   }
 
+  // Moments against the sliding, of sizes from 0.1 to 1e6 times those without
+  // friction, which fill the space of their logarithms evenly (Weyl).
+  VectorXd spread(int number, const VectorXd& slid) const {
+    VectorXd x(slid.size());
+    double step = 1;
+    for (std::size_t k = 0; k < active_.size(); ++k) {
+      // Fractions of the square roots of primes, nearly: powers of 1/1.22.
+      step /= 1.2207440846;
+      const double share = std::fmod(number * step, 1);
+      const Vector3d& rate = hinges_.now(active_[k]).rate;
+      x.segment<3>(3 * k) = -rate.normalized() *
+                            slid.lpNorm<Eigen::Infinity>() *
+                            std::pow(10, 7 * share - 1);
+    }
+    return x;
+  }
+
   // Several hinges: from where the outer loop left off, and from moments of
   // many sizes.
   std::vector<VectorXd> scan_starts(const VectorXd& before) {
@@ -132,9 +180,12 @@ class Search {
     const VectorXd slid = mismatch(zero);
     std::vector<VectorXd> starts;
     if (before.allFinite()) starts.push_back(before);
-    for (const double share : {0., 0.3, 1., 3., 10., 30., 100.}) {
+    for (const double share : {0., 0.3, 1., 3., 10., 30., 100., 300., 1e3}) {
       starts.push_back(share * slid);
+      if (before.allFinite()) starts.push_back(share * share * before);
     }
+    constexpr int more = 60;
+    for (int k = 1; k <= more; ++k) starts.push_back(spread(k, slid));
     for (VectorXd& x : starts) {
       if (solve_from(x)) add_new(found, x);
     }
@@ -166,6 +217,7 @@ void search(Hinges& hinges) {
   if (found.size() == 1) {
     search.mismatch(found[0]);
     report.status = CoupledStatus::ok;
+    report.others_possible = !search.is_scan();
     report.residual = hinges.solve();
     report.body = -1;
     return;

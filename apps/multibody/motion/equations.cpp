@@ -122,6 +122,7 @@ bool Equations::rates_in_step(double time, const double* state, double* to) {
   const CoupledReport& report = here_.friction.report;
   ++evaluations;
   outer_iterations += report.iterations;
+  unproven += report.others_possible;
   if (!found) {
     failed_report = report;
     failed_time = seen;
@@ -143,6 +144,7 @@ CoupledReport Equations::resolve_rest(double time, const double* state,
   const bool found = rates(time, state, memory, here_, unused.data());
   outer_iterations += at.report.iterations;
   if (found) coupled.resolve_rest(state, memory, at, due);
+  unproven += at.report.others_possible;
   if (at.report.status == CoupledStatus::ok) set_held_units();
   return at.report;
 }

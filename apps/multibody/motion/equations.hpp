@@ -96,7 +96,8 @@ class Equations {
   double next_break = std::numeric_limits<double>::infinity();
   long evaluations = 0;  ///< along the motion
   long outer_iterations = 0;
-  CoupledReport failed_report;  ///< last failure
+  long unproven = 0;            // of the friction that evaluations have found
+  CoupledReport failed_report;  ///< the last that failed
   double failed_time = 0;
 
  private:

@@ -515,7 +515,8 @@ const std::vector<HingeImpact>& Motion::impacts() const {
   return hinges_->impacts();
 }
 MotionCounts Motion::counts() const {
-  return {equations_->evaluations, steps_, equations_->outer_iterations};
+  return {equations_->evaluations, steps_, equations_->outer_iterations,
+          equations_->unproven};
 }
 
 }  // namespace multibody

@@ -54,6 +54,7 @@ struct MotionCounts {
   long evaluations = 0;  ///< evaluations of accelerations
   long steps = 0;
   long outer_iterations = 0;
+  long unproven = 0;  ///< evaluations with CoupledReport::others_possible
 };
 
 /// Failure of a motion that cannot continue.

@@ -69,6 +69,15 @@ void add_drift(const Case& c, const Outcome& outcome, Texts& texts) {
       memory.largest_drift, memory.largest_drift / memory.largest_energy));
 }
 
+void add_unproven(const Outcome& outcome, Texts& texts) {
+  const multibody::MotionCounts& counts = outcome.counts;
+  if (counts.unproven == 0) return;
+  texts.push_back(fmt::format(
+      "in {} of {} evaluations friction is so strong that other friction "
+      "moments may fit the reactions as well: a search found none",
+      counts.unproven, counts.evaluations));
+}
+
 // Calls visit(joint, its body's place, its place there) for all joints.
 template <class Visit>
 void for_each_joint(const Case& c, const Visit& visit) {
@@ -163,6 +172,7 @@ std::vector<std::string> run_notes(const Case& c, const Outcome& outcome) {
   }
   add_overlaps(c, outcome, texts);
   add_drift(c, outcome, texts);
+  add_unproven(outcome, texts);
   return texts;
 }
 

@@ -23,7 +23,8 @@ std::vector<std::string> contact_notes(const Case& c,
 std::optional<double> pressure_over_limit(const Case& c,
                                           const Recorder::Memory& memory);
 /// Unintended results of a run: events that did not occur, forces without
-/// effect, contacts beyond the theory, overlaps, a drifting energy.
+/// effect, contacts beyond the theory, overlaps, a drifting energy, friction
+/// that may not be the only one that fits.
 std::vector<std::string> run_notes(const Case& c, const Outcome& outcome);
 
 }  // namespace separation

@@ -160,7 +160,8 @@ ordered_json summary(const Case& c, const Outcome& outcome) {
                                          : ordered_json(memory.largest_drift)}};
   j["counts"] = {{"steps", outcome.counts.steps},
                  {"evaluations", outcome.counts.evaluations},
-                 {"outer_iterations", outcome.counts.outer_iterations}};
+                 {"outer_iterations", outcome.counts.outer_iterations},
+                 {"not_proven_unique", outcome.counts.unproven}};
   name_infinity(j);
   return j;
 }

@@ -16,10 +16,10 @@ struct ForestSteps {
   using M = Columns<V>;
 
   /// Motion of a body from its parent's motion.
-  static CONTACT_INLINE void set_motion(const ForestHinge& hinge,
-                                        const ForestState& state,
-                                        const ForestPart& parent,
-                                        ForestPart& p) {
+  [[gnu::always_inline]] static void set_motion(const ForestHinge& hinge,
+                                                const ForestState& state,
+                                                const ForestPart& parent,
+                                                ForestPart& p) {
     const M up = matrix<V>(parent.rotation);
     const M turn = product(up, state.rotation);
     store(turn, p.rotation);
@@ -39,18 +39,19 @@ struct ForestSteps {
     store(w + relative, p.w);
     store(cross(w, relative), p.angular_bias);
   }
-  static CONTACT_INLINE void set_root(const ForestState& state, ForestPart& p) {
-    const Vec3<double>& w = state.angular_velocity;
+  [[gnu::always_inline]] static void set_root(const ForestState& state,
+                                              ForestPart& p) {
     p.rotation = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     p.r = {};
-    p.w = {w.x, w.y, w.z};
+    p.w = padded(state.angular_velocity);
     // It may have hung on another body before.
     p.turn = p.reaction = p.reaction_moment = {};
   }
 
   /// Equations of the body alone, before its children are added.
-  static CONTACT_INLINE void set_own(const ForestHinge& hinge,
-                                     const ForestState& state, ForestPart& p) {
+  [[gnu::always_inline]] static void set_own(const ForestHinge& hinge,
+                                             const ForestState& state,
+                                             ForestPart& p) {
     const M turn = matrix<V>(p.rotation);
     const V w = vector<V>(p.w);
     const V mass_r = times(turn, hinge.mass_r);
@@ -77,8 +78,8 @@ struct ForestSteps {
   }
 
   /// First step: contribution of the body and its descendants to the parent.
-  static CONTACT_INLINE void eliminate(ForestTurn turn, ForestPart& p,
-                                       ForestPart& parent) {
+  [[gnu::always_inline]] static void eliminate(ForestTurn turn, ForestPart& p,
+                                               ForestPart& parent) {
     const M a = matrix<V>(p.a);
     const M b = matrix<V>(p.b);
     const M d = matrix<V>(p.d);
@@ -102,9 +103,9 @@ struct ForestSteps {
 
   /// First step for the loads. The chain of operations at the parent is short,
   /// because most terms are computed before.
-  static CONTACT_INLINE void gather(const ForestHinge& hinge,
-                                    const ForestState& state, ForestPart& p,
-                                    ForestPart& parent) {
+  [[gnu::always_inline]] static void gather(const ForestHinge& hinge,
+                                            const ForestState& state,
+                                            ForestPart& p, ForestPart& parent) {
     const V force = vector<V>(p.force);
     const V moment = vector<V>(p.moment);
     const V arm = vector<V>(p.from_parent);
@@ -133,8 +134,9 @@ struct ForestSteps {
 
   /// Second step: accelerations from the parent's accelerations, and the
   /// reaction.
-  static CONTACT_INLINE void resolve(ForestTurn turn, const ForestPart& parent,
-                                     ForestPart& p) {
+  [[gnu::always_inline]] static void resolve(ForestTurn turn,
+                                             const ForestPart& parent,
+                                             ForestPart& p) {
     const V up = vector<V>(parent.angular);
     const V linear =
         vector<V>(parent.linear) + cross(up, vector<V>(p.from_parent));
@@ -168,9 +170,10 @@ struct ForestSteps {
   }
 
  private:
-  static CONTACT_INLINE void eliminate_axis(const M& a, const M& b, const M& c,
-                                            const M& d, ForestPart& p,
-                                            ForestPart& parent) {
+  [[gnu::always_inline]] static void eliminate_axis(const M& a, const M& b,
+                                                    const M& c, const M& d,
+                                                    ForestPart& p,
+                                                    ForestPart& parent) {
     const V arm = vector<V>(p.from_parent);
     const V force = times(b, p.axis);
     const V moment = times(d, p.axis);
@@ -206,9 +209,10 @@ struct ForestSteps {
   }
 
   // The columns of a turn vanish, and (c, d) is S (a, b) after it.
-  static CONTACT_INLINE void eliminate_ball(const M& a, const M& b, const M& c,
-                                            const M& d, ForestPart& p,
-                                            ForestPart& parent) {
+  [[gnu::always_inline]] static void eliminate_ball(const M& a, const M& b,
+                                                    const M& c, const M& d,
+                                                    ForestPart& p,
+                                                    ForestPart& parent) {
     const V arm = vector<V>(p.from_parent);
     M law_c = c;
     M law_d = d;
@@ -242,9 +246,9 @@ struct ForestSteps {
     add(moment, parent.d);
   }
 
-  static CONTACT_INLINE void pass(const M& a, const M& b, const M& c,
-                                  const M& d, const ForestPart& p,
-                                  ForestPart& parent) {
+  [[gnu::always_inline]] static void pass(const M& a, const M& b, const M& c,
+                                          const M& d, const ForestPart& p,
+                                          ForestPart& parent) {
     const V arm = vector<V>(p.from_parent);
     const M moved = b - crossed(a, p.from_parent);
     if constexpr (sloped) add(c + crossed(arm, a), parent.c);
@@ -299,16 +303,16 @@ void resolve_forest(const ForestBodies& f) {
   }
 }
 
-CONTACT_INLINE void turn_angle(const double* angle, double* sine,
-                               double* cosine, Vec3<double>) {
+[[gnu::always_inline]] inline void turn_angle(const double* angle, double* sine,
+                                              double* cosine, Vec3<double>) {
   for (int i = 0; i < 4; ++i) {
     sine[i] = std::sin(angle[i]);
     cosine[i] = std::cos(angle[i]);
   }
 }
 template <contact::detail::LaneSet set>
-CONTACT_INLINE void turn_angle(const double* angle, double* sine,
-                               double* cosine, LanesOf<4, set>) {
+[[gnu::always_inline]] inline void turn_angle(const double* angle, double* sine,
+                                              double* cosine, LanesOf<4, set>) {
   const auto [s, c] =
       contact::detail::sine_cosine_of_any(LanesOf<4, set>::load(angle));
   s.store(sine);
