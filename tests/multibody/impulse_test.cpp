@@ -134,7 +134,7 @@ TEST(Impulse, DoesVirtualWorkInItsHingesAlone) {
           {i, equations.is_axis(i) ? Vector3d(0, 0, rate.z()) : rate});
     }
     std::vector<double> after = tree.state();
-    const auto jumps = Impulse(equations).apply(targets, true, after);
+    const auto jumps = Impulse(equations).apply(0, targets, true, after);
     const auto a = tree.motions(tree.state()), b = tree.motions(after);
     double before_energy = 0, loss = 0, size = 0;
     std::vector<Vector3d> linear, angular;

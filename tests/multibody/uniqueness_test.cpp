@@ -18,7 +18,7 @@
 #include "multibody_support/coupled.hpp"
 #include "multibody_support/prepared.hpp"
 
-namespace multibody::test {
+namespace multibody::test::uniqueness_test {
 namespace {
 
 using Eigen::Matrix2d;
@@ -321,4 +321,4 @@ TEST(Uniqueness, TwoPinsInAChain) {
 }
 
 }  // namespace
-}  // namespace multibody::test
+}  // namespace multibody::test::uniqueness_test

@@ -13,7 +13,7 @@
 #include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::mass_flow_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -254,4 +254,4 @@ TEST(MassFlow, RefusesToBurnTheBody) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::mass_flow_test

@@ -11,7 +11,7 @@
 #include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::tip_off_test {
 namespace {
 
 using separation::Case;
@@ -95,4 +95,4 @@ TEST(TipOff, RefusesWhatIsNotThere) {
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::tip_off_test

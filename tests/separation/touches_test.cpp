@@ -12,7 +12,7 @@
 #include "separation/results/saved_state.hpp"
 #include "support/toml_text.hpp"
 
-namespace contact::test {
+namespace contact::test::touches_test {
 namespace {
 
 using separation::Case;
@@ -212,4 +212,4 @@ name = "copies"; [run]; end_time_s = 3; output_step_s = 0.5
 }
 
 }  // namespace
-}  // namespace contact::test
+}  // namespace contact::test::touches_test

@@ -462,10 +462,11 @@ double Hinges::tree_kappa() {
 
 double Hinges::kappa(int body) {
   const Response by_moment = response(body);
+  const auto [by_force, by_held] = slopes(body);
   // Frobenius norms, up to 3 times the largest stretch: the safe side, also
   // where hinges act on each other.
-  return chord(body, &Reaction<double>::force) * by_moment.force.norm() +
-         chord(body, &Reaction<double>::moment) * by_moment.moment.norm();
+  return by_force.norm() * by_moment.force.norm() +
+         by_held.norm() * by_moment.moment.norm();
 }
 
 double Hinges::work_out_utilisation(int body) {

@@ -172,6 +172,18 @@ class Search {
     return x;
   }
 
+  // Newton's method takes little.
+  void add_tree_starts(const VectorXd& before, const VectorXd& slid,
+                       std::vector<VectorXd>& starts) const {
+    if (before.allFinite()) {
+      for (double share = 10; share <= 1e6; share *= 10) {
+        starts.push_back(share * before);
+      }
+    }
+    constexpr int more = 60;
+    for (int k = 1; k <= more; ++k) starts.push_back(spread(k, slid));
+  }
+
   // Several hinges: from where the outer loop left off, and from moments of
   // many sizes.
   std::vector<VectorXd> scan_starts(const VectorXd& before) {
@@ -180,12 +192,10 @@ class Search {
     const VectorXd slid = mismatch(zero);
     std::vector<VectorXd> starts;
     if (before.allFinite()) starts.push_back(before);
-    for (const double share : {0., 0.3, 1., 3., 10., 30., 100., 300., 1e3}) {
+    for (const double share : {0., 0.3, 1., 3., 10., 30., 100.}) {
       starts.push_back(share * slid);
-      if (before.allFinite()) starts.push_back(share * share * before);
     }
-    constexpr int more = 60;
-    for (int k = 1; k <= more; ++k) starts.push_back(spread(k, slid));
+    if (hinges_.is_tree()) add_tree_starts(before, slid, starts);
     for (VectorXd& x : starts) {
       if (solve_from(x)) add_new(found, x);
     }
