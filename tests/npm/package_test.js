@@ -241,7 +241,7 @@ test('it is packed in 1.2 MB, installed, and its example runs', (t) => {
   }
   const check = (name) => spawnSync(process.execPath, [
     fs.realpathSync(compiler), '--strict', '--noEmit', '--module', 'nodenext',
-    '--target', 'es2022', '--lib', 'es2022,dom', '--types', '', name],
+    '--target', 'es2022', '--lib', 'es2022,dom', name],
       {cwd: work, encoding: 'utf8'}).stdout;
   assert.strictEqual(check('user.ts'), '');
   // Every line with a mistake is found, and no other.
