@@ -21,9 +21,10 @@ for file, s in json.load(sys.stdin).items():
     answer["status"] = slip.status.tolist()
     answer["utilisation"] = rest.utilisation.tolist()
     # Steps that begin from nothing, as the first of a simulation.
+    inertia = np.reshape(s["inertia"], (3, 3))
     steps = [
-        joint.step(r, w, f, s["inertia"], axis=axis)
-        for r, w, f in zip(s["reactions"][:20], s["rates"], s["free"])
+        joint.step(r, w, f, inertia, axis=axis)
+        for r, w, f in zip(s["reactions"][:5], s["rates"], s["free"])
     ]
     answer["step_holds"] = [bool(step.holds) for step in steps]
     answer["step_moment"] = [step.moment.tolist() for step in steps]

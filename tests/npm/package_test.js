@@ -91,7 +91,7 @@ test('numbers are the library\'s', {timeout: 600e3}, (t) => {
   const [, python] = /^_Python_EXECUTABLE:INTERNAL=(.*)$/m.exec(
       fs.readFileSync(path.join(build, 'CMakeCache.txt'), 'utf8'));
   const native = JSON.parse(execFileSync(
-      python, [path.join(__dirname, 'native.py')],
+      python, ['-W', 'ignore', path.join(__dirname, 'native.py')],
       {input: JSON.stringify(states), maxBuffer: 1e9,
        env: {...process.env, PYTHONPATH: path.join(build, 'python')}})
       .toString().replace(/\bNaN\b/g, 'null').replace(/-?Infinity/g, '1e999'));
