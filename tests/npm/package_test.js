@@ -222,7 +222,7 @@ test('it is packed in 1.2 MB, installed, and its example runs', (t) => {
   const {size} = fs.statSync(path.join(work, file));
   t.diagnostic(`${file}: ${size} bytes`);
   assert.ok(size <= 1.2e6, `${size} bytes`);
-  fs.writeFileSync(path.join(work, 'package.json'), '{"private": true}');
+  fs.writeFileSync(path.join(work, 'package.json'), '{"private": true, "type": "module"}');
   npm('install', `./${file}`);
   const [, example] = /```js\n(.*?)```/s.exec(
       fs.readFileSync(path.join(folder, 'README.md'), 'utf8'));
