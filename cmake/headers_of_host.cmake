@@ -1,11 +1,13 @@
 # Provides find_package() with the libraries that are headers alone when the
 # compiler is for another machine: those of this one, by links, since its other
 # headers must not come in.
+set(CONTACT_HEADERS_OF_HOST /usr/include CACHE PATH "Where this machine has them")
 set(CONTACT_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${CONTACT_HEADERS})
 foreach(name eigen3/Eigen eigen3/unsupported boost fmt toml++ nlohmann)
   get_filename_component(link ${name} NAME)
-  file(CREATE_LINK /usr/include/${name} ${CONTACT_HEADERS}/${link} SYMBOLIC)
+  file(CREATE_LINK ${CONTACT_HEADERS_OF_HOST}/${name} ${CONTACT_HEADERS}/${link}
+    SYMBOLIC)
 endforeach()
 
 macro(contact_provide method name)

@@ -11,6 +11,12 @@ function(contact_set_kernel_options)
   set_property(SOURCE ${avx512} APPEND PROPERTY
     COMPILE_OPTIONS "-mavx512f;-mavx512dq;-mavx512vl;-mavx512bw;-mavx2;-mfma;-mprefer-vector-width=512;$<$<CXX_COMPILER_ID:GNU>:-Wno-uninitialized;-Wno-maybe-uninitialized>")
   set_property(SOURCE ${avx2} ${avx512} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
+  # g++ aligns the stack of Windows to 16 bytes, and moves vectors as if to 32
+  # (GCC bug 54412).
+  if(MINGW)
+    set_property(SOURCE ${avx2} ${avx512} APPEND PROPERTY
+      COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
+  endif()
   # Guards around each of their thousands of small variables take g++ minutes.
   if(CMAKE_CXX_FLAGS MATCHES "-fsanitize=[a-z,]*address" AND
      CMAKE_CXX_COMPILER_ID STREQUAL "GNU")

@@ -18,6 +18,7 @@ set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(c_package libcontact${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 
+include(cmake/sbom.cmake)
 # package(COMPONENT NAME DESCRIPTION DEPENDENCIES)
 function(package component name description depends)
   string(TOUPPER ${component} upper)
@@ -27,6 +28,8 @@ function(package component name description depends)
   set(CPACK_DEBIAN_${upper}_PACKAGE_DEPENDS "${depends}" PARENT_SCOPE)
   install(FILES LICENSE DESTINATION share/doc/${name} RENAME copyright
     COMPONENT ${component} EXCLUDE_FROM_ALL)
+  install(FILES ${PROJECT_BINARY_DIR}/libcontact.spdx
+    DESTINATION share/doc/${name} COMPONENT ${component} EXCLUDE_FROM_ALL)
 endfunction()
 package(programs libcontact-tools "programs and examples" "")
 package(c ${c_package} "shared libraries for C" "")

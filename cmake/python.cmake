@@ -13,5 +13,12 @@ print(sys.executable)" OUTPUT_VARIABLE found ERROR_QUIET
 endif()
 find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module
   NumPy)
+# Of pip's pybind11, where this Python has it: newer than the system's.
+execute_process(COMMAND ${Python_EXECUTABLE} -P -m pybind11 --cmakedir
+  OUTPUT_VARIABLE folder ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE
+  RESULT_VARIABLE failed)
+if(NOT failed)
+  set(pybind11_ROOT ${folder})
+endif()
 message(STATUS "Python package for ${Python_EXECUTABLE} (${Python_VERSION}); "
   "-D Python_EXECUTABLE= takes another")

@@ -1,6 +1,10 @@
 # Toolchain: WebAssembly by Debian's emscripten 3.1.6, with its vectors and
-# exceptions; programs run in node.
-include(/usr/share/emscripten/cmake/Modules/Platform/Emscripten.cmake)
+# exceptions; programs run in node. Of an emsdk, if its environment is set.
+set(CONTACT_EMSCRIPTEN /usr/share/emscripten)
+if(DEFINED ENV{EMSDK})
+  set(CONTACT_EMSCRIPTEN $ENV{EMSDK}/upstream/emscripten)
+endif()
+include(${CONTACT_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake)
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions \
 -include ${CMAKE_CURRENT_LIST_DIR}/libcxx13.hpp")
 # Node and pages opened from a disk fetch no second file.

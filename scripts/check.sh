@@ -19,6 +19,9 @@
 #   libcxx_quick  the library by clang++ 19 with libc++, its quickest tests
 #   libcxx_apps  programs are compiled by clang++ 19 with libc++, not linked
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
+#   mingw     the library builds for 64-bit Windows, and its tests pass under wine
+#   npm       the npm package is made; it has the library's numbers in node and
+#             in Chromium, installed too
 #   long      the tests that take some of many rows pass with all of them
 #   fe        contacts by finite elements of our own and by CalculiX are the
 #             programs' (numpy and calculix-ccx; ten minutes)
@@ -30,7 +33,7 @@ unset CDPATH
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,26s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,29s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -270,6 +273,23 @@ check_aarch64() {
   ctest --preset aarch64 --no-tests=error --parallel "$(nproc)"
 }
 
+check_mingw() {
+  install packages-mingw.txt
+  cmake --preset mingw
+  cmake --build --preset mingw
+  ctest --preset mingw --no-tests=error --parallel "$(nproc)"
+}
+
+check_npm() {
+  install packages-page.txt
+  CONTACT_SKIP_SETUP=1 scripts/npm.sh
+  cmake --preset release
+  cmake --build --preset release --target hinge-joint contact_python
+  [ -d tests/browser/node_modules/typescript ] || npm ci --prefix tests/browser
+  CONTACT_BUILD=build CONTACT_NPM=build-wasm/npm \
+    node --test-concurrency=1 --test tests/npm/{package,browser,mujoco}_test.js
+}
+
 check_page() {
   install packages-page.txt
   CONTACT_SKIP_SETUP=1 scripts/page.sh
@@ -284,7 +304,7 @@ check_page() {
 
 [ $# -gt 0 ] || usage
 checks=("$@")
-[ "$*" = all ] && checks=(format english symbols clang tidy sanitize threads fuzz packages hosts fmu libcxx aarch64 long page)
+[ "$*" = all ] && checks=(format english symbols clang tidy sanitize threads fuzz packages hosts fmu libcxx aarch64 mingw npm long page)
 for check in "${checks[@]}"; do
   declare -F "check_$check" >/dev/null || usage
 done

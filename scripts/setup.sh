@@ -6,7 +6,7 @@
 # the build needs: packages-extra.txt (some tests; without them these are
 # skipped), packages-check.txt (scripts/check.sh), packages-hosts.txt (adapters
 # to simulators; without one it is left out), packages-page.txt (the hinge
-# calculator), packages-site.txt (scripts/site.sh).
+# calculator, the npm package), packages-site.txt (scripts/site.sh).
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."

@@ -3,6 +3,9 @@
 #ifndef __cpp_lib_to_chars
 #include <locale.h>  // NOLINT(modernize-deprecated-headers): POSIX's newlocale
 #include <stdlib.h>  // NOLINT(modernize-deprecated-headers): strtod_l
+#ifdef __APPLE__
+#include <xlocale.h>  // both of them
+#endif
 
 #include <cmath>
 #include <string>

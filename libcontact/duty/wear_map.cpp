@@ -138,9 +138,8 @@ std::vector<WearMap::Wear> WearMap::at(std::span<const Vector3d> points) const {
   JointSolution whole;
   for (const AtRim& i : *at_rims_) {
     whole = joint_.with_grid(i.solution, whole);
-    std::ranges::transform(points, places.begin(), [&](const Vector3d& point) {
-      return i.from_body * point;
-    });
+    std::transform(points.begin(), points.end(), places.begin(),
+                   [&](const Vector3d& point) { return i.from_body * point; });
     const std::vector<double> pressures =
         joint_.pressures(whole, places, Joint::RimPressure::reported);
     for (std::size_t k = 0; k < points.size(); ++k) {

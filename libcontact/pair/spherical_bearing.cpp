@@ -84,7 +84,7 @@ Name parsed(std::string_view designation) {
   text.remove_prefix(static_cast<std::size_t>(end - text.data()));
   drop(text, " -");
   auto letters = static_cast<std::size_t>(
-      std::ranges::find_if_not(text, is_letter) - text.begin());
+      std::find_if_not(text.begin(), text.end(), is_letter) - text.begin());
   const bool is_group =  // GE50-C3
       letters == 1 && text[0] == 'C' && text.size() > 1 && is_digit(text[1]);
   if (is_group) letters = 0;

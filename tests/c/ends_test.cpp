@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <vector>
 
@@ -142,10 +143,10 @@ TEST(CEnds, SolutionsAreInTheSeat) {
   EXPECT_EQ(none.status, CONTACT_OUT_OF_SEAT);
   EXPECT_TRUE(std::isnan(none.peak_pressure));
   // The contact lies nearer to a rim than report_distance: no peak, not 0.
-  const contact_slip narrow = {
-      {100 * std::sin(20 * M_PI / 180), 0, 100 * std::cos(20 * M_PI / 180)},
-      {0, 0, 1},
-      {}};
+  const contact_slip narrow = {{100 * std::sin(20 * std::numbers::pi / 180), 0,
+                                100 * std::cos(20 * std::numbers::pi / 180)},
+                               {0, 0, 1},
+                               {}};
   EXPECT_TRUE(std::isnan(solved(c_joint(ring), narrow).peak_pressure));
 }
 

@@ -229,6 +229,7 @@ TEST(Pages, HaveOneVersion) {
   const std::string ours =
       version("CMakeLists.txt", R"(libcontact VERSION ([\d.]+))");
   EXPECT_EQ(version("CITATION.cff", R"(\nversion: ([\d.]+))"), ours);
+  EXPECT_EQ(version("cmake/vcpkg/vcpkg.json", R"("version": "([\d.]+))"), ours);
   // Above the last version stands the one that is being made.
   const std::string newest = version("CHANGELOG.md", R"(\n## ([\w.]+))");
   if (newest == "Unreleased") {

@@ -3,6 +3,7 @@
 # nothing is left of them when they are removed.
 set -eu
 apt-get install -y -q --no-install-recommends /packages/*.deb
+grep -x 'PackageName: libcontact' /usr/share/doc/libcontact-tools/libcontact.spdx
 cd /usr/share/libcontact
 hinge-joint --joint joints/hip_cocr_uhmwpe.toml --reaction 2000 --beta 60
 hinge-study studies/hip.toml --runs 48 --journal /tmp/journal

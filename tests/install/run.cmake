@@ -68,11 +68,20 @@ run_fails("no component fils; its components are c, runs_c, files, "
 run_fails("error: (#error )?.libcontact needs C..20; "
   ${COMPILER} -std=c++17 -fsyntax-only -I${prefix}/include ${SOURCE}/main.cpp)
 
+file(GLOB_RECURSE mujoco ${prefix}/*/libcontact_mujoco.a)
 run(${CMAKE_COMMAND} -S ${SOURCE} -B ${WORK}/build
   -D CMAKE_PREFIX_PATH=${prefix} -D CMAKE_CXX_COMPILER=${COMPILER}
   -D "CMAKE_CXX_FLAGS=${FLAGS}" -D CMAKE_BUILD_TYPE=Release
-  -D WITH_APPS=${with_apps})
+  -D WITH_APPS=${with_apps} -D WITH_MUJOCO=${mujoco})
 run(${CMAKE_COMMAND} --build ${WORK}/build)
+if(mujoco)
+  run(${WORK}/build/arm ${SOURCE}/arm.xml ${top}/data/joints/pin_joint.toml)
+  # The arm is 0.1 deg off the vertical, which friction holds.
+  if(NOT output MATCHES "^rate 0 rad/s at 0 rad")
+    message(FATAL_ERROR "contact::mujoco: ${output}")
+  endif()
+  message(STATUS "contact::mujoco: ${output}")
+endif()
 if(with_apps)
   run(${WORK}/build/swing)
   if(NOT output MATCHES "rests after 44[.]3")

@@ -63,6 +63,7 @@ const std::vector<std::string> rooms = {
     "apps/programs/separation",
     "apps/programs/study",
     "apps/page",
+    "apps/npm",
     "apps/hosts",
     "apps/programs/fmu",
     "apps/python",

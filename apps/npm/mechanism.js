@@ -1,0 +1,69 @@
+// Steps of a simulator's joints in its own rates: libcontact/c/mechanism.h.
+const START = 120;  // bytes of a contact_mechanism_start
+
+export const mechanismOf = (c, m) => class Mechanism {
+  #at;
+  #size;
+  #joints;  // which have to stay
+  #step;
+
+  constructor(joints, size) {
+    this.#joints = joints.map(({joint}) => joint);
+    this.#size = size;
+    this.#at = m.during((keep) => {
+      const place = keep(m.made(4));
+      m.must(c.contact_mechanism_make(
+          keep(m.words(joints.flatMap(({joint, first}) => [joint.handle, first]))),
+          joints.length, size, place));
+      return m.word(place);
+    });
+    this.#step = m.made(1024);
+    m.owned.register(this, this.#handles(), this);
+  }
+  #handles() {
+    return [[c.contact_mechanism_free, this.#at], [c.free, this.#step]];
+  }
+  free() {
+    m.owned.unregister(this);
+    for (const [release, at] of this.#handles()) release(at);
+    this.#at = this.#step = 0;
+  }
+  weigh(inertia, rows, stiffness, timeStep) {
+    m.during((keep) => m.must(c.contact_mechanism_weigh(
+        this.#at, keep(m.numbers(inertia)), keep(m.numbers(rows)),
+        keep(m.numbers(stiffness)), stiffness.length, timeStep)));
+  }
+  begin(starts, rates, likely) {
+    m.during((keep) => {
+      const all = keep(m.made(START * this.#joints.length));
+      starts.forEach(({reaction, axis, from_seat}, i) => {
+        const at = m.put(all + START * i, reaction);
+        m.put(m.put(at + 24, axis) + 24, from_seat);
+      });
+      m.must(c.contact_mechanism_begin(
+          this.#at, all, keep(m.numbers(rates)), keep(m.numbers(likely))));
+    });
+  }
+  turn(ratesAtEnd, force) {
+    return m.during((keep) => {
+      const at = keep(m.numbers(force));
+      const change = keep(m.made(8));
+      m.must(c.contact_mechanism_turn(
+          this.#at, keep(m.numbers(ratesAtEnd)), at, change));
+      force.set(m.view(at, this.#size));
+      return m.view(change, 1)[0];
+    });
+  }
+  hold(rates, ratesAtEnd) {
+    return m.during((keep) => {
+      const at = keep(m.numbers(rates));
+      m.must(c.contact_mechanism_hold(
+          this.#at, keep(m.numbers(rates)), keep(m.numbers(ratesAtEnd)), at));
+      return m.view(at, this.#size).slice();
+    });
+  }
+  get(i) {
+    m.must(c.contact_mechanism_get(this.#at, i, this.#step, 0));
+    return m.stepAt(this.#step);
+  }
+};
