@@ -23,9 +23,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data,
         check(c.end_time > 0 && c.output_step > 0);
         const separation::CaseForces forces(c, separation::History(c));
         check(forces.next_break(0) > 0);
-        for (const auto& [a, b] : c.clearance) {
-          check(a < b && !c.rigid_body(a).shapes.empty() &&
-                !c.rigid_body(b).shapes.empty());
+        for (const separation::WatchedPair& pair : c.clearance) {
+          check(pair.a < pair.b && !c.rigid_body(pair.a).shapes.empty() &&
+                !c.rigid_body(pair.b).shapes.empty());
         }
       },
       "fuzz:");
