@@ -15,15 +15,12 @@ class Text {
   /// Room for `count` more characters; returns where they go. Call `end_at`
   /// with the end of the written characters.
   char* reserve(std::size_t count) {
-    if (buffer_.size() - size_ < count) {
-      buffer_.resize(2 * (size_ + count));
-    }
+    if (buffer_.size() - size_ < count) grow(count);
     return buffer_.data() + size_;
   }
   void end_at(const char* end) { size_ = end - buffer_.data(); }
 
-  // Of each cell of a table.
-  [[gnu::always_inline]] void append(std::string_view text) {
+  void append(std::string_view text) {
     // An empty view may have no place at all, which memcpy may not be given.
     if (text.empty()) return;
     std::memcpy(reserve(text.size()), text.data(), text.size());
@@ -36,6 +33,11 @@ class Text {
   void clear() { size_ = 0; }
 
  private:
+  // Out of line, so that all else is in line in the writing of each cell.
+  [[gnu::noinline]] void grow(std::size_t count) {
+    buffer_.resize(2 * (size_ + count));
+  }
+
   std::vector<char> buffer_ = std::vector<char>(256);
   std::size_t size_ = 0;
 };

@@ -128,9 +128,11 @@ TEST(Tree, Refusals) {
   Body thread = hinged(0);
   thread.inertia.setZero();
   thread.hinge_from_com = {1, 0, 0};
-  EXPECT_EQ(refused({hinged(-1), thread}),
-            "bodies[1].inertia_com must be above 0 about the line from the "
-            "hinge to the centre of mass, where bodies hang on bodies");
+  EXPECT_EQ(
+      refused({hinged(-1), thread}),
+      "bodies[1].inertia_com must be above 0 about the line from the "
+      "hinge to the centre of mass, where bodies hang on bodies or masses "
+      "change");
 }
 
 }  // namespace
