@@ -299,8 +299,13 @@ separation::Case Study::case_of(std::uint64_t run) const {
 bool Study::has_effect(std::size_t dispersion, double u,
                        const std::vector<double>& notable) const {
   const Dispersion& of = plan_.dispersions[dispersion];
-  const Result result =
-      model_->run(contact::KeySettings{of.setting(of.quantile(u))}, {}, {});
+  Result result;
+  try {
+    result =
+        model_->run(contact::KeySettings{of.setting(of.quantile(u))}, {}, {});
+  } catch (const Error&) {  // a value that is refused
+    return true;
+  }
   if (!result.failure.empty()) return true;
   for (std::size_t i = 0; i < quantities_.size(); ++i) {
     const std::string& name = quantities_[i];

@@ -87,7 +87,7 @@ TEST(TipOff, RefusesWhatIsNotThere) {
                 .find("tip_off[1].events = [\"gone\"]: unknown event \"gone\""),
             std::string::npos);
   EXPECT_NE(message("body = \"upper\"\ndirection = \"x\"\n")
-                .find("must be that of a direction of its body"),
+                .find("unknown direction \"x\""),
             std::string::npos);
   EXPECT_NE(message("body = \"upper\"\n[[tip_off]]\nbody = \"upper\"\n")
                 .find("must be a body of no other [[tip_off]]"),

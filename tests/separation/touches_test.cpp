@@ -211,5 +211,55 @@ name = "copies"; [run]; end_time_s = 3; output_step_s = 0.5
   EXPECT_NEAR(outcome.memory.pairs[0].time, 2.25, 1e-9);
 }
 
+// Three capsules over one another, at those heights and rates.
+std::string stack(double b, double c, double rate) {
+  const auto capsule = [](const std::string& of) {
+    return "[[" + of +
+           ".shape]]\nkind = \"capsule\"\nfrom_m = [0, 0, 0]\nto_m = [1, 0, "
+           "0]\nradius_m = 0.2\n";
+  };
+  const auto body = [&](const std::string& name, double y, double vy) {
+    return "[[body]]\nname = \"" + name +
+           "\"\nmass_kg = 50\nprincipal_inertia_kg_m2 = [5, 5, 5]\n" +
+           capsule("body") + "[body.start]\nposition_m = [0, " +
+           std::to_string(y) + ", 0]\nvelocity_m_per_s = [0, " +
+           std::to_string(vy) + ", 0]\n";
+  };
+  return "name = \"x\"\n[run]\nend_time_s = 4\noutput_step_s = 0.5\n"
+         "[carrier]\nname = \"a\"\nmass_kg = 100\nprincipal_inertia_kg_m2 = "
+         "[10, 10, 10]\n" +
+         capsule("carrier") + body("b", b, 0) + body("c", c, rate);
+}
+
+// Whatever a step has behind it: here it begins 1e-6 s before the crossing.
+TEST(Touches, ApproachIsThatOfTheVelocities) {
+  const Outcome outcome = run_of(stack(9, 12, -1) + R"(
+[[clearance]]; name = "w"; a = "b"; b = "c"; starts_at_s = 1.999999
+[[event]]; name = "near"; clearance = "w"; distance_m = 0.6
+)"_toml);
+  // One event of both bodies, at one time.
+  ASSERT_EQ(outcome.memory.notes.size(), 2u);
+  for (const Note& note : outcome.memory.notes) {
+    EXPECT_NEAR(note.time, 2, 1e-9);
+    EXPECT_NEAR(note.approach, 1, 1e-9);
+  }
+  EXPECT_EQ(outcome.memory.notes[0].time, outcome.memory.notes[1].time);
+}
+
+// A pair that overlaps neither hides another nor comes near by its window.
+TEST(Touches, OfEachPairForItself) {
+  const std::string both = R"(
+[[clearance]]; name = "g"; a = "b"; b = "c"
+[[event]]; name = "near"; clearance = "g"; distance_m = 0.1; bodies = "b"
+[[clearance]]; name = "g"; a = "a"; b = "b"
+)"_toml;
+  const Outcome falls = run_of(stack(0.3, 3, -1) + both);
+  ASSERT_EQ(falls.memory.notes.size(), 1u);
+  EXPECT_NEAR(falls.memory.notes[0].time, 2.2, 1e-9);
+  EXPECT_NEAR(falls.memory.notes[0].approach, 1, 1e-9);
+  const Outcome stays = run_of(stack(0.3, 30, 0) + both + "starts_at_s = 2\n");
+  EXPECT_TRUE(stays.memory.notes.empty());
+}
+
 }  // namespace
 }  // namespace contact::test::touches_test

@@ -17,7 +17,7 @@ RigidBody read_rigid_body(const contact::TomlTable& table);
 std::optional<Eigen::Matrix3d> read_inertia(const contact::TomlTable& table,
                                             const std::string& prefix = {});
 
-/// The same of [carrier]; a fixed one has neither mass nor inertia.
+/// read_rigid_body() for [carrier]; a fixed one has neither mass nor inertia.
 RigidBody read_carrier(const contact::TomlTable& table);
 
 }  // namespace separation

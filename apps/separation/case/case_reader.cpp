@@ -110,6 +110,15 @@ void read_all_forces(const TomlTable& file, const CaseNames& names, Case& c) {
   }
 }
 
+Case whole_case(const TomlTable& file, const JointLaws& laws) {
+  contact::SharedLaws made;
+  Case c = case_of_file(file, laws, made);
+  c.content = file.canonical_text();
+  return c;
+}
+
+}  // namespace
+
 void read_tip_offs(const TomlTable& file, const CaseNames& names, Case& c) {
   for (const TomlTable& table : file.tables("tip_off")) {
     for (const int body : names.rigid_bodies_of(table, "body")) {
@@ -121,7 +130,10 @@ void read_tip_offs(const TomlTable& file, const CaseNames& names, Case& c) {
         const auto& all = c.rigid_body(body).directions;
         const auto found = std::ranges::find(all, *name, &NamedDirection::name);
         if (found == all.end()) {
-          table.must_be("direction", "that of a direction of its body");
+          std::vector<std::string> known;
+          for (const NamedDirection& d : all) known.push_back(d.name);
+          table.fail("direction",
+                     contact::detail::unknown("direction", *name, known));
         }
         of.direction = found->vector;
       }
@@ -129,20 +141,17 @@ void read_tip_offs(const TomlTable& file, const CaseNames& names, Case& c) {
       if (!table.has("events")) continue;
       for (const std::string& name : table.texts("events")) {
         of.event = names.event_called(table, "events", name);
+        const auto is_same = [&of](const TipOff& other) {
+          return other.body == of.body && other.event == of.event;
+        };
+        if (std::ranges::any_of(c.tip_offs, is_same)) {
+          table.must_be("events", "different ones");
+        }
         c.tip_offs.push_back(of);
       }
     }
   }
 }
-
-Case whole_case(const TomlTable& file, const JointLaws& laws) {
-  contact::SharedLaws made;
-  Case c = case_of_file(file, laws, made);
-  c.content = file.canonical_text();
-  return c;
-}
-
-}  // namespace
 
 Case case_of_file(const TomlTable& file, const JointLaws& laws,
                   contact::SharedLaws& made) {

@@ -29,6 +29,11 @@ Case parse_case(std::string_view text, const std::string& source,
                 const contact::KeySettings& settings = {},
                 const std::filesystem::path& folder = {});
 
+struct CaseNames;
+/// Appends all [[tip_off]] of a case whose bodies and events are read.
+void read_tip_offs(const contact::TomlTable& file, const CaseNames& names,
+                   Case& c);
+
 /// Reads an open file with case_keys(); `content` stays empty.
 /// @param made  laws of joints, also of other cases
 Case case_of_file(const contact::TomlTable& file, const JointLaws& laws,

@@ -35,13 +35,14 @@ std::vector<WatchedPair> read_one(const TomlTable& table,
   auto pairs = pairs_of(table, bodies, {"a", "b"}, names);
   const Case& c = names.of;
   const auto of_a = names.rigid_bodies(bodies[0]);
+  const auto of_b = names.rigid_bodies(bodies[1]);
   auto a = read_shapes(table, "a_shapes", c.rigid_body(of_a.front()));
-  auto b = read_shapes(table, "b_shapes",
-                       c.rigid_body(names.rigid_bodies(bodies[1]).front()));
+  auto b = read_shapes(table, "b_shapes", c.rigid_body(of_b.front()));
   const auto [begin, end] = names.window(table, "the clearance");
   const std::string name = table.has("name") ? column_text(table, "name") : "";
   for (WatchedPair& pair : pairs) {
-    const bool swapped = std::ranges::count(of_a, pair.a) == 0;
+    const bool swapped = std::ranges::count(of_a, pair.a) == 0 ||
+                         std::ranges::count(of_b, pair.b) == 0;
     pair.name = name;
     pair.begin = begin;
     pair.end = end;
@@ -69,12 +70,18 @@ std::vector<WatchedPair> pairs_of(const TomlTable& table,
     }
   }
   if (found[0].size() == 1 && found[0] == found[1]) {
-    table.must_be(keys[1], "another body than a");
+    table.must_be(keys[1], keys[0] == keys[1] ? "two different bodies"
+                                              : "another body than a");
   }
   std::vector<WatchedPair> pairs;
   for (const int a : found[0]) {
     for (const int b : found[1]) {
-      if (a != b) pairs.push_back({std::min(a, b), std::max(a, b)});
+      const WatchedPair pair{std::min(a, b), std::max(a, b)};
+      // Copies of one body meet in both orders.
+      const bool is_new = std::ranges::none_of(pairs, [&](const auto& other) {
+        return other.a == pair.a && other.b == pair.b;
+      });
+      if (a != b && is_new) pairs.push_back(pair);
     }
   }
   return pairs;
@@ -88,6 +95,12 @@ std::vector<WatchedPair> read_clearance(const TomlTable& file,
   for (const TomlTable& table : tables) {
     for (WatchedPair& pair : read_one(table, names)) {
       const auto same = std::ranges::find(all, place_of(pair), place_of);
+      if (std::ranges::any_of(all, [&](const WatchedPair& other) {
+            return other.name != pair.name &&
+                   column_name(other.name) == column_name(pair.name);
+          })) {
+        table.must_be("name", "another one in columns, too");
+      }
       if (same == all.end()) {
         all.push_back(std::move(pair));
       } else if (!same->is_plain() || !pair.is_plain()) {

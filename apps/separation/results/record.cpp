@@ -713,9 +713,12 @@ void Recorder::before(const Simulation& simulation,
   const auto& sample = simulation.sample();
   for (std::size_t i = 0; i < happenings.size(); ++i) {
     const Happening& h = happenings[i];
-    look_at_tip_offs(simulation, h);
-    if (!breaks(simulation, happenings, i)) continue;
     const Event& event = case_.events[h.event];
+    // A latch that does not engage may do so later.
+    if (event.action != Event::Action::latch || simulation.engages(h)) {
+      look_at_tip_offs(simulation, h);
+    }
+    if (!breaks(simulation, happenings, i)) continue;
     const Body& body = case_.bodies[h.body];
     const bool hinge = event.action == Event::Action::break_hinge;
     const bool fails =

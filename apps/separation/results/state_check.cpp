@@ -150,7 +150,7 @@ void check_rows(const Rows& rows, double now, const OutputTimes& outputs) {
   double before = 0;
   long next = 0;  // number of the output
   const auto comes_before = [&](double time) {
-    return outputs.has(next + 1) && outputs[next] < time;
+    return outputs.has(next + 1) && outputs[next] < time - outputs.instant();
   };
   for (std::size_t row = 0; row < rows.size(); ++row) {
     const double time = rows.at(row, 0);

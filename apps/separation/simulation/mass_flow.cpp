@@ -77,7 +77,8 @@ MassFlow::MassFlow(const Case& c, const History& history) : case_(c) {
                   time_of(force.end),
                   time_of(force.law->own_clock())};
     engine.empty = empty_time(*force.law, engine.begin, engine.own, c.end_time);
-    engine.end = std::min(engine.end, engine.empty);
+    // An end before the beginning burns nothing.
+    engine.end = std::max(engine.begin, std::min(engine.end, engine.empty));
     engine.com = -burnt->empty_com.value_or(Vector3d::Zero()) / burnt->mass;
     engine.inertia = burnt->empty_inertia
                          ? (body.inertia - *burnt->empty_inertia) / burnt->mass
@@ -172,9 +173,9 @@ void check_propellant(const Case& c) {
       if (!(mass > 0)) {
         throw contact::Error(contact::detail::must_be(
             place + fmt::format("what may be burned, {:.6g} kg,", burned),
-            fmt::format("less than the mass, {:.6g} kg, with that of the "
-                        "body's other engines",
-                        body.mass)));
+            fmt::format("less than the mass that other engines leave, {:.6g} "
+                        "kg of {:.6g}",
+                        mass + burned, body.mass)));
       }
       const double least = contact::detail::symmetric_parts(inertia).values[0];
       // Of a body without inertia about an axis, but for rounding.

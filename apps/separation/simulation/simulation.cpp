@@ -107,7 +107,7 @@ void Simulation::add_events() {
     for (const int body : event.bodies) {
       const Happening h{e, body};
       if (event.trigger == Event::Trigger::distance) {
-        add_touch(h);
+        add_touches(h);
         continue;
       }
       if (event.trigger == Event::Trigger::angle && event.value < angle(body)) {
@@ -153,29 +153,30 @@ void Simulation::add_events() {
   }
 }
 
-void Simulation::add_touch(const Happening& h) {
+void Simulation::add_touches(const Happening& h) {
   // Nearest points are known to 1e-8 m (nearest.hpp).
   constexpr double negligible = 1e-8;
-  motion_.add_event({[this, h](const MotionSample& sample) {
-                       if (has_happened(h)) return -1.0;
-                       return is_armed(h)
-                                  ? touches_->condition(h.event, h.body,
-                                                        history_, sample)
-                                  : 1.0;
-                     },
-                     multibody::MotionEvent::Crossing::rising,
-                     [this, h](const MotionSample& sample) {
-                       return has_happened(h) || !is_armed(h)
-                                  ? 0.0
-                                  : touches_->speed(h.event, h.body, sample);
-                     },
-                     negligible});
-  meanings_.push_back({h});
+  for (const int pair : touches_->pairs_of(h.event, h.body)) {
+    motion_.add_event({[this, h, pair](const MotionSample& sample) {
+                         if (has_happened(h)) return -1.0;
+                         return is_armed(h)
+                                    ? touches_->condition(h.event, pair,
+                                                          history_, sample)
+                                    : 1.0;
+                       },
+                       multibody::MotionEvent::Crossing::rising,
+                       [this, h, pair](const MotionSample& sample) {
+                         return has_happened(h) || !is_armed(h)
+                                    ? 0.0
+                                    : touches_->speed(h.event, pair, sample);
+                       },
+                       negligible});
+    meanings_.push_back({{h.event, h.body, pair}});
+  }
 }
 
 double Simulation::approach(const Happening& h) const {
-  if (case_.events[h.event].pairs.empty()) return 0;
-  return touches_->approach(h.event, h.body, history_, motion_);
+  return h.pair < 0 ? 0 : touches_->approach(h.event, h.pair, sample());
 }
 
 bool Simulation::is_over() const {
@@ -382,8 +383,24 @@ void Simulation::note_motion_event() {
     history_.spent[meaning.force] = true;
     end_pushes();
     renew_forces();
-  } else if (!has_happened(meaning.happening)) {
-    due_.push_back(meaning.happening);
+  } else {
+    add_due(meaning.happening);
+  }
+}
+
+// Bodies that come near each other do so at one time.
+void Simulation::add_due(const Happening& h) {
+  if (has_happened(h)) return;
+  due_.push_back(h);
+  if (h.pair < 0) return;
+  const Event& event = case_.events[h.event];
+  const WatchedPair& pair = event.pairs[h.pair];
+  for (const int body : {pair.a - 1, pair.b - 1}) {
+    const Happening other{h.event, body, h.pair};
+    if (std::ranges::count(event.bodies, body) > 0 && !is_due(other) &&
+        !has_happened(other) && is_armed(other)) {
+      due_.push_back(other);
+    }
   }
 }
 
@@ -415,7 +432,7 @@ Simulation::Stop Simulation::advance_to(double end) {
     const Event& event = case_.events[h.event];
     if (!event.together) continue;
     for (const int body : event.bodies) {
-      const Happening too{h.event, body};
+      const Happening too{h.event, body, h.pair};
       if (!has_happened(too) && !is_due(too)) due_.push_back(too);
     }
   }

@@ -33,7 +33,10 @@ NodeReactions node_reactions(const Body& body,
 struct Happening {
   int event;
   int body;
-  bool operator==(const Happening&) const = default;
+  int pair = -1;  ///< of an event by distances: which of its pairs
+  bool operator==(const Happening& other) const {
+    return event == other.event && body == other.body;
+  }
 };
 
 /// State from which a simulation can continue.
@@ -125,7 +128,8 @@ class Simulation {
 
  private:
   void add_events();
-  void add_touch(const Happening& h);
+  void add_touches(const Happening& h);
+  void add_due(const Happening& h);
   bool is_due(const Happening& h) const;
   bool is_armed(const Happening& h) const;
   bool has_happened(const Happening& h) const;

@@ -1,6 +1,6 @@
 #include "separation/simulation/touches.hpp"
 
-#include <algorithm>
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -30,74 +30,62 @@ Touches::Touches(const Case& c) : case_(c) {
   }
 }
 
-template <class Visit>
-void Touches::for_pairs(int event, int body, const Visit& visit) const {
+std::vector<int> Touches::pairs_of(int event, int body) const {
   const auto& pairs = case_.events[event].pairs;
-  const auto has = [body](const WatchedPair& pair) {
-    return pair.a == 1 + body || pair.b == 1 + body;
-  };
-  const bool any = std::ranges::any_of(pairs, has);
+  std::vector<int> own, all;
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    if (!any || has(pairs[i])) visit(pairs[i], i);
-  }
-}
-
-double Touches::condition(int event, int body, const History& history,
-                          const MotionSample& sample) const {
-  double highest = -History::not_yet;
-  double unwatched = -1;
-  for_pairs(event, body, [&](const WatchedPair& pair, std::size_t i) {
-    const double time = sample.time();
-    if (time > history.time_of(pair.end, pair, case_)) return;
-    if (time < history.time_of(pair.begin, pair, case_)) {
-      unwatched = 1;
-      return;
+    all.push_back(static_cast<int>(i));
+    if (pairs[i].a == 1 + body || pairs[i].b == 1 + body) {
+      own.push_back(static_cast<int>(i));
     }
-    const double near = case_.events[event].value -
-                        of_events_[event].distance(i, sample.motions());
-    highest = std::max(highest, near);
-  });
-  return std::isinf(highest) ? unwatched : highest;
+  }
+  return own.empty() ? all : own;
 }
 
-double Touches::speed(int event, int body, const MotionSample& sample) const {
-  double highest = 0;
-  for_pairs(event, body, [&](const WatchedPair& pair, std::size_t) {
-    highest = std::max(
-        highest, speed_bound(sample.motions()[pair.a], sample.motions()[pair.b],
-                             reach(case_.rigid_body(pair.b).shapes)));
-  });
-  return highest;
+double Touches::condition(int event, int pair, const History& history,
+                          const MotionSample& sample) const {
+  const WatchedPair& watched = case_.events[event].pairs[pair];
+  const double time = sample.time();
+  if (time > history.time_of(watched.end, watched, case_)) return -1;
+  if (time < history.time_of(watched.begin, watched, case_)) return 1;
+  return case_.events[event].value -
+         of_events_[event].distance(pair, sample.motions());
 }
 
-// Derivative of third order from distances before: those of the event may be
-// off by the tolerance of the steps.
-double Touches::approach(int event, int body, const History& history,
-                         const multibody::Motion& motion) const {
-  const MotionSample& sample = motion.sample();
+double Touches::speed(int event, int pair, const MotionSample& sample) const {
+  const WatchedPair& watched = case_.events[event].pairs[pair];
+  return speed_bound(sample.motions()[watched.a], sample.motions()[watched.b],
+                     reach(case_.rigid_body(watched.b).shapes));
+}
+
+// Derivative of third order from the distances that the present velocities have
+// come from: those of the run may be off by the tolerance of its steps.
+double Touches::approach(int event, int pair,
+                         const MotionSample& sample) const {
+  // So long a way is far above the rounding of distances.
+  constexpr double way = 1e-3;  // m
+  const double step = way / speed(event, pair, sample);
+  if (!std::isfinite(step)) return 0;
+  const WatchedPair& watched = case_.events[event].pairs[pair];
   std::vector<BodyMotion> bodies(sample.motions().begin(),
                                  sample.motions().end());
-  double nearest = History::not_yet;
-  double result = 0;
-  for_pairs(event, body, [&](const WatchedPair& pair, std::size_t i) {
-    if (!history.is_on(pair, sample.time(), case_)) return;
-    const double now = of_events_[event].distance(i, sample.motions());
-    if (!(now < nearest)) return;
-    nearest = now;
-    // So long a way is far above the rounding of distances.
-    constexpr double way = 1e-3;  // m
-    const double step = std::min((sample.time() - motion.step_begin()) / 4,
-                                 way / speed(event, body, sample));
-    if (!(step > 0)) return;
-    constexpr std::array weights{-26., 57., -42., 11.};
-    result = 0;
-    for (int k = 0; k < 4; ++k) {
-      for (const int of : {pair.a, pair.b}) {
-        bodies[of] = motion.place_back(of, sample.time() - (k + 1) * step);
-      }
-      result += weights[k] / (6 * step) * of_events_[event].distance(i, bodies);
+  const auto distance = [&](double back) {
+    for (const int of : {watched.a, watched.b}) {
+      const BodyMotion& now = sample.motions()[of];
+      const double rate = now.angular_velocity.norm();
+      bodies[of].position = now.position - back * now.velocity;
+      if (rate == 0) continue;
+      bodies[of].rotation =
+          Eigen::AngleAxisd(-back * rate, now.angular_velocity / rate) *
+          now.rotation;
     }
-  });
+    return of_events_[event].distance(pair, bodies);
+  };
+  constexpr std::array weights{-26., 57., -42., 11.};
+  double result = 0;
+  for (int k = 0; k < 4; ++k) {
+    result += weights[k] / (6 * step) * distance((k + 1) * step);
+  }
   return result;
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-#include <span>
 #include <vector>
 
 #include "multibody/motion/motion.hpp"
@@ -19,23 +17,22 @@ class Touches {
   /// @param c  has to outlive this object
   explicit Touches(const Case& c);
 
-  /// Rises above 0 when the bodies of an event, of one of its bodies (from 0),
-  /// come so near as it says. Before they are watched they count as near, and
-  /// after that as far: neither is a crossing.
-  double condition(int event, int body, const History& history,
+  /// The pairs of an event for one of its bodies (from 0): its own, or all if
+  /// it has none.
+  std::vector<int> pairs_of(int event, int body) const;
+  /// Rises above 0 when a pair of an event comes as near as the event says.
+  /// Before they are watched they count as near, and after that as far: neither
+  /// is a crossing.
+  double condition(int event, int pair, const History& history,
                    const multibody::MotionSample& sample) const;
   /// A bound of its rate, m/s.
-  double speed(int event, int body,
+  double speed(int event, int pair,
                const multibody::MotionSample& sample) const;
-  /// How fast they approach each other when the event comes, m/s.
-  double approach(int event, int body, const History& history,
-                  const multibody::Motion& motion) const;
+  /// How fast the two approach each other, m/s.
+  double approach(int event, int pair,
+                  const multibody::MotionSample& sample) const;
 
  private:
-  // Of the pairs of an event those that it is about for a body.
-  template <class Visit>
-  void for_pairs(int event, int body, const Visit& visit) const;
-
   const Case& case_;
   std::vector<Clearance> of_events_;
 };

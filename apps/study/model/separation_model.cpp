@@ -164,8 +164,11 @@ std::vector<Unreached> unreached(const Case& c,
         outcome.memory.pairs[i].smallest != separation::History::not_yet) {
       continue;
     }
-    result.push_back({clearance_column(c, pair) + ".",
-                      "the times at which it is watched do not come"});
+    const std::string reason = "the times at which it is watched do not come";
+    result.push_back({clearance_column(c, pair) + ".", reason});
+    if (!pair.name.empty()) {  // also of all its pairs
+      result.push_back({"clearance." + column_name(pair.name) + ".", reason});
+    }
   }
   for (std::size_t i = 0; i < c.tip_offs.size(); ++i) {
     if (outcome.memory.tip_offs[i].time != separation::History::not_yet) {

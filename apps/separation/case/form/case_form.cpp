@@ -7,6 +7,7 @@
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_names.hpp"
+#include "separation/case/case_reader.hpp"
 #include "separation/case/event_reader.hpp"
 #include "separation/case/force_reader.hpp"
 #include "separation/case/form/case_parts.hpp"
@@ -152,6 +153,10 @@ Case CaseForm::with(const Numbers& numbers) {
     if (!all && body.keys.empty()) continue;
     read_bodies(body, numbers, made, c, names.turns);
     read = true;
+  }
+  if (read) {  // directions may be others
+    c.tip_offs.clear();
+    read_tip_offs(file, names, c);
   }
   for (const Part& event : events_) {
     if (event.keys.empty()) continue;
