@@ -63,9 +63,10 @@ export function jointOf(c, m, quantities) {
       return this.#at;
     }
 
-    // Calls use(quantity, its place, row, status) for n slips.
-    #solve(n, reactions, rates, options, use) {
-      const {axis, placement, keys = this.#keys, warm} = options;
+    // Calls done(row, status), and use(quantity, its place, row) for each.
+    #solve(n, reactions, rates, options, done, use) {
+      const {axis, placement, warm} = options;
+      const keys = (options.keys ?? this.#keys).filter((k) => k !== 'status');
       const {all, at, values} = listOf(keys);
       const row = (v, i) => v.length === 3 ? v : v.slice(3 * i, 3 * i + 3);
       m.during((keep) => {
@@ -73,12 +74,12 @@ export function jointOf(c, m, quantities) {
         const placed = placement ? keep(this.#placed(placement)) : 0;
         for (let i = 0; i < n; ++i) {
           m.put(m.put(slip, row(reactions, i)) + 24, row(rates, i));
-          const status = m.must(c.contact_joint_get(
+          done(i, m.must(c.contact_joint_get(
               this.#at, slip, placed, warm ? this.#memory : 0, at, keys.length,
-              values));
+              values)));
           let from = values;
           for (const q of all) {
-            use(q, from, i, status);
+            use(q, from, i);
             from += 8 * q.size;
           }
         }
@@ -86,7 +87,8 @@ export function jointOf(c, m, quantities) {
     }
     #placed({from_seat, tilt, place, axial_velocity = 0}) {
       const at = m.made(128);
-      m.put(m.put(at + 8, from_seat) + 72, tilt);
+      m.put(at + 8, from_seat && m.sized(from_seat, 9, 'from_seat'));
+      m.put(at + 80, m.vector(tilt));
       m.put(at + 112, [place ?? 0, axial_velocity]);
       m.heap().words[at / 4] = 128;
       m.heap().words[at / 4 + 26] = place === undefined ? 0 : 1;
@@ -94,20 +96,25 @@ export function jointOf(c, m, quantities) {
     }
     solve(reaction, rate, options = {}) {
       const result = {};
-      this.#solve(1, reaction, rate, options, (q, at, i, status) => {
-        result.status = status;
-        result[q.key] = value(q, at);
-      });
+      m.sized(reaction, 3, 'the reaction');
+      m.sized(rate, 3, 'the rate');
+      this.#solve(1, reaction, rate, options,
+          (i, status) => { result.status = status; },
+          (q, at) => { result[q.key] = value(q, at); });
       return result;
     }
     solveRows(reactions, rates, options = {}) {
-      const n = Math.max(reactions.length, rates.length) / 3;
+      const n = Math.floor(Math.max(reactions.length, rates.length) / 3);
       const result = {status: new Array(n)};
-      this.#solve(n, reactions, rates, options, (q, at, i, status) => {
-        result.status[i] = status;
-        result[q.key] ??= new Float64Array(n * q.size);
-        result[q.key].set(m.view(at, q.size), i * q.size);
-      });
+      for (const v of [reactions, rates]) {
+        if (v.length !== 3) m.sized(v, 3 * n, 'reactions and rates');
+      }
+      this.#solve(n, reactions, rates, options,
+          (i, status) => { result.status[i] = status; },
+          (q, at, i) => {
+            result[q.key] ??= new Float64Array(n * q.size);
+            result[q.key].set(m.view(at, q.size), i * q.size);
+          });
       return result;
     }
 
@@ -124,7 +131,7 @@ export function jointOf(c, m, quantities) {
       const step = this.#step;
       m.during((keep) => m.must(c.contact_joint_step(
           this.#at, keep(m.vectors(reaction, angular_velocity, free, axis)),
-          keep(m.numbers(inertia)), this.#hasStep ? step : 0, step)));
+          keep(m.numbers(m.sized(inertia, 9, 'inertia'))), this.#hasStep ? step : 0, step)));
       this.#hasStep = true;
       return m.stepAt(step);
     }
@@ -160,9 +167,9 @@ export function jointOf(c, m, quantities) {
         all.push(m.read(at));
       }
       if (!reaction) return all;
-      const of = this.solve(reaction, rate,
-                            {axis, keys: ['half_angle', 'peak_pressure']});
       return this.#solved(reaction, rate, axis, (slip, solution, keep) => {
+        const of = oneByOne(tables.solution, ['half_angle', 'peak_pressure'],
+            (key, to) => c.contact_solution_get(solution, key, to));
         const at = keep(m.made(ROOM.notes));
         const add = (status) => {
           m.must(status);

@@ -29,36 +29,45 @@ export const mechanismOf = (c, m) => class Mechanism {
     this.#at = this.#step = 0;
   }
   weigh(inertia, rows, stiffness, timeStep) {
+    m.sized(inertia, this.#size ** 2, 'inertia');
+    m.sized(rows, stiffness.length * this.#size, 'rows');
     m.during((keep) => m.must(c.contact_mechanism_weigh(
         this.#at, keep(m.numbers(inertia)), keep(m.numbers(rows)),
         keep(m.numbers(stiffness)), stiffness.length, timeStep)));
   }
+  #rates(values, name) {
+    return m.numbers(m.sized(values, this.#size, name));
+  }
   begin(starts, rates, likely) {
+    m.sized(starts, this.#joints.length, 'starts, each of a joint,');
     m.during((keep) => {
       const all = keep(m.made(START * this.#joints.length));
       starts.forEach(({reaction, axis, from_seat}, i) => {
-        const at = m.put(all + START * i, reaction);
-        m.put(m.put(at + 24, axis) + 24, from_seat);
+        const at = m.put(all + START * i, m.vector(reaction));
+        m.put(at + 24, m.vector(axis));
+        m.put(at + 48, from_seat && m.sized(from_seat, 9, 'from_seat'));
       });
       m.must(c.contact_mechanism_begin(
-          this.#at, all, keep(m.numbers(rates)), keep(m.numbers(likely))));
+          this.#at, all, keep(this.#rates(rates, 'rates')),
+          keep(this.#rates(likely, 'likely'))));
     });
   }
   turn(ratesAtEnd, force) {
     return m.during((keep) => {
-      const at = keep(m.numbers(force));
+      const at = keep(this.#rates(force, 'force'));
       const change = keep(m.made(8));
       m.must(c.contact_mechanism_turn(
-          this.#at, keep(m.numbers(ratesAtEnd)), at, change));
+          this.#at, keep(this.#rates(ratesAtEnd, 'ratesAtEnd')), at, change));
       force.set(m.view(at, this.#size));
       return m.view(change, 1)[0];
     });
   }
   hold(rates, ratesAtEnd) {
     return m.during((keep) => {
-      const at = keep(m.numbers(rates));
+      const at = keep(this.#rates(rates, 'rates'));
       m.must(c.contact_mechanism_hold(
-          this.#at, keep(m.numbers(rates)), keep(m.numbers(ratesAtEnd)), at));
+          this.#at, keep(m.numbers(rates)),
+          keep(this.#rates(ratesAtEnd, 'ratesAtEnd')), at));
       return m.view(at, this.#size).slice();
     });
   }

@@ -22,18 +22,26 @@ export function memoryOf(c) {
     heap().numbers.set(values, at / 8);
     return at;
   };
+  // Values, if they are as many as C reads or writes.
+  const sized = (values, count, name) => {
+    if (values.length === count) return values;
+    throw new ContactError(
+        `${name} must have ${count} numbers, not ${values.length}`);
+  };
+  // The same of three, where they are given.
+  const vector = (v) => v?.length ? sized(v, 3, 'a vector') : v;
   const read = (at) => {
     const {bytes} = heap();
     return new TextDecoder().decode(bytes.slice(at, bytes.indexOf(0, at)));
   };
   return {
-    heap, made, put, read,
+    heap, made, put, read, sized, vector,
     view: (at, size) => heap().numbers.subarray(at / 8, at / 8 + size),
     word: (at) => heap().words[at / 4],
     numbers: (values) => put(made(8 * values.length + 8), values),
     vectors(...all) {
       const at = made(24 * all.length);
-      all.forEach((v, i) => put(at + 24 * i, v));
+      all.forEach((v, i) => put(at + 24 * i, vector(v)));
       return at;
     },
     words(values) {

@@ -184,6 +184,21 @@ test('what is refused says what is allowed', () => {
   const joint = new contact.Joint(ball);
   refused(() => joint.solve([0, 0, 1], [1, 0, 0], {keys: ['half_angel']}),
           /half_angel.*half_angle/);
+  refused(() => joint.solve([1e3], [1, 0, 0]), /reaction must have 3 numbers, not 1/);
+  refused(() => joint.atRest([0, 0, 1, 9], [1, 0, 0]), /must have 3 numbers, not 4/);
+  refused(() => joint.solveRows([0, 0, 1, 0, 0, 2], new Array(12).fill(1)),
+          /reactions and rates must have 12 numbers, not 6/);
+  const mechanism = new contact.Mechanism([{joint, first: 0}], 3);
+  refused(() => mechanism.weigh([1, 2, 3], [], [], 1e-3),
+          /inertia must have 9 numbers, not 3/);
+  refused(() => mechanism.begin([], [0, 0, 0], [0, 0, 0]),
+          /starts, each of a joint, must have 1 numbers, not 0/);
+  refused(() => mechanism.turn([0, 0, 0], [0]), /force must have 3 numbers, not 1/);
+  mechanism.free();
+  // The status is a word, whatever is asked for.
+  assert.deepStrictEqual(joint.solve([0, 0, 1], [1, 0, 0], {keys: []}), {status: 'ok'});
+  assert.deepStrictEqual(
+      joint.solveRows([0, 0, 1], [1, 0, 0], {keys: ['status']}), {status: ['ok']});
   joint.free();
   refused(() => joint.solve([0, 0, 1], [1, 0, 0]), /must be other than NULL/);
   const notes = new contact.Joint(ball).notes([0, 0, 1e9], [1, 0, 0]);
