@@ -13,7 +13,7 @@ function(contact_set_kernel_options)
   set_property(SOURCE ${avx2} ${avx512} PROPERTY SKIP_PRECOMPILE_HEADERS ON)
   # g++ aligns the stack of Windows to 16 bytes, and moves vectors as if to 32
   # (GCC bug 54412).
-  if(MINGW)
+  if(MINGW AND CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
     set_property(SOURCE ${avx2} ${avx512} APPEND PROPERTY
       COMPILE_OPTIONS -Wa,-muse-unaligned-vector-move)
   endif()

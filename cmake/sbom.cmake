@@ -29,23 +29,24 @@ function(part folder name version license relationship)
   if(NOT version)
     set(version NOASSERTION)
   endif()
+  string(REPLACE _ - id ${name}) # SPDX knows no underscores
   set(sbom "${sbom}
 PackageName: ${name}
-SPDXID: SPDXRef-${name}
+SPDXID: SPDXRef-${id}
 PackageVersion: ${version}
 PackageDownloadLocation: NOASSERTION
 FilesAnalyzed: false
 PackageLicenseConcluded: NOASSERTION
 PackageLicenseDeclared: ${license}
 PackageCopyrightText: NOASSERTION
-Relationship: SPDXRef-libcontact ${relationship} SPDXRef-${name}
+Relationship: SPDXRef-libcontact ${relationship} SPDXRef-${id}
 " PARENT_SCOPE)
 endfunction()
 part(. Eigen3 Eigen3_VERSION MPL-2.0 STATIC_LINK)
 part(. Boost Boost_VERSION BSL-1.0 STATIC_LINK)
 part(libcontact fmt fmt_VERSION MIT STATIC_LINK)
 part(libcontact tomlplusplus tomlplusplus_VERSION MIT STATIC_LINK)
-if(CONTACT_BUILD_REFERENCE)
+if(CONTACT_BUILD_APPS AND CONTACT_BUILD_REFERENCE)
   part(libcontact/tools/reference GSL GSL_VERSION GPL-3.0-or-later DYNAMIC_LINK)
 endif()
 if(CONTACT_BUILD_APPS)

@@ -45,7 +45,9 @@ quietly() {
     printf '%s\n' "$@"
     for arg in "$@"; do if [ -f "$arg" ]; then cat "$arg"; fi; done
   } | md5sum | cut -c -32)
-  [ -f "$call" ] || "$bin/$@" >"$call" 2>/dev/null || return
+  [ -f "$call" ] || {
+    "$bin/$@" >"$call.$BASHPID" 2>/dev/null && mv "$call.$BASHPID" "$call"
+  } || return
   cat "$call"
 }
 # JOINT COLUMN ARGUMENTS...: the last number of hinge-joint

@@ -10,7 +10,7 @@ names=$(grep -rhoP '(find_package|pkg_check_modules|pkg_search_module)\(\K\w+' \
   --include=CMakeLists.txt --include=python.cmake CMakeLists.txt libcontact apps cmake |
   sort -u | grep -vxE 'PkgConfig|Threads|mujoco|Simbody|DART')
 for name in $names; do
-  grep -qix "SPDXID: SPDXRef-$name" "$sbom" || { echo "$name is missing"; exit 1; }
+  grep -qix "SPDXID: SPDXRef-${name//_/-}" "$sbom" || { echo "$name is missing"; exit 1; }
 done
 # Random123 does not say its version.
 unknown=$(grep -A1 '^SPDXID: SPDXRef-' "$sbom" | grep -B1 'PackageVersion: NOASS' |
