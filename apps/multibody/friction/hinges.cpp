@@ -361,7 +361,8 @@ Eigen::MatrixXd Hinges::responses(Vec3<double> Reaction<double>::*part) {
   return squares.cwiseSqrt();
 }
 
-// R(M) depends on places alone.
+// R(M) depends on places and masses: where these change Equations clears what
+// is known.
 double Hinges::tree_response() {
   constexpr double near = 0.02;  // rad; of a ball twice that, by quaternions
   std::vector<double>& known = memory_.response_at;

@@ -156,13 +156,16 @@ class Search {
   }
 
   // Moments against the sliding, of sizes from 0.1 to 1e6 times those without
-  // friction, which fill the space of their logarithms evenly (Weyl).
+  // friction, which fill the space of their logarithms evenly (Roberts' R_d
+  // sequence, g^(d + 1) = g + 1).
   VectorXd spread(int number, const VectorXd& slid) const {
     VectorXd x(slid.size());
+    double g = 1.5;
+    for (int i = 0; i < 60; ++i)
+      g = std::pow(1 + g, 1.0 / (active_.size() + 1));
     double step = 1;
     for (std::size_t k = 0; k < active_.size(); ++k) {
-      // Fractions of the square roots of primes, nearly: powers of 1/1.22.
-      step /= 1.2207440846;
+      step /= g;
       const double share = std::fmod(number * step, 1);
       const Vector3d& rate = hinges_.now(active_[k]).rate;
       x.segment<3>(3 * k) = -rate.normalized() *

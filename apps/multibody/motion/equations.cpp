@@ -169,6 +169,7 @@ bool Equations::rates(double time, const double* state, FrictionMemory& from,
                at.forces[i].moment.dot(at.bodies[i].angular_velocity);
     }
     set_masses(time, at.masses, at.friction.dynamics);
+    if (!at.masses.empty()) from.response_at.clear();
     for (const BodyMass& mass : at.masses) {
       power += flow_power(mass, at.bodies[mass.body], gravity);
     }

@@ -129,7 +129,8 @@ struct MotionEvent {
   enum class Crossing { rising, falling, either };
   std::function<double(const MotionSample&)> function;
   Crossing crossing = Crossing::either;
-  /// A bound of the size of its rate, where bodies keep their velocities.
+  /// A bound of the size of its rate, where bodies keep their velocities; only
+  /// of rising ones.
   std::function<double(const MotionSample&)> speed = {};
   double negligible = 0;
 };

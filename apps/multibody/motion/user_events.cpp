@@ -1,12 +1,14 @@
 #include "multibody/motion/user_events.hpp"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <utility>
 
 namespace multibody {
 
 int UserEvents::add(MotionEvent event) {
+  assert(!event.speed || event.crossing == MotionEvent::Crossing::rising);
   const double value = event.function(view_);
   all_.push_back({std::move(event), value});
   return static_cast<int>(all_.size()) - 1;
