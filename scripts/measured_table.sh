@@ -45,9 +45,8 @@ quietly() {
     printf '%s\n' "$@"
     for arg in "$@"; do if [ -f "$arg" ]; then cat "$arg"; fi; done
   } | md5sum | cut -c -32)
-  [ -f "$call" ] || {
-    "$bin/$@" >"$call.$BASHPID" 2>/dev/null && mv "$call.$BASHPID" "$call"
-  } || return
+  [ -f "$call" ] || "$bin/$@" >"$call.new" 2>/dev/null || return
+  [ -f "$call" ] || mv "$call.new" "$call"
   cat "$call"
 }
 # JOINT COLUMN ARGUMENTS...: the last number of hinge-joint
