@@ -68,7 +68,6 @@ class Places {
   struct Place {
     Vector3d load;  ///< unit vector
     double cell;
-    std::string label;
     std::optional<contact::Placement> placement = {};
   };
   std::size_t size() const {
@@ -77,23 +76,21 @@ class Places {
   Place operator[](std::size_t k) const {
     if (pins_) {
       const contact::Placement placement = (*pins_)[k];
-      return {Vector3d::UnitX(), placement.place, pin_label(placement),
-              placement};
+      return {Vector3d::UnitX(), placement.place, placement};
     }
     const double at = (*directions_)[k];
     const double direction = at * contact::degree;
-    return {{std::sin(direction), 0, std::cos(direction)},
-            at,
-            fmt::format("{:.6g} deg", at)};
+    return {{std::sin(direction), 0, std::cos(direction)}, at};
   }
   bool has_cell() const { return has_cell_; }
-
- private:
-  std::string pin_label(const contact::Placement& placement) const {
-    if (has_cell_) return fmt::format("at {:.6g} mm", placement.place * 1e3);
-    return fmt::format("tilt {:.6g} deg", placement.tilt.x() / contact::degree);
+  std::string label(const Place& place) const {
+    if (!place.placement) return fmt::format("{:.6g} deg", place.cell);
+    if (has_cell_) return fmt::format("at {:.6g} mm", place.cell * 1e3);
+    return fmt::format("tilt {:.6g} deg",
+                       place.placement->tilt.x() / contact::degree);
   }
 
+ private:
   std::optional<Placements> pins_;
   std::optional<Sweep> directions_;
   bool has_cell_;
@@ -128,7 +125,7 @@ class Rows {
         const PlacedState state = {joint_, loads_[i], s, joint_.lie(s),
                                    joint_.rims(s)};
         write_state(state, place.cell, row);
-        if (table_.show) table_.show(state, label(i, place.label));
+        if (table_.show) table_.show(state, label(i, places_.label(place)));
       }
     }
     for (const std::string& note : notes.notes(joint_)) {
