@@ -81,13 +81,18 @@ void write_pin(const Joint& joint, const JointSolution& s, int points,
   }
 }
 
-// From rim to rim, as far from them as largest pressures are looked for.
-void write_seat(const Joint& joint, const JointSolution& s, int points,
-                const std::function<void()>& begin, cli::RowWriter& row) {
+// Polar angles from rim to rim, as far from them as largest pressures are
+// looked for.
+std::pair<double, double> reported_angles(const Joint& joint) {
   const contact::SeatZone& zone = *joint.contact().geometry().drawn_seat();
   const double near = zone.edge().report_distance;
-  const double from = zone.from() + (zone.has_lower_rim() ? near : 0);
-  const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
+  return {zone.from() + (zone.has_lower_rim() ? near : 0),
+          zone.to() - (zone.has_upper_rim() ? near : 0)};
+}
+
+void write_seat(const Joint& joint, const JointSolution& s, int points,
+                const std::function<void()>& begin, cli::RowWriter& row) {
+  const auto [from, to] = reported_angles(joint);
   const auto polar = [&](int i) { return step(from, to, i, points); };
   const auto turn = [&](int j) { return step(0, std::numbers::pi, j, points); };
   std::vector<Vector3d> places;
@@ -125,11 +130,8 @@ cli::Curve curve_at(const cli::PlacedState& state, std::vector<double> x,
 
 // In the plane of the load, from rim to rim; of a cup through its middle.
 cli::Curve curve_in_seat(const cli::PlacedState& state) {
-  const contact::SeatZone& zone =
-      *state.joint.contact().geometry().drawn_seat();
-  const double near = zone.edge().report_distance;
-  const double to = zone.to() - (zone.has_upper_rim() ? near : 0);
-  const double from = zone.has_lower_rim() ? zone.from() + near : -to;
+  const auto [first, to] = reported_angles(state.joint);
+  const double from = first > 0 ? first : -to;
   std::vector<double> x;
   std::vector<Vector3d> places;
   for (int i = 0; i < picture_points; ++i) {
