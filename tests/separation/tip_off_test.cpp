@@ -1,6 +1,7 @@
 // Motions of bodies at events and at the end, against closed forms.
 #include <gtest/gtest.h>
 
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "libcontact/base/units.hpp"

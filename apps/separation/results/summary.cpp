@@ -1,6 +1,7 @@
 #include "separation/results/summary.hpp"
 
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "libcontact/base/units.hpp"
