@@ -50,9 +50,9 @@ check_format() {
     xargs -0 clang-format --dry-run --Werror
 }
 
-# Tests that use every() of tests/support/long_run.hpp.
+# Tests that take more where CONTACT_LONG is set.
 long_tests=(Quarter/EllipticForm Seat\\. WalledExactLaw.ApproachOf
-  SideFace MotionFriction.RestingHinge)
+  SideFace MotionFriction.RestingHinge Python.load_law)
 check_long() {
   CONTACT_LONG=1 ctest --test-dir "${CONTACT_BUILD:-build}" \
     --output-on-failure -R "^($(IFS='|'; echo "${long_tests[*]}"))"
