@@ -1,5 +1,5 @@
 """Recipe for Conan 2 of the library and its C interface, without programs. Not
-run yet: conan create . --build=missing"""
+run yet: conan create . -s compiler.cppstd=20 --build=missing"""
 
 import re
 from pathlib import Path
@@ -16,7 +16,9 @@ class Libcontact(ConanFile):
     license = "MIT"
     package_type = "static-library"  # and the C interface as a shared one
     settings = "os", "arch", "compiler", "build_type"
-    exports_sources = "*.md", "LICENSE", "CMakeLists.txt", "cmake/*", "libcontact/*", "data/*", "plots/*"
+    exports_sources = (
+        "README.md", "CHANGELOG.md", "CONTRIBUTING.md", "LICENSE",
+        "CMakeLists.txt", "cmake/*", "libcontact/*", "data/*", "plots/*")  # fmt: skip
     # Headers alone are taken of them.
     default_options = {"boost/*:header_only": True, "fmt/*:header_only": True}
 

@@ -37,8 +37,14 @@ package(dev libcontact-dev "headers and libraries for C++ and C"
   "${c_package} (= ${PROJECT_VERSION}), libeigen3-dev")
 package(python python3-libcontact "package for Python" "python3, python3-numpy")
 set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS gnuplot-nox)
-set(CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS
-  "libsundials-dev, libfmt-dev, nlohmann-json3-dev, libqhull-dev")
+# What its components need, and the simulators that it has adapters to.
+set(suggests libsundials-dev libfmt-dev nlohmann-json3-dev libqhull-dev)
+foreach(host mujoco simbody ode dart)
+  if(TARGET contact::${host})
+    list(APPEND suggests lib${host}-dev)
+  endif()
+endforeach()
+list(JOIN suggests ", " CPACK_DEBIAN_DEV_PACKAGE_SUGGESTS)
 set(CPACK_DEBIAN_DEV_PACKAGE_SHLIBDEPS OFF)
 # Studies in parts need hinge-study of the same version.
 set(CPACK_DEBIAN_PYTHON_PACKAGE_RECOMMENDS

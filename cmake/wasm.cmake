@@ -1,9 +1,12 @@
 # Toolchain: WebAssembly by Debian's emscripten 3.1.6, with its vectors and
-# exceptions; programs run in node. Of an emsdk, if its environment is set.
-set(CONTACT_EMSCRIPTEN /usr/share/emscripten)
+# exceptions; programs run in node. Of an emsdk, if its environment was set when
+# the build tree was made.
+set(emscripten /usr/share/emscripten)
 if(DEFINED ENV{EMSDK})
-  set(CONTACT_EMSCRIPTEN $ENV{EMSDK}/upstream/emscripten)
+  set(emscripten $ENV{EMSDK}/upstream/emscripten)
 endif()
+set(CONTACT_EMSCRIPTEN ${emscripten} CACHE PATH "Folder of emscripten")
+list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES CONTACT_EMSCRIPTEN)
 include(${CONTACT_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake)
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions \
 -include ${CMAKE_CURRENT_LIST_DIR}/libcxx13.hpp")

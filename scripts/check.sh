@@ -20,6 +20,7 @@
 #   libcxx_apps  programs are compiled by clang++ 19 with libc++, not linked
 #   aarch64   the library builds for 64-bit ARM, and its tests pass under qemu
 #   mingw     the library builds for 64-bit Windows, and its tests pass under wine
+#             with every set of instructions
 #   npm       the npm package is made; it has the library's numbers in node and
 #             in Chromium, installed too
 #   long      the tests that take some of many rows pass with all of them
@@ -33,7 +34,7 @@ unset CDPATH
 cd "$(dirname "$0")/.."
 
 usage() {
-  sed -n '2,29s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,30s/^# \{0,1\}//p' "$0" >&2
   exit 2
 }
 
@@ -225,17 +226,21 @@ install() { # LIST...
   [ "${CONTACT_SKIP_SETUP:-}" = 1 ] || scripts/setup.sh "${@/#/scripts/}"
 }
 
-check_libcxx() {
-  install packages-libcxx.txt
-  cmake --preset libcxx
-  cmake --build --preset libcxx
+test_every_set() { # PRESET: its tests, with every set of instructions
   local sets=(baseline) set
   grep -q ' avx2 .* fma\| fma .* avx2 ' /proc/cpuinfo && sets+=(avx2)
   grep -q ' avx512vl' /proc/cpuinfo && sets+=(avx512)
   for set in "${sets[@]}"; do
-    CONTACT_INSTRUCTION_SET=$set ctest --preset libcxx --no-tests=error \
+    CONTACT_INSTRUCTION_SET=$set ctest --preset "$1" --no-tests=error \
       --parallel "$(nproc)"
   done
+}
+
+check_libcxx() {
+  install packages-libcxx.txt
+  cmake --preset libcxx
+  cmake --build --preset libcxx
+  test_every_set libcxx
   check_libcxx_apps
 }
 
@@ -277,7 +282,7 @@ check_mingw() {
   install packages-mingw.txt
   cmake --preset mingw
   cmake --build --preset mingw
-  ctest --preset mingw --no-tests=error --parallel "$(nproc)"
+  test_every_set mingw
 }
 
 check_npm() {

@@ -4,8 +4,7 @@
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."
-[ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
-  scripts/setup.sh scripts/packages.txt scripts/packages-page.txt
-cmake --preset wasm "$@"
-cmake --build --preset wasm --target npm
-(cd build-wasm && npm pack --silent ./npm && ls -l libcontact-*.tgz)
+scripts/wasm.sh npm "$@"
+cd build-wasm
+npm pack --silent ./npm
+ls -l libcontact-*.tgz

@@ -4,9 +4,5 @@
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."
-[ "${CONTACT_SKIP_SETUP:-}" = 1 ] ||
-  scripts/setup.sh scripts/packages.txt scripts/packages-page.txt
-# Its -O2: -O3 makes it a tenth larger and no faster; -Os six times as slow.
-cmake --preset wasm "$@"
-cmake --build --preset wasm --target page
+scripts/wasm.sh page "$@"
 ls -l build-wasm/calculator.html

@@ -1,7 +1,6 @@
+import {ROOM} from './memory.js';
 import {toml} from './toml.js';
 
-// Room for structs that are not looked into, bytes; layout.cpp compares.
-const ROOM = {solution: 512, rest: 512, step: 1024, notes: 8192};
 const OF_PATCH = ['half_angle', 'load_parameter', 'peak_pressure',
                   'mean_pressure', 'contact_area'];
 
@@ -14,6 +13,7 @@ export function jointOf(c, m, quantities) {
     #step;
     #hasStep = false;
     #keys;
+    #release;
 
     constructor(joint, settings = {}) {
       const isText = typeof joint === 'string';
@@ -40,11 +40,9 @@ export function jointOf(c, m, quantities) {
       });
       this.#step = m.made(ROOM.step);
       this.#keys = keysOf(this.has_seat ? tables.joint : tables.solution);
-      m.owned.register(this, this.#handles(), this);
-    }
-    #handles() {
-      return [[c.contact_joint_free, this.#at],
-              [c.contact_memory_free, this.#memory], [c.free, this.#step]];
+      this.#release = m.own(
+          this, [c.contact_joint_free, this.#at],
+          [c.contact_memory_free, this.#memory], [c.free, this.#step]);
     }
     #readSize(at) {
       m.must(c.contact_joint_get_size(this.#at, at));
@@ -55,8 +53,7 @@ export function jointOf(c, m, quantities) {
       this.has_seat = m.word(at + 40) !== 0;
     }
     free() {
-      m.owned.unregister(this);
-      for (const [release, at] of this.#handles()) release(at);
+      this.#release();
       this.#at = this.#memory = this.#step = 0;
     }
     get handle() {

@@ -11,6 +11,8 @@
 static_assert(contact::detail::native_lanes == 2);
 
 // memory.js
+static_assert(sizeof(contact_solution) <= 512 && sizeof(contact_rest) <= 512 &&
+              sizeof(contact_step) <= 1024);
 static_assert(CONTACT_BAD_INPUT == 3 && CONTACT_FAILURE == 5 &&
               CONTACT_OUT_OF_SEAT == 6);
 static_assert(offsetof(contact_step, holds) == 4 &&
@@ -24,8 +26,6 @@ static_assert(static_cast<int>(contact::JointState::unloaded) == 2 &&
               static_cast<int>(contact::ContactState::clearance) == 3);
 
 // joint.js
-static_assert(sizeof(contact_solution) <= 512 && sizeof(contact_rest) <= 512 &&
-              sizeof(contact_step) <= 1024);
 static_assert(sizeof(contact_setting) == 8);
 static_assert(sizeof(contact_joint_size) == 48 &&
               offsetof(contact_joint_size, radius) == 8 &&

@@ -1,4 +1,6 @@
 // Steps of a simulator's joints in its own rates: libcontact/c/mechanism.h.
+import {ROOM} from './memory.js';
+
 const START = 120;  // bytes of a contact_mechanism_start
 
 export const mechanismOf = (c, m) => class Mechanism {
@@ -6,6 +8,7 @@ export const mechanismOf = (c, m) => class Mechanism {
   #size;
   #joints;  // which have to stay
   #step;
+  #release;
 
   constructor(joints, size) {
     this.#joints = joints.map(({joint}) => joint);
@@ -17,15 +20,12 @@ export const mechanismOf = (c, m) => class Mechanism {
           joints.length, size, place));
       return m.word(place);
     });
-    this.#step = m.made(1024);
-    m.owned.register(this, this.#handles(), this);
-  }
-  #handles() {
-    return [[c.contact_mechanism_free, this.#at], [c.free, this.#step]];
+    this.#step = m.made(ROOM.step);
+    this.#release = m.own(
+        this, [c.contact_mechanism_free, this.#at], [c.free, this.#step]);
   }
   free() {
-    m.owned.unregister(this);
-    for (const [release, at] of this.#handles()) release(at);
+    this.#release();
     this.#at = this.#step = 0;
   }
   weigh(inertia, rows, stiffness, timeStep) {

@@ -1,10 +1,14 @@
 // Numbers and texts in the memory of the module, whose exports are `c`.
 export class ContactError extends Error {}
 
+// Room for structs that are not looked into, bytes; layout.cpp compares.
+export const ROOM = {solution: 512, rest: 512, step: 1024, notes: 8192};
 export const STATUS = ['ok', 'out_of_range', 'not_converged', 'bad_input',
                        'run_failed', 'failure', 'out_of_seat'];
 
 export function memoryOf(c) {
+  const release = (handles) => handles.forEach(([give, at]) => give(at));
+  const registry = new FinalizationRegistry(release);
   // Views, made anew where the memory has grown.
   let views;
   const heap = () => views?.bytes.buffer === c.memory.buffer ? views : views = {
@@ -78,8 +82,14 @@ export function memoryOf(c) {
       angular_velocity: Array.from(heap().numbers.subarray(at / 8 + 1, at / 8 + 4)),
       moment: Array.from(heap().numbers.subarray(at / 8 + 4, at / 8 + 7)),
     }),
-    // Gives handles back with their owner: owned(owner, [release, handle]...).
-    owned: new FinalizationRegistry((handles) => handles.forEach(
-        ([release, at]) => release(at))),
+    // Gives handles, each [function, address], back with their owner, or by the
+    // function that this returns.
+    own(owner, ...handles) {
+      registry.register(owner, handles, owner);
+      return () => {
+        registry.unregister(owner);
+        release(handles.splice(0));
+      };
+    },
   };
 }

@@ -18,58 +18,52 @@ using Eigen::Vector3d;
 // Balances rounding (4e-15/h) against curvature (h^4).
 constexpr double step = 1e-3;
 
-FrictionTriple combined(double a, const FrictionTriple& x, double b,
-                        const FrictionTriple& y) {
-  return {a * x.force + b * y.force, a * x.sliding + b * y.sliding,
-          a * x.spinning + b * y.spinning};
+// f, P and A times R_n, N: docs/explanation/joint.md, (14). Beyond 90 deg
+// the slip at the centre turns round.
+Vector3d friction_at(const JointContact& contact, double half_angle,
+                     const SlipAxis& axis, double force, double speed) {
+  const FrictionTriple of = contact.friction_at(
+      half_angle, {axis.sin, std::abs(axis.cos)}, {force, speed});
+  const double sliding = axis.cos < 0 ? -of.sliding : of.sliding;
+  return {axis.cos < 0 ? -of.force : of.force,
+          axis.cos * sliding + axis.sin * of.spinning,
+          axis.cos * of.spinning - axis.sin * sliding};
 }
 
 // Derivative at 0 of a function of a number, by values at +-h and +-2h.
 template <class Function>
-FrictionTriple slope(const Function& at, double h) {
-  const FrictionTriple near = combined(1, at(h), -1, at(-h));
-  const FrictionTriple far = combined(1, at(2 * h), -1, at(-2 * h));
-  return combined(8 / (12 * h), near, -1 / (12 * h), far);
+Vector3d slope(const Function& at, double h) {
+  return (8 * (at(h) - at(-h)) - (at(2 * h) - at(-2 * h))) / (12 * h);
 }
 
-// Friction force and both moments over rho, N, and their slopes over ln R_n, a
-// and ln |Dw|.
-struct ContactSlopes {
-  FrictionTriple value, over_force, over_axis, over_speed;
-
-  ContactSlopes(const JointContact& contact, const JointSolution& s,
-                double speed) {
-    const auto at = [&](double force, SlipAxis axis, double rate) {
-      return contact.friction_at(contact.half_angle(force).half_angle, axis,
-                                 {force, rate});
-    };
-    const SlipAxis& axis = s.slip_axis;
-    const double force = s.normal_force;
-    value = contact.friction_at(s.half_angle, axis, {force, speed});
-    over_force = slope(
-        [&](double x) { return at(force * std::exp(x), axis, speed); }, step);
-    // The friction changes over angles of 90 deg - a or theta0, whichever is
-    // larger.
-    const double scale = std::max(axis.cos, std::min(1.0, s.half_angle));
-    over_axis = slope(
-        [&](double x) {
-          const double sine = axis.sin * std::cos(x) + axis.cos * std::sin(x);
-          const double cosine = axis.cos * std::cos(x) - axis.sin * std::sin(x);
-          const FrictionTriple t = contact.friction_at(
-              s.half_angle, {sine, std::abs(cosine)}, {force, speed});
-          // Beyond 90 deg the slip at the centre turns round.
-          return cosine < 0 ? FrictionTriple{-t.force, -t.sliding, t.spinning}
-                            : t;
-        },
-        step * scale);
-    over_speed = slope(
-        [&](double x) {
-          return contact.friction_at(s.half_angle, axis,
-                                     {force, speed * std::exp(x)});
-        },
-        step);
-  }
+// These and their slopes over ln R_n, a and ln |Dw|.
+struct Slopes {
+  Vector3d value, over_load, over_axis, over_speed;
 };
+
+Slopes slopes_of(const JointContact& contact, const JointSolution& s,
+                 const SlipAxis& a, double speed) {
+  const double load = s.normal_force, theta0 = s.half_angle;
+  const auto over_load = [&](double x) {
+    const double more = load * std::exp(x);
+    return friction_at(contact, contact.half_angle(more).half_angle, a, more,
+                       speed);
+  };
+  const auto over_axis = [&](double x) {
+    return friction_at(contact, theta0,
+                       {a.sin * std::cos(x) + a.cos * std::sin(x),
+                        a.cos * std::cos(x) - a.sin * std::sin(x)},
+                       load, speed);
+  };
+  const auto over_speed = [&](double x) {
+    return friction_at(contact, theta0, a, load, speed * std::exp(x));
+  };
+  // The friction changes over angles of 90 deg - a or theta0, whichever is
+  // larger.
+  const double scale = std::max(a.cos, std::min(1.0, theta0));
+  return {over_speed(0), slope(over_load, step), slope(over_axis, step * scale),
+          slope(over_speed, step)};
+}
 
 // R = N + R_t and M_t as functions of N = R_n n and Dw, and their changes.
 struct Jacobians {
@@ -77,54 +71,38 @@ struct Jacobians {
   Matrix3d moment_over_normal, moment_over_rate;
 };
 
-// docs/explanation/joint.md, (10) to (13).
+// docs/explanation/joint.md, (10) to (14): P over a is by its potential.
 Jacobians jacobians(const JointContact& contact, const JointSolution& s,
                     const Vector3d& w, double speed) {
-  const ContactSlopes f(contact, s, speed);
+  constexpr double smallest_cosine = 1e-150;
+  const SlipAxis a = {s.slip_axis.sin,
+                      std::max(s.slip_axis.cos, smallest_cosine)};
+  const auto [value, over_load, over_axis, over_speed] =
+      slopes_of(contact, s, a, speed);
+  const double f_over_cos = value[0] / a.cos, A_over_cos = value[2] / a.cos;
   const double side = contact.geometry().side();
   const double rho = contact.geometry().radius();
-  const double sin_a = s.slip_axis.sin;
-  constexpr double smallest_cosine = 1e-150;
-  const double cos_a = std::max(s.slip_axis.cos, smallest_cosine);
-  const Vector3d& n = s.normal;
-  const Vector3d cross = w.cross(n);
+  const Vector3d cross = w.cross(s.normal);
   const Vector3d t =
       cross.isZero(0) ? w.unitOrthogonal() : cross.stableNormalized();
   const Vector3d d = t.cross(w);
-  const Vector3d j = n.cross(t);
-  const RowVector3d nt = n.transpose(), tt = t.transpose(), dt = d.transpose(),
-                    jt = j.transpose(), wt = w.transpose();
-  const auto over_cos = [&](double FrictionTriple::*of) {
-    const FrictionTriple at = contact.friction_at(s.half_angle, {sin_a, cos_a},
-                                                  {s.normal_force, speed});
-    return at.*of / cos_a;
-  };
-  const double force_over_cos = over_cos(&FrictionTriple::force);
-  const double sliding_over_cos = over_cos(&FrictionTriple::sliding);
-
-  Jacobians result;
-  const double of_normal = 1 / s.normal_force;
-  result.reaction_over_normal =
-      Matrix3d::Identity() -
-      side * of_normal *
-          (t * (f.over_force.force * nt + f.over_axis.force * jt) -
-           force_over_cos * d * tt);
-  result.reaction_over_rate =
+  const RowVector3d nt = s.normal.transpose(), tt = t.transpose(),
+                    dt = d.transpose(), wt = w.transpose(),
+                    jt = s.normal.cross(t).transpose();
+  return {
+      Matrix3d::Identity() - side / s.normal_force *
+                                 (t * (over_load[0] * nt + over_axis[0] * jt) -
+                                  f_over_cos * d * tt),
       -side / speed *
-      (t * (f.over_axis.force * dt + f.over_speed.force * wt) -
-       f.value.force * w * tt + force_over_cos * sin_a * d * tt);
-  result.moment_over_normal =
-      -rho * of_normal *
-      (j * (f.over_force.sliding * nt + f.over_axis.sliding * jt) -
-       f.value.sliding * n * jt - sliding_over_cos * sin_a * t * tt +
-       n * (f.over_force.spinning * nt + f.over_axis.spinning * jt) +
-       f.value.spinning * (j * jt + t * tt));
-  result.moment_over_rate =
+          (t * (over_axis[0] * dt + over_speed[0] * wt) - value[0] * w * tt +
+           f_over_cos * a.sin * d * tt),
+      -rho / s.normal_force *
+          (w * (over_load[1] * nt + (value[2] + over_speed[2]) * jt) +
+           d * (over_load[2] * nt + over_axis[2] * jt) + A_over_cos * t * tt),
       -rho / speed *
-      (j * (f.over_axis.sliding * dt + f.over_speed.sliding * wt) +
-       sliding_over_cos * t * tt +
-       n * (f.over_axis.spinning * dt + f.over_speed.spinning * wt));
-  return result;
+          (w * (over_speed[2] * dt + over_speed[1] * wt) +
+           d * ((over_axis[2] + value[1]) * dt + over_speed[2] * wt) +
+           (value[1] - A_over_cos * a.sin) * t * tt)};
 }
 
 }  // namespace

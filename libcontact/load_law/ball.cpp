@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 #include "libcontact/load_law/minimax.hpp"
 
@@ -196,8 +197,8 @@ BallLaw<double> ball_load_law(const Joint& ball,
           "the load law of a ball",
           "a clearance, and dry friction without adhesion with a coefficient "
           "above 0, up to 1");
-  const auto range = loads_of(ball, options.loads,
-                              1 / ball.contact().load_parameter(1), 1e-3, 10);
+  const auto range = loads_of_endless(
+      ball, options.loads, 1 / ball.contact().load_parameter(1), 1e-3, 10);
   BallLaw<double> law;
   for (const BallLaw<double>& preset : presets) {
     const bool is_last = &preset == std::end(presets) - 1;

@@ -57,7 +57,7 @@ FrictionLaw dry_friction(const Joint& joint) {
   return dry == nullptr ? FrictionLaw(0) : *dry;
 }
 
-std::pair<double, double> loads_of(
+std::pair<double, double> loads_of_endless(
     const Joint& joint, const std::optional<std::pair<double, double>>& given,
     double unit, double low, double high) {
   require(joint.is_endless(), "a load law",

@@ -30,11 +30,10 @@ Eigen::ArrayXd nodes(int count);
 
 /// f0 and adhesion of dry friction, else 0: for other laws the caller knows f.
 FrictionLaw dry_friction(const Joint& joint);
-/// The given loads, or default loads as multiples of `unit`.
-/// @throws Error unless 0 < low < high, and for a joint with rims or ends,
-/// whose
-///   friction does not depend on the load alone
-std::pair<double, double> loads_of(
+/// The given loads, or default loads as multiples of `unit`, of a joint whose
+/// friction depends on the load alone.
+/// @throws Error unless 0 < low < high, and for a joint with rims or ends
+std::pair<double, double> loads_of_endless(
     const Joint& joint, const std::optional<std::pair<double, double>>& given,
     double unit, double low, double high);
 /// @throws Error "WHAT requires OTHER" unless it has that

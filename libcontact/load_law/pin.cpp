@@ -137,8 +137,8 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
   law.radius = contact.geometry().radius();
   if (law.form == Form::interference) law.scale = unit;
   // What a clearance needs is known for all loads.
-  law.loads = detail::loads_of(pin, loads, unit, sticks ? 1e-3 : 1e-6,
-                               sticks ? 10 : 1e4);
+  law.loads = detail::loads_of_endless(pin, loads, unit, sticks ? 1e-3 : 1e-6,
+                                       sticks ? 10 : 1e4);
   const Nodes nodes = nodes_of(pin, law);
   const std::vector<State> all = states_of(pin, law);
   double best = std::numeric_limits<double>::infinity();

@@ -20,7 +20,7 @@ print(hip.peak_pressure(1000))'
 rm data turning turning.c
 packages=$(dpkg-query -f '${Package}\n' -W '*libcontact*')
 # shellcheck disable=SC2046,SC2086  # words
-closed=$(find $(dpkg -L $packages) -maxdepth 0 -type d ! -perm -055)
+closed=$(find $(dpkg -L $packages) -maxdepth 0 \( -type d ! -perm -055 -o -type f ! -perm -044 \))
 [ -z "$closed" ] || { echo "$closed" && exit 1; }
 apt-get purge -y -q $packages
 rm -r /packages

@@ -155,11 +155,13 @@ TEST(SlipDerivatives, AtAFixedContactAreTheCurvatureOfThePower) {
 }
 
 // Whatever friction does over the speed it has a potential at a fixed contact,
-// the sum of the integral of tau over the speed. Stresses are integrated to
-// some 1e-10 of the moment, differences with steps of 1e-3 leave 1e-7 of that.
+// the sum of the integral of tau over the speed: derivatives() takes a slope
+// from it, differences of the moments do not. Stresses are integrated to some
+// 1e-10 of the moment, differences with steps of 1e-3 leave 1e-7 of that.
 TEST(SlipDerivatives, AtAFixedContactAreSymmetricOverAnySpeed) {
   RandomSlips random(14);
   AccuracyReport symmetry("dM/dDw at the contact, any friction stress", 1e-6);
+  AccuracyReport same("the same by differences of its moments", 1e-6);
   AccuracyReport differ("solve() against its own contact", 1e-9);
   int driven = 0;
   for (int i = 0; i < 300; ++i) {
@@ -180,7 +182,19 @@ TEST(SlipDerivatives, AtAFixedContactAreSymmetricOverAnySpeed) {
     const std::string label = std::to_string(rest) + " " +
                               std::to_string(fast) + " " +
                               std::to_string(at.slip_axis_angle());
-    symmetry.add_error((d - d.transpose()).norm() / d.norm(), label);
+    Matrix3d moments;
+    for (int k = 0; k < 3; ++k) {
+      const auto moment = [&](double steps) {
+        const Vector3d w = turn + 1e-3 * steps * rate * Vector3d::Unit(k);
+        return ball.solve_contact({normal_force, w}).friction_moment;
+      };
+      moments.col(k) =
+          (8 * (moment(1) - moment(-1)) - (moment(2) - moment(-2))) /
+          (12e-3 * rate);
+    }
+    symmetry.add_error((moments - moments.transpose()).norm() / moments.norm(),
+                       label);
+    same.add_error((d - moments).norm() / moments.norm(), label);
     driven += at.spinning_coefficient * at.slip_axis.sin < 0;
     const JointSolution s = ball.solve(slip);
     const JointSolution own =

@@ -45,12 +45,14 @@ export class HingeFriction {
     }
     this.#hinges.push({id, joint, body: m.jnt_bodyid[id], first: m.jnt_dofadr[id],
                        size: kind === 'ball' ? 3 : 1, angle: m.jnt_qposadr[id]});
-    this.#mechanism = new this.#contact.Mechanism(this.#hinges, m.nv);
+    this.#mechanism = undefined;  // made anew with all hinges
   }
 
   // In the place of mj_step().
   step(d) {
-    const [mj, m, mechanism] = [this.#mujoco, this.#model, this.#mechanism];
+    const [mj, m] = [this.#mujoco, this.#model];
+    const mechanism = this.#mechanism ??=
+        new this.#contact.Mechanism(this.#hinges, m.nv);
     const likely = this.#ratesAtEnd(d);
     mj.mj_forward(m, d);
     this.#smooth = Float64Array.from(d.qfrc_smooth);
