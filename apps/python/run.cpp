@@ -129,6 +129,11 @@ class CaseRun {
     alone([&] { run_.restore(separation::saved_state(bytes, identity_)); });
   }
 
+  void set_inputs(std::vector<double> values) {
+    run();
+    run_.set_inputs(std::move(values));
+  }
+
   static std::unique_ptr<CaseRun> copy_of(CaseRun& other) {
     std::unique_ptr<CaseRun> made;
     other.alone([&] { made = std::make_unique<CaseRun>(other); });
@@ -243,6 +248,18 @@ void bind_run(py::module_& m) {
   type.def_property_readonly("_contact_notes", [](const CaseRun& r) {
     return separation::contact_notes(r.run().of(), r.run().memory());
   });
+  type.def(
+      "_input",
+      [](const CaseRun& r, const std::string& name) {
+        return r.run().input(name);
+      },
+      py::arg("name"));
+  type.def_property_readonly("_inputs", [](const CaseRun& r) {
+    std::vector<std::string> names;
+    for (const auto& input : r.run().inputs()) names.push_back(input.name);
+    return py::make_tuple(names, r.run().input_values());
+  });
+  type.def("_set_inputs", &CaseRun::set_inputs, py::arg("values"));
   bind_place(type);
   type.def(
       "values",

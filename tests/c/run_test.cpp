@@ -70,6 +70,45 @@ TEST_P(CaseRuns, AreThoseOfCpp) {
   }
 }
 
+// A controller, and what it may not ask for.
+TEST(CDoor, RunsTakeTheInputsOfCpp) {
+  const std::string file = cases + "flywheels.toml";
+  const CRun c = c_run(file);
+  const auto of = separation::read_case(file);
+  separation::Run cpp(of, {.friction = of.friction});
+  const std::size_t count = contact_run_input_count(c.get());
+  ASSERT_EQ(count, cpp.inputs().size());
+  for (std::size_t i = 0; i < count; ++i) {
+    EXPECT_EQ(contact_run_input(c.get(), i), cpp.inputs()[i].name);
+  }
+  EXPECT_EQ(contact_run_input(c.get(), count), nullptr);
+  std::size_t place, rate;
+  ASSERT_EQ(contact_run_find_input(c.get(), "wheel_x.applied_hinge_moment_N_m",
+                                   &place),
+            CONTACT_OK);
+  ASSERT_EQ(contact_run_find_column(c.get(), "wheel_x.rate_deg_per_s", &rate),
+            CONTACT_OK);
+  std::vector<double> values(contact_run_column_count(c.get()));
+  std::vector<double> inputs(count);
+  for (double t = 0; t < 5; t += 0.37) {
+    ASSERT_EQ(contact_run_advance(c.get(), t), CONTACT_OK);
+    cpp.advance_to(t);
+    ASSERT_EQ(contact_run_values(c.get(), values.data(), values.size()),
+              CONTACT_OK);
+    expect_same(values.data(), cpp.values().data(), values.size());
+    inputs[place] = -1e-4 * values[rate];
+    ASSERT_EQ(contact_run_set_inputs(c.get(), inputs.data(), count),
+              CONTACT_OK);
+    cpp.set_inputs(inputs);
+  }
+  EXPECT_EQ(contact_run_set_inputs(c.get(), inputs.data(), 1),
+            CONTACT_BAD_INPUT);
+  EXPECT_EQ(contact_run_set_inputs(c.get(), nullptr, count), CONTACT_BAD_INPUT);
+  EXPECT_EQ(contact_run_find_input(c.get(), "wheel_x", &place),
+            CONTACT_BAD_INPUT);
+  EXPECT_EQ(contact_run_input_count(nullptr), 0u);
+}
+
 TEST_P(CaseRuns, GoOnFromSavedBytes) {
   const std::string file = cases + GetParam() + ".toml";
   const CRun first = c_run(file);

@@ -97,6 +97,12 @@ class Fmu {
   unsigned reference(const std::string& name) const {
     return references_.at(name);
   }
+  std::string causality(const std::string& name) const {
+    for (const Element& e : description_["ModelVariables"].inside) {
+      if (e.attributes.at("name") == name) return e.attributes.at("causality");
+    }
+    return "";
+  }
   fs::path binary() const {
     const std::string id =
         description_["CoSimulation"].attributes.at("modelIdentifier");

@@ -288,9 +288,21 @@ TEST_P(Versions, RunACase) {
   for (std::size_t i = 0; i < count; ++i) {
     references.push_back(fmu->reference(contact_run_column(run, i)));
   }
+  // A load from outside, held over each step.
+  const char* const load = "wheel_y.applied_hinge_moment_N_m";
+  EXPECT_EQ(fmu->causality(load), "input");
+  std::vector<double> loads(contact_run_input_count(run));
+  std::size_t place;
+  must(contact_run_find_input(run, load, &place));
+  const auto step_on = [&](int step) {
+    EXPECT_EQ(it.set(load, 0.1 * step), 0);
+    EXPECT_EQ(it.step(5 + step, 1), 0);
+  };
   void* state = nullptr;
   for (int step = 0; step < 8; ++step) {
-    ASSERT_EQ(it.step(5 + step, 1), 0);
+    step_on(step);
+    loads[place] = 0.1 * step;
+    must(contact_run_set_inputs(run, loads.data(), loads.size()));
     must(contact_run_advance(run, step + 1));
     if (step == 3) {
       it.call("GetFMUstate", &state);
@@ -310,7 +322,7 @@ TEST_P(Versions, RunACase) {
   it.call("SetFMUstate", state);
   EXPECT_NE(it.get("wheel_x.angle_deg"), end);
   EXPECT_EQ(it.get("time"), 9);
-  for (int step = 4; step < 8; ++step) it.step(5 + step, 1);
+  for (int step = 4; step < 8; ++step) step_on(step);
   EXPECT_EQ(it.get("wheel_x.angle_deg"), end);
   it.call("FreeFMUstate", &state);
   contact_run_free(run);

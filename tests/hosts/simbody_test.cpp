@@ -495,6 +495,115 @@ TEST(HostSimbody, SeatsTurnWithTheirBody) {
   }
 }
 
+/// A free bus with booms that turn about z.
+void add_booms(World& w, int booms) {
+  const Body::Rigid bus(MassProperties(200, Vec3(0), Inertia(35, 35, 35)));
+  const Body::Rigid boom(MassProperties(5, Vec3(0), Inertia(2, 2, 3.75)));
+  w.bodies.push_back(MobilizedBody::Free(w.matter.Ground(), bus));
+  for (int i = 0; i < booms; ++i) {
+    w.bodies.push_back(MobilizedBody::Pin(
+        w.bodies[0], Transform(Vec3(i == 0 ? 0.5 : -0.5, 0, 0)), boom,
+        Transform(Vec3(-1.5, 0, 0))));
+    w.friction.add(w.bodies.back(), pin_file);
+  }
+}
+
+double energy(const World& w) {
+  w.system.realize(w.state, Stage::Dynamics);
+  return w.matter.calcKineticEnergy(w.state);
+}
+
+// With the response w of the hinge's rate u to a unit impulse, u/w and a loss
+// of u^2/(2 w): as of a motor of 2 N m over 90 deg, pi J, which libcontact's
+// own runs and another model have too (tests/separation/stops_test.cpp).
+TEST(HostSimbody, LatchesKeepMomentum) {
+  World w;
+  add_booms(w, 1);
+  w.begin();
+  constexpr double impulse = 7.488338235624;
+  w.bodies[1].setOneU(w.state, 0, 2 * Pi / impulse);
+  w.friction.settle(w.state);
+  const double before = energy(w);
+  const SpatialVec momentum =
+      w.matter.calcSystemMomentumAboutGroundOrigin(w.state);
+  const Vec3 given = w.friction.latch(w.state, w.bodies[1]);
+  EXPECT_NEAR(-given[2], impulse, 1e-11);
+  EXPECT_NEAR(before - energy(w), Pi, 1e-11);
+  const SpatialVec after =
+      w.matter.calcSystemMomentumAboutGroundOrigin(w.state);
+  EXPECT_LT((after - momentum).norm(), 1e-12 * momentum.norm());
+  EXPECT_EQ(w.bodies[1].getOneU(w.state, 0), 0);
+}
+
+// With a hinge that rests, which the impulse turns.
+TEST(HostSimbody, LatchesBesideOthers) {
+  World w;
+  add_booms(w, 2);
+  const Force::MobilityDiscreteForce motor(w.forces, w.bodies[1],
+                                           MobilizerUIndex(0), 0);
+  // Away from its hinge, so that friction holds it.
+  const Force::ConstantForce pull(w.forces, w.bodies[2], Vec3(0),
+                                  Vec3(1000, 0, 0));
+  w.begin();
+  w.bodies[1].setOneU(w.state, 0, 0.5);
+  w.friction.settle(w.state);
+  ASSERT_TRUE(w.bodies[2].isLocked(w.state));
+  const double before = energy(w);
+  const SpatialVec momentum =
+      w.matter.calcSystemMomentumAboutGroundOrigin(w.state);
+  const Vec3 impulse = w.friction.latch(w.state, w.bodies[1]);
+  EXPECT_NE(w.bodies[2].getOneU(w.state, 0), 0);
+  EXPECT_LT(
+      (w.matter.calcSystemMomentumAboutGroundOrigin(w.state) - momentum).norm(),
+      1e-12 * momentum.norm());
+  EXPECT_NEAR(before - energy(w), impulse.norm() * 0.5 / 2, 1e-12 * before);
+  // It holds what friction would not, 5 N m, to the last bit.
+  motor.setMobilityForce(w.state, 5);
+  const double angle = w.bodies[1].getOneQ(w.state, 0);
+  w.run(2, 1e-8);
+  EXPECT_EQ(w.bodies[1].getOneQ(w.state, 0), angle);
+  EXPECT_EQ(w.friction.latch(w.state, w.bodies[1]), Vec3(0));
+}
+
+// The guide of the folding arm holds during the impulse, which leaves nothing
+// that moves.
+TEST(HostSimbody, LatchesInALoop) {
+  World w;
+  add_chain(w, 2, false, 1);
+  const Constraint::PointInPlane guide(w.matter.Ground(), UnitVec3(XAxis), 0,
+                                       w.bodies[1], Vec3(0, 0, -0.5));
+  w.begin();
+  w.bodies[0].setOneQ(w.state, 0, 0.3);
+  w.bodies[1].setOneQ(w.state, 0, -0.6);
+  w.system.realize(w.state, Stage::Position);
+  w.system.projectQ(w.state, 1e-12);
+  w.bodies[0].setOneU(w.state, 0, 0.3);
+  w.system.realize(w.state, Stage::Velocity);
+  w.system.projectU(w.state, 1e-12);
+  w.friction.settle(w.state);
+  EXPECT_GT(w.rate(), 0.1);
+  w.friction.latch(w.state, w.bodies[0]);
+  EXPECT_LT(w.rate(), 1e-12);
+}
+
+// A panel that others had locked came off without a word.
+TEST(HostSimbody, RefusesLocksOfOthers) {
+  World w;
+  add_booms(w, 2);
+  w.begin();
+  w.bodies[1].setOneU(w.state, 0, 0.5);
+  w.friction.settle(w.state);
+  w.bodies[1].lock(w.state);
+  const std::string message =
+      "mobilized body 2 has friction and was locked by others: "
+      "HingeFriction::latch() locks it";
+  EXPECT_EQ(refused([&] { w.system.realize(w.state, Stage::Acceleration); }),
+            message);
+  EXPECT_EQ(refused([&] { w.friction.settle(w.state); }), message);
+  EXPECT_EQ(refused([&] { w.friction.latch(w.state, w.bodies[0]); }),
+            "HingeFriction::latch: body must be one that add() has had");
+}
+
 TEST(HostSimbody, SaysWhatIsWrong) {
   World w;
   const Body::Rigid body(MassProperties(1, Vec3(0), Inertia(1)));

@@ -51,6 +51,11 @@ class RunOfC:
             ctypes.c_size_t(len(values))))
         return self.c.contact_run_time(self.run), values
 
+    def set_inputs(self, values):
+        self.must(self.c.contact_run_set_inputs(
+            self.run, (ctypes.c_double * len(values))(*values),
+            ctypes.c_size_t(len(values))))
+
     def close(self):
         self.c.contact_run_free(self.run)
 
@@ -156,6 +161,66 @@ class Stepped(Test):
             lambda: pickle.dumps(run),
         ):
             self.assertRaises(TypeError, call)
+
+
+class Controlled(Test):
+    def test_steps_a_hinge_as_its_closed_form(self):
+        case = libcontact.Case({
+            "name": "boom",
+            "run": {"end_time_s": 20, "relative_tolerance": 1e-13,
+                    "absolute_tolerance": 1e-13},
+            "carrier": {"name": "ground", "fixed": True},
+            "body": [{
+                "name": "boom", "mass_kg": 20, "com_m": [1.5, 0, 0],
+                "principal_inertia_kg_m2": [1, 5, 5],
+                "hinge": {"kind": "axis", "axis": [0, 0, 1]}}]})
+        run = libcontact.Run(case)
+        moment = "boom.applied_hinge_moment_N_m"
+        self.assertEqual(run.inputs[moment], 0)
+        h, wanted, inertia, p, d = 0.05, 0.4, 5 + 20 * 1.5**2, 60.0, 80.0
+        for _ in range(200):
+            angle, rate = np.radians(
+                run["boom.angle_deg", "boom.rate_deg_per_s"])
+            run.set_inputs({moment: p * (wanted - angle) - d * rate})
+            run.advance_to(run.time + h)
+        # x -> A x + b, of angle and rate, with the moment held over h.
+        by = np.array([h**2 / 2, h]) / inertia
+        a = np.array([[1, h], [0, 1]]) - np.outer(by, [p, d])
+        b = by * p * wanted
+        rest = np.linalg.solve(np.eye(2) - a, b)
+        x = rest - np.linalg.matrix_power(a, 200) @ rest
+        np.testing.assert_allclose(
+            np.radians(run["boom.angle_deg", "boom.rate_deg_per_s"]), x,
+            rtol=0, atol=1e-10)
+        self.assertEqual(
+            message_of(run.set_inputs, {moment[:-1]: 1}),
+            f'unknown input "{moment[:-1]}": did you mean "{moment}"?')
+        self.assertEqual(
+            message_of(run.set_inputs, {moment: float("inf")}),
+            f"{moment} = inf must be finite")
+
+    def test_is_that_of_c(self):
+        file = cases / "flywheels.toml"
+        run = libcontact.Run(libcontact.Case.from_file(file))
+        of_c = RunOfC(file)
+        names = list(run.inputs)
+        for step in range(10):
+            run.advance_to(0.37 * step)
+            time, values = of_c.values_at(0.37 * step)
+            np.testing.assert_array_equal(run.values(), values)
+            load = -1e-4 * run["wheel_x.rate_deg_per_s"]
+            run.set_inputs({"wheel_x.applied_hinge_moment_N_m": load})
+            of_c.set_inputs([
+                load if name.startswith("wheel_x.applied_hinge") else 0
+                for name in names])
+        of_c.close()
+        other = libcontact.Run(libcontact.Case.from_file(file))
+        other.restore(run.save())
+        self.assertEqual(other.inputs, run.inputs)
+        for each in run, other:
+            each.advance_to(10)
+        self.assertNotEqual(load, 0)
+        np.testing.assert_array_equal(run.values(), other.values())
 
 
 class Interrupted(Test):

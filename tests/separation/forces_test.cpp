@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 #include <regex>
@@ -433,6 +434,81 @@ std::set<std::string> keys_of(const ForceKind& kind) {
   std::set<std::string> keys;
   for (const contact::KnownKey& key : kind.keys) keys.emplace(key.key);
   return keys;
+}
+
+// A force with a pattern is as many forces that are written out, whatever its
+// kind, on bodies and carriers that lie anyhow; 120 deg about z.
+TEST(Patterns, AreForcesWrittenOut) {
+  const std::string bodies = R"(
+name = "ring"; run = { end_time_s = 1 }
+[carrier]; name = "core"; mass_kg = 10; com_m = [0, 0.1, -1]; principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "tip"; mass_kg = 2; com_m = [0.1, 0, 1]; principal_inertia_kg_m2 = [1, 1, 1]
+[[body]]; name = "other"; mass_kg = 2; com_m = [0.1, 0.4, 1]; principal_inertia_kg_m2 = [1, 1, 1]
+)"_toml;
+  const auto point = [](const char* key, double x, double z, int place,
+                        double first) {
+    const double angle = first + 2 * std::numbers::pi * place / 3;
+    return fmt::format("{} = [{:.17g}, {:.17g}, {:.17g}]\n", key,
+                       x * std::cos(angle), x * std::sin(angle), z);
+  };
+  struct Keyed {
+    const char* key;
+    double x, z;
+  };
+  struct Kind {
+    std::string numbers;
+    std::vector<Keyed> vectors;
+  };
+  const Kind kinds[] = {
+      {"kind = \"applied\"\n",
+       {{"point_m", 0.7, 0.1}, {"force_N", 3, 4}, {"moment_N_m", 1, 2}}},
+      {"kind = \"thrust\"\nthrust_N = 7\n",
+       {{"point_m", 0.7, 0.1}, {"direction", 3, 4}}},
+      {"kind = \"spring\"\nstiffness_N_per_m = 7\nfree_length_m = 0.3\n",
+       {{"point_m", 0.7, 0.1}, {"carrier_point_m", 0.6, -0.2}}},
+      {"kind = \"damper\"\nother_body = \"other\"\ndamping_N_s_per_m = 7\n",
+       {{"point_m", 0.7, 0.1}, {"other_point_m", 0.6, -0.2}}},
+      {"kind = \"pusher\"\nfirst_force_N = 9\nstroke_m = 30\n",
+       {{"point_m", 0.7, 0.1},
+        {"carrier_point_m", 0.6, -0.2},
+        {"direction", 3, 4}}}};
+  const auto turned = [](const Vector3d& about) {
+    return Matrix3d(Eigen::AngleAxisd(about.norm(), about.normalized()));
+  };
+  const std::vector<BodyMotion> motions = {
+      {{0, 0, 0}, {0, 0, 0}, turned({1, 2, 3}), {0.1, 0.2, 0.3}},
+      {{1, 2, 9}, {3, 1, 2}, turned({-1, 2, 0.3}), {0.4, -0.2, 0.3}},
+      {{2, 1, 7}, {1, 5, 2}, turned({2, 1, -3}), {0.1, 0.2, -0.7}}};
+  const auto loads = [&](const separation::Case& c) {
+    std::vector<BodyForce> forces(3);
+    separation::CaseForces(c, separation::History(c))
+        .add_forces(0.1, motions, forces);
+    return forces;
+  };
+  for (const Kind& kind : kinds) {
+    std::string one = bodies, all = bodies;
+    for (int place = -1; place < 3; ++place) {
+      std::string text = fmt::format(
+          "[[force]]\nname = \"f {}\"\nbody = \"tip\"\n", place + 1);
+      text += kind.numbers;
+      for (const auto& [key, x, z] : kind.vectors) {
+        text += point(key, x, z, place < 0 ? 0 : place, place < 0 ? 0 : 0.3);
+      }
+      (place < 0 ? one : all) += text;
+    }
+    one += "[force.pattern]\ncount = 3\naxis = [0, 0, 2]\nfirst_rad = 0.3\n";
+    const auto c = separation::parse_case(one, "one.toml");
+    ASSERT_EQ(c.forces.size(), 3u);
+    EXPECT_EQ(c.forces[2].name, "f 0 3");
+    EXPECT_EQ(c.forces[2].group, "f 0");
+    const auto pattern = loads(c);
+    const auto written = loads(separation::parse_case(all, "all.toml"));
+    for (int body = 0; body < 3; ++body) {
+      EXPECT_LT((pattern[body].force - written[body].force).norm(), 1e-12);
+      EXPECT_LT((pattern[body].moment - written[body].moment).norm(), 1e-12);
+    }
+    EXPECT_GT(pattern[1].moment.norm(), 0.1) << kind.numbers;
+  }
 }
 
 TEST(ForceKinds, UnknownOnesAreToldAll) {

@@ -154,6 +154,34 @@ TEST_F(DrawnKeys, OfACaseAreThoseOfReadingAnew) {
   }
 }
 
+// Numbers of a force with a pattern, and of the pattern.
+TEST_F(DrawnKeys, OfAPatternOfForces) {
+  const std::string text =
+      "name = 'c'\nrun = { end_time_s = 0.2 }\n"
+      "[carrier]\nname = 'a'\nmass_kg = 5\n"
+      "principal_inertia_kg_m2 = [1, 1, 1]\n"
+      "[[body]]\nname = 'b'\nmass_kg = 1\ncom_m = [0.1, 0, 0]\n"
+      "principal_inertia_kg_m2 = [1, 1, 1]\n"
+      "hinge = { kind = 'ball' }\n"
+      "[[force]]\nname = 's'\nkind = 'thrust'\nbody = 'b'\n"
+      "point_m = [1, 0.1, 0]\ndirection = [1, 0.3, 0.2]\n"
+      "thrust_N = 5\nexhaust_speed_m_per_s = 10\npropellant_kg = 0.1\n"
+      "pattern = { count = 3, axis = [1, 0, 0] }\n";
+  const std::string of = "case = '" + write("c.toml", text) + "'";
+  const std::vector<std::vector<Draw>> all = {
+      {{"force[s].thrust_N", 6}},
+      {{"force[s].pattern.first_deg", 6}},
+      {{"force[s].pattern.axis[2]", 0.1}, {"force[s].propellant_kg", 0.05}},
+      {{"force[s].propellant_kg", 0.5}}};  // no such case
+  for (const std::vector<Draw>& draws : all) {
+    const study::Plan p = plan(of, draws);
+    const study::SeparationModel model(p);
+    expect_read_alike(p, model, draws, text_of([&] {
+                        return model.run(KeySettings{}, {}, {});
+                      }));
+  }
+}
+
 // Another number of bodies is another case.
 TEST_F(DrawnKeys, ThatChangeTheBodiesReadTheCaseAnew) {
   const std::string text =

@@ -387,9 +387,43 @@ TEST_F(StudyFolder, CopiesHaveDrawsOfTheirOwn) {
               const Study no(write("s.toml", wrong));
             }),
             path("s.toml") +
-                ":18: dispersion[3].each = true requires a key of a body with "
-                "a pattern, or of a force on one: body[NAME].KEY or "
-                "force[NAME].KEY");
+                ":18: dispersion[3].each = true requires a key of a body or "
+                "force with a pattern, or of a force on such a body: "
+                "body[NAME].KEY or force[NAME].KEY");
+}
+
+// Eight springs of one entry.
+TEST_F(StudyFolder, ForcesOfAPatternHaveDrawsOfTheirOwn) {
+  write("c.toml",
+        "name = 'c'\nrun = { end_time_s = 0.2 }\n"
+        "[carrier]\nname = 'a'\nmass_kg = 5\n"
+        "principal_inertia_kg_m2 = [1, 1, 1]\n"
+        "[[body]]\nname = 'b'\nmass_kg = 5\n"
+        "principal_inertia_kg_m2 = [1, 1, 1]\n"
+        "[[force]]\nname = 's'\nkind = 'pusher'\nbody = 'b'\n"
+        "point_m = [0, 1, 0]\ncarrier_point_m = [0, 1, 0]\n"
+        "direction = [1, 0, 0]\nfirst_force_N = 9\nstroke_m = 0.1\n"
+        "pattern = { count = 8, axis = [1, 0, 0] }\n");
+  const Study study(write("s.toml",
+                          "name = 's'\ncase = 'c.toml'\nruns = 3\n"
+                          "[[dispersion]]\nkey = 'force[s].first_force_N'\n"
+                          "each = true\nkind = 'uniform'\nlow = 8\nhigh = 9\n"
+                          "[[dispersion]]\nkey = 'body[b].mass_kg'\n"
+                          "kind = 'uniform'\nlow = 4\nhigh = 5\n"));
+  ASSERT_EQ(study.inputs(), 9u);
+  EXPECT_EQ(study.design().source_label(7), "force[s, b, 8].first_force_N");
+  const auto draws = study.design().numbers(1);
+  const separation::Case c = study.case_of(1);
+  ASSERT_EQ(c.forces.size(), 8u);
+  for (std::size_t i = 0; i < 8; ++i) {
+    const std::vector<multibody::BodyMotion> bodies(
+        2, {{0, 0, 0}, {0, 0, 0}, Eigen::Matrix3d::Identity(), {0, 0, 0}});
+    std::vector<multibody::BodyForce> forces(2);
+    c.forces[i].law->add({c, 1, bodies, 0, 0, INFINITY}, forces);
+    EXPECT_NEAR(forces[1].force.x(), draws[i], 1e-12);
+    EXPECT_NEAR(forces[1].moment.z(),
+                -draws[i] * std::cos(std::numbers::pi / 4 * double(i)), 1e-12);
+  }
 }
 
 TEST_F(StudyFolder, ADrivenCarriersMassHasNoEffect) {

@@ -16,11 +16,15 @@ RunHandle open_run(const std::string& file, const Settings& keys) {
   return {run, contact_run_free};
 }
 
-std::vector<Variable> columns_of(const contact_run* run) {
+std::vector<Variable> variables_of(const contact_run* run) {
   std::vector<Variable> all;
   for (std::size_t i = 0; i < contact_run_column_count(run); ++i) {
     all.push_back({contact_run_column(run, i), Role::output, "",
                    "column of the history"});
+  }
+  for (std::size_t i = 0; i < contact_run_input_count(run); ++i) {
+    all.push_back({contact_run_input(run, i), Role::input, "",
+                   "load from outside, constant over a step"});
   }
   return all;
 }
@@ -33,7 +37,7 @@ class CaseModel : public Model {
 
  private:
   CaseModel(const std::string& resources, RunHandle run)
-      : Model(resources, columns_of(run.get())), run_(std::move(run)) {
+      : Model(resources, variables_of(run.get())), run_(std::move(run)) {
     count_ = contact_run_column_count(run_.get());
     evaluate();
   }
@@ -54,6 +58,8 @@ class CaseModel : public Model {
   }
   void step(double time, double length) override {
     const double to = time + length - start_time();
+    must(contact_run_set_inputs(run_.get(), values_.data() + count_,
+                                contact_run_input_count(run_.get())));
     const contact_status status = contact_run_advance(run_.get(), to);
     is_stale_ = true;
     if (status == CONTACT_RUN_FAILED) throw NoValue(contact_last_message());

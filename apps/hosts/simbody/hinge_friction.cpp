@@ -112,6 +112,9 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   void realizeTopology(State& state) const override {
     cache_ = forces_.allocateCacheEntry(state, Stage::Dynamics,
                                         new SimTK::Value<Moments>());
+    holds_ = forces_.allocateDiscreteVariable(
+        state, Stage::Instance,
+        new SimTK::Value<Holds>(Holds(unsigned(hinges.size()), Hold::none)));
     is_last_ = true;
     SimTK::SubsystemIndex i = forces_.getMySubsystemIndex();
     while (++i < system_.getNumSubsystems()) {
@@ -185,12 +188,32 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   }
 
   void settle(State& state) const;
+  Vec3 latch(State& state, Hinge& h) const;
+  bool is_latched(const State& state, const Hinge& h) const {
+    return holds(state)[place_of(h)] == Hold::latch;
+  }
   bool is_on_scratch() const { return is_given_; }
 
   mutable std::vector<Hinge> hinges;
   mutable long evaluations = 0;
 
  private:
+  /// Why a mobilizer is locked, part of the state.
+  enum class Hold { none, rest, latch };
+  using Holds = SimTK::Array_<Hold>;
+  unsigned place_of(const Hinge& h) const {
+    return static_cast<unsigned>(&h - hinges.data());
+  }
+  const Holds& holds(const State& state) const {
+    return SimTK::Value<Holds>::downcast(
+        forces_.getDiscreteVariable(state, holds_));
+  }
+  void set_hold(State& state, const Hinge& h, Hold hold) const {
+    hold == Hold::none ? h.body.unlock(state) : h.body.lock(state);
+    SimTK::Value<Holds>::updDowncast(forces_.updDiscreteVariable(state, holds_))
+        .upd()[place_of(h)] = hold;
+  }
+  void refuse_other_locks(const State& state) const;
   using BodyVectors = SimTK::Vector_<SimTK::SpatialVec>;
   void apply(BodyVectors& forces) const;
   bool aim(const State& state) const;
@@ -209,13 +232,27 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   Options options_;
   mutable MomentFit fit_;
   mutable SimTK::CacheEntryIndex cache_;
+  mutable SimTK::DiscreteVariableIndex holds_;
   mutable State scratch_;
   mutable bool is_last_ = false;   // no subsystem of forces comes later
   mutable bool is_given_ = false;  // moments are those of the hinges
 };
 
+void HingeFriction::Friction::refuse_other_locks(const State& state) const {
+  for (const Hinge& h : hinges) {
+    if (!h.body.isLocked(state) || holds(state)[place_of(h)] != Hold::none) {
+      continue;
+    }
+    throw std::runtime_error(
+        "mobilized body " + std::to_string(h.body.getMobilizedBodyIndex()) +
+        " has friction and was locked by others: HingeFriction::latch() locks "
+        "it");
+  }
+}
+
 // How hinges slide; whether there are any that do.
 bool HingeFriction::Friction::aim(const State& state) const {
+  refuse_other_locks(state);
   bool any = false;
   for (Hinge& h : hinges) {
     h.slides = !h.body.isLocked(state);
@@ -351,7 +388,7 @@ void HingeFriction::Friction::stop(State& state) const {
       h.go_along(state, rate);
     }
   }
-  for (const Hinge* h : stopped) h->body.lock(state);
+  for (const Hinge* h : stopped) set_hold(state, *h, Hold::rest);
 }
 
 void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
@@ -359,13 +396,52 @@ void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
   h.go_along(state, direction);
   const SimTK::Vector u =
       h.rates(state, h.is_ball ? 2 * options_.stop_speed * direction : Vec3(0));
-  h.body.unlock(state);
+  set_hold(state, h, Hold::none);
   h.body.setUFromVector(state, u);
   // Starts the next solution.
   h.solution = h.rest.slip;
 }
 
+// By an impulse that removes its rates, and keeps those of constraints and of
+// locked mobilizers as they are: with M^-1 of the system and the rows A of
+// both, u -> u - M^-1 A^T (A M^-1 A^T)^-1 A u.
+Vec3 HingeFriction::Friction::latch(State& state, Hinge& h) const {
+  // Friction has no impulse: what rests is ideal in this instant.
+  for (const Hinge& other : hinges) {
+    if (holds(state)[place_of(other)] == Hold::rest) {
+      set_hold(state, other, Hold::none);
+    }
+  }
+  system_.realize(state, Stage::Velocity);
+  const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
+  const int first = h.body.getFirstUIndex(state);
+  const int own = h.body.getNumU(state);
+  SimTK::Matrix constraints;
+  matter.calcG(state, constraints);
+  SimTK::Matrix rows(own + constraints.nrow(), state.getNU(), 0.0);
+  for (int i = 0; i < own; ++i) rows(i, first + i) = 1;
+  for (int i = own; i < rows.nrow(); ++i) rows[i] = constraints[i - own];
+  SimTK::Matrix moved(state.getNU(), rows.nrow());
+  for (int i = 0; i < rows.nrow(); ++i) {
+    SimTK::Vector answer;
+    matter.multiplyByMInv(state, SimTK::Vector(~rows[i]), answer);
+    moved(i) = answer;
+  }
+  SimTK::Vector impulse;
+  SimTK::FactorQTZ(SimTK::Matrix(rows * moved))
+      .solve(SimTK::Vector(rows * state.getU()), impulse);
+  const SimTK::Vector change = moved * impulse;
+  SimTK::Vector loads(state.getNU(), 0.0);
+  for (int i = 0; i < own; ++i) loads[first + i] = -impulse[i];
+  const Vec3 moment = h.moment_of(state, loads);
+  state.updU() -= change;
+  h.body.setUFromVector(state, SimTK::Vector(own, 0.0));
+  set_hold(state, h, Hold::latch);
+  return moment;
+}
+
 void HingeFriction::Friction::settle(State& state) const {
+  refuse_other_locks(state);
   stop(state);
   // The worst gives way first; what friction would drive is held again.
   std::vector<Hinge*> released;
@@ -376,7 +452,7 @@ void HingeFriction::Friction::settle(State& state) const {
           dot(h->acceleration(state), h->direction(state)) >= 0) {
         continue;
       }
-      h->body.lock(state);
+      set_hold(state, *h, Hold::rest);
       released.erase(std::find(released.begin(), released.end(), h));
       system_.realize(state, Stage::Acceleration);
       break;
@@ -384,7 +460,7 @@ void HingeFriction::Friction::settle(State& state) const {
     Hinge* worst = nullptr;
     double most = 0;
     for (Hinge& h : hinges) {
-      if (!h.body.isLocked(state)) continue;
+      if (!h.body.isLocked(state) || is_latched(state, h)) continue;
       const double over = excess(state, h);
       if (over > most) {
         most = over;
@@ -415,7 +491,8 @@ class HingeFriction::Event : public SimTK::TriggeredEventHandler {
     if (is_stop_) {
       return rests || !h.can_rest ? 1 : friction_.ahead(state, h);
     }
-    return h.body.isLocked(state) ? friction_.excess(state, h) : -1;
+    return rests && !friction_.is_latched(state, h) ? friction_.excess(state, h)
+                                                    : -1;
   }
   void handleEvent(State& state, double, bool&) const override {
     friction_.settle(state);
@@ -466,6 +543,18 @@ void HingeFriction::settle(State& state) const {
   // Moments so far are those of other directions.
   state.invalidateAllCacheAtOrAbove(Stage::Velocity);
   friction_->settle(state);
+}
+
+Vec3 HingeFriction::latch(State& state, const MobilizedBody& body) const {
+  for (Hinge& h : friction_->hinges) {
+    if (!h.body.isSameMobilizedBody(body)) continue;
+    if (friction_->is_latched(state, h)) return Vec3(0);
+    const Vec3 impulse = friction_->latch(state, h);
+    settle(state);
+    return impulse;
+  }
+  throw std::runtime_error(
+      "HingeFriction::latch: body must be one that add() has had");
 }
 
 const contact_solution& HingeFriction::hinge(int i) const {

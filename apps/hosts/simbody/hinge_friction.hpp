@@ -46,12 +46,12 @@ struct Options {
 /// too. Reactions are those of Simbody. The axis of a [seat] is in the axes
 /// of the body that has it; a load that it does not carry throws an exception.
 ///
-/// Where it ends: one State at a time; mobilizers are locked and unlocked, so
-/// locks of others on them are lost; in a loop no more hinges may have friction
-/// than it has freedoms: a loop that is locked twice has no reactions, and is
-/// refused; a Gimbal must stay off its gimbal lock; nothing is known of
-/// contacts that open. Constraints, and subsystems of forces that come after
-/// `forces`, cost a copy of the State for each evaluation.
+/// Where it ends: one State at a time; mobilizers are locked and unlocked: one
+/// that others lock is refused, latch() is for that; in a loop no more hinges
+/// may have friction than it has freedoms: a loop that is locked twice has no
+/// reactions, and is refused; a Gimbal must stay off its gimbal lock; nothing
+/// is known of contacts that open. Constraints, and subsystems of forces that
+/// come after `forces`, cost a copy of the State for each evaluation.
 class HingeFriction {
  public:
   /// Before system.realizeTopology().
@@ -66,6 +66,15 @@ class HingeFriction {
 
   /// At the start: locks hinges without a rate, as far as they hold.
   void settle(SimTK::State& state) const;
+
+  /// Locks a body of add() for good, as a latch does, by an impulse that takes
+  /// its rates and keeps the momentum: from a handler of events, for example.
+  /// Hinges at rest are ideal in that instant, locked ones hold. There is no
+  /// friction in it any more; several latched one after the other end as all at
+  /// once.
+  /// @return the impulse on the body about its mobilizer, Ground, N m s
+  SimTK::Vec3 latch(SimTK::State& state,
+                    const SimTK::MobilizedBody& body) const;
 
   /// Last solution of the i-th hinge added, while it slides: of reactions that
   /// were wrong by less than a hundred times what moments are now. In Ground,

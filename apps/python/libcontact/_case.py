@@ -156,6 +156,24 @@ class Run(_core.Run):
             warnings.warn(self.message, RuntimeWarning, stacklevel=3)
         return status
 
+    @property
+    def inputs(self) -> dict[str, float]:
+        """Loads from outside the case by their names, 0 at the start: of each
+        body NAME NAME.applied_force_x_N to _z_N at its centre of mass and
+        NAME.applied_moment_x_N_m to _z_N_m, in the body's axes; of a body on an
+        axis NAME.applied_hinge_moment_N_m about it, with the opposite one on
+        the body that carries the hinge, until that breaks. A carrier that is
+        fixed or driven has none."""
+        return dict(zip(*self._inputs))
+
+    def set_inputs(self, values: Mapping[str, float]) -> None:
+        """Sets some of the inputs: they act from `time` on, constant until they
+        are set again; values at `time` are those before. save() keeps them."""
+        numbers = list(self._inputs[1])
+        for name, value in values.items():
+            numbers[self._input(name)] = value
+        self._set_inputs(numbers)
+
     def __getitem__(self, column: str | Iterable[str]) -> Any:
         """The value of a column where the run is: a number; of a mode its word;
         of several columns the array of their numbers.

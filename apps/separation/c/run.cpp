@@ -114,6 +114,36 @@ contact_status contact_run_values(const contact_run* run, double* values,
   });
 }
 
+std::size_t contact_run_input_count(const contact_run* run) {
+  return run ? run->run.inputs().size() : 0;
+}
+
+const char* contact_run_input(const contact_run* run, std::size_t i) {
+  return i < contact_run_input_count(run) ? run->run.inputs()[i].name.c_str()
+                                          : nullptr;
+}
+
+contact_status contact_run_find_input(const contact_run* run, const char* name,
+                                      std::size_t* i) {
+  return call([=] {
+    std::size_t& to = given(i, "contact_run_find_input: i");
+    to = given(run, "contact_run_find_input: run")
+             .run.input(&given(name, "contact_run_find_input: name"));
+    return CONTACT_OK;
+  });
+}
+
+contact_status contact_run_set_inputs(contact_run* run, const double* values,
+                                      std::size_t count) {
+  return call([=] {
+    Run& r = given(run, "contact_run_set_inputs: run").run;
+    const double* const first =
+        count > 0 ? &given(values, "contact_run_set_inputs: values") : values;
+    r.set_inputs({first, first + count});
+    return CONTACT_OK;
+  });
+}
+
 std::size_t contact_run_row_count(const contact_run* run) {
   return run ? run->run.memory().rows.size() : 0;
 }

@@ -45,6 +45,24 @@ contact_status contact_run_find_column(const contact_run* run, const char* name,
 /* The values of all columns at contact_run_time(). */
 contact_status contact_run_values(const contact_run* run, double* values,
                                   size_t count);
+/* Inputs: loads from outside the case, as of a controller. Of each body NAME
+ * NAME.applied_force_x_N to _z_N at its centre of mass and
+ * NAME.applied_moment_x_N_m to _z_N_m, in the body's axes; of a body on an axis
+ * NAME.applied_hinge_moment_N_m about it, with the opposite one on the body
+ * that carries the hinge, until that breaks. A carrier that is fixed or driven
+ * has none. They are 0 at the start, and part of saved states. */
+size_t contact_run_input_count(const contact_run* run);
+/* NULL after the last one. Valid until the run is freed. */
+const char* contact_run_input(const contact_run* run, size_t i);
+/* CONTACT_BAD_INPUT if no input has this name. */
+contact_status contact_run_find_input(const contact_run* run, const char* name,
+                                      size_t* i);
+/* Sets all inputs, finite numbers: they act from contact_run_time() on,
+ * constant until they are set again. contact_run_values() at this time are
+ * those before. Equal values change nothing; others restart the steps. */
+contact_status contact_run_set_inputs(contact_run* run, const double* values,
+                                      size_t count);
+
 /* The history so far: rows of contact_run_column_count() numbers at the case's
  * output times and events. NULL after the last one; valid until the run
  * advances, is restored or freed. */

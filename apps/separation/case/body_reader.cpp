@@ -80,6 +80,12 @@ RigidBody read_form(const TomlTable& table) {
 
 }  // namespace
 
+bool is_below(const Matrix3d& inertia, const Matrix3d& other) {
+  const Matrix3d rest = other - inertia;
+  return contact::detail::symmetric_parts(rest).values[0] >=
+         -1e-9 * other.norm();
+}
+
 std::optional<Matrix3d> read_inertia(const TomlTable& table,
                                      const std::string& prefix) {
   const std::string rows = prefix + "inertia";

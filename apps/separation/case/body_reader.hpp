@@ -12,6 +12,9 @@ namespace separation {
 /// and [[body]] that they share.
 RigidBody read_rigid_body(const contact::TomlTable& table);
 
+/// Whether an inertia is about no axis above another one, but for rounding.
+bool is_below(const Eigen::Matrix3d& inertia, const Eigen::Matrix3d& other);
+
 /// The keys `inertia` or `principal_inertia` after a prefix; none if both are
 /// missing.
 std::optional<Eigen::Matrix3d> read_inertia(const contact::TomlTable& table,

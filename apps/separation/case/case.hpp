@@ -139,6 +139,7 @@ class ForceLaw;
 
 struct Force {
   std::string name;
+  std::string group;  ///< name in the file, without the number of a pattern
   int body;
   Clock begin, end = never;
   /// Action of the force, one of force_kinds(); copies of a case share it.

@@ -89,6 +89,10 @@ Keys hinge_keys() {
   return keys;
 }
 
+Keys pattern_keys() {
+  return {{"count"}, {"axis"}, {"first", Dimension::angle}};
+}
+
 Keys body_keys() {
   return with(
       rigid_body_keys(),
@@ -99,8 +103,7 @@ Keys body_keys() {
        table_key("start",
                  with(start_keys(), {{"angle", Dimension::angle},
                                      {"rate", Dimension::angular_velocity}})),
-       table_key("pattern",
-                 {{"count"}, {"axis"}, {"first", Dimension::angle}})});
+       table_key("pattern", pattern_keys())});
 }
 
 Keys event_keys() {
@@ -140,6 +143,8 @@ Keys force_keys() {
   Keys keys = with({{"kind"}, {"name"}, {"body"}}, window_keys());
   for (const ForceKind& kind : force_kinds()) {
     keys = with(keys, of(kind.name, kind.keys));
+    if (!kind.has_pattern) continue;
+    keys = with(keys, of(kind.name, {table_key("pattern", pattern_keys())}));
   }
   return keys;
 }

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
 #include "separation/case/case_keys.hpp"
 #include "separation/case/case_names.hpp"
@@ -76,6 +77,8 @@ void read_event_names(const TomlTable& file, CaseNames& names) {
         names.events.end()) {
       table.must_be("name", "a name that no other event has");
     }
+    // Tip-off at the end has it.
+    if (name == "end") table.must_be("name", "another one than \"end\"");
     names.events.push_back(name);
   }
 }
@@ -87,15 +90,24 @@ void read_events(const TomlTable& file, Case& c, const CaseNames& names) {
   }
   check_latches(tables, c);
   std::vector<int> after;
-  for (const Event& event : c.events) after.push_back(event.after);
-  for (std::size_t i = 0; i < tables.size(); ++i) {
-    const std::string circle =
-        circle_of(names.events, after, static_cast<int>(i), "after");
-    if (circle.empty()) continue;
-    tables[i].must_be("after", fmt::format("an event that does not wait "
-                                           "for this one: {}",
-                                           circle));
+  std::vector<int> waits;  // for it, or for the window of its clearance
+  for (const Event& event : c.events) {
+    after.push_back(event.after);
+    const int opens = event.pairs.empty() ? -1 : event.pairs[0].begin.event;
+    waits.push_back(opens < 0 ? event.after : opens);
   }
+  const auto refuse = [&](const std::vector<int>& next, const char* key,
+                          const char* rule, const char* word) {
+    for (std::size_t i = 0; i < tables.size(); ++i) {
+      const std::string circle =
+          circle_of(names.events, next, static_cast<int>(i), word);
+      if (circle.empty() || !tables[i].has(key)) continue;
+      tables[i].must_be(key, fmt::format("{}: {}", rule, circle));
+    }
+  };
+  refuse(after, "after", "an event that does not wait for this one", "after");
+  refuse(waits, "clearance", "one whose window does not wait for this event",
+         "waits for");
 }
 
 void read_all_forces(const TomlTable& file, const CaseNames& names, Case& c) {
@@ -107,6 +119,12 @@ void read_all_forces(const TomlTable& file, const CaseNames& names, Case& c) {
     for (Force& force : read_forces(table, names)) {
       c.forces.push_back(std::move(force));
     }
+  }
+  check_propellant(file, c);
+  if (std::ranges::none_of(c.forces, &Force::burns)) return;
+  for (const TomlTable& table : file.tables("body")) {
+    check_beside_flow(
+        table, *std::ranges::find(c.bodies, table.text("name"), &Body::group));
   }
 }
 

@@ -19,6 +19,8 @@ struct ForceTable {
   int body;    ///< rigid body
   int copy;    ///< its number among the named bodies
   int copies;  ///< number of the named bodies
+  /// Points and directions as written to those of its place in a pattern.
+  Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
 
   const RigidBody& rigid_body() const { return names.of.rigid_body(body); }
   /// none for the carrier.
@@ -33,6 +35,9 @@ struct ForceTable {
   Eigen::Vector3d point_or_com() const;
   /// A point of the carrier, from its centre of mass; the copy's.
   Eigen::Vector3d carrier_point() const;
+  /// A direction of the body, in its axes, or of the carrier; the copy's.
+  Eigen::Vector3d body_direction() const;
+  Eigen::Vector3d carrier_direction() const;
   /// KEY_at (a time), or KEY_at_event with KEY_delay.
   Clock clock(const std::string& key, const Clock& otherwise) const;
 };
@@ -44,6 +49,7 @@ struct ForceKind {
   /// Keys in addition to the keys of all forces.
   contact::KnownKeys keys;
   std::shared_ptr<const ForceLaw> (*read)(const ForceTable& from);
+  bool has_pattern = false;  ///< it may have copies: [force.pattern]
 };
 
 /// All kinds; separation/forces/list.cpp contains the list.

@@ -45,12 +45,6 @@ struct Propellant {
   std::optional<Eigen::Matrix3d> empty_inertia = {};
 };
 
-/// What an engine does until a time: thrust, and its integral.
-struct Burn {
-  double thrust;   ///< N
-  double impulse;  ///< since its begin, N s
-};
-
 /// Action of a force between its begin and its end.
 class ForceLaw {
  public:
@@ -74,10 +68,17 @@ class ForceLaw {
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
   /// It burns this; null: nothing. It ends when that is used up.
   virtual const Propellant* propellant() const { return nullptr; }
+  /// Of an engine, N, and since its begin, N s.
   /// @param begin, own  as of ForceInstant
-  virtual Burn burn([[maybe_unused]] double time, [[maybe_unused]] double begin,
-                    [[maybe_unused]] double own) const {
-    return {};
+  virtual double thrust_at([[maybe_unused]] double time,
+                           [[maybe_unused]] double begin,
+                           [[maybe_unused]] double own) const {
+    return 0;
+  }
+  virtual double impulse_until([[maybe_unused]] double time,
+                               [[maybe_unused]] double begin,
+                               [[maybe_unused]] double own) const {
+    return 0;
   }
   /// It acts through the hinge of its body and ends with it.
   virtual bool ends_with_hinge() const { return false; }

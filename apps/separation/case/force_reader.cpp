@@ -1,6 +1,14 @@
 #include "separation/case/force_reader.hpp"
 
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "separation/case/body_reader.hpp"
 #include "separation/case/force_kind.hpp"
+#include "separation/case/form/case_parts.hpp"
 
 namespace separation {
 namespace {
@@ -10,6 +18,25 @@ const ForceKind& read_kind(const TomlTable& table) {
   std::vector<std::string> names;
   for (const ForceKind& kind : kinds) names.emplace_back(kind.name);
   return kinds[table.choice("kind", names)];
+}
+
+Pattern pattern_of(const TomlTable& table) {
+  return read_kind(table).has_pattern ? read_pattern(table) : Pattern{};
+}
+
+// What an engine burns, kg; of one without propellant, begun or ended by an
+// event, that is not known before.
+double burned_by(const Case& c, const Force& force) {
+  const Propellant& propellant = *force.law->propellant();
+  if (std::isfinite(propellant.mass)) return propellant.mass;
+  const Clock& own = force.law->own_clock();
+  if (force.begin.event >= 0 || force.end.event >= 0 || own.event >= 0) {
+    return 0;
+  }
+  const double end = std::min(c.end_time, force.end.time);
+  return force.law->impulse_until(std::max(force.begin.time, end),
+                                  force.begin.time, own.time) /
+         propellant.exhaust_speed;
 }
 
 }  // namespace
@@ -29,17 +56,24 @@ void ForceTable::refuse_carrier() const {
 }
 
 Eigen::Vector3d ForceTable::point() const {
-  return vector(table, "point") - rigid_body().com;
+  return turn * vector(table, "point") - rigid_body().com;
 }
 
 Eigen::Vector3d ForceTable::point_or_com() const {
-  const Eigen::Vector3d& com = rigid_body().com;
-  return optional_vector(table, "point").value_or(com) - com;
+  return table.has("point") ? point() : Eigen::Vector3d::Zero();
 }
 
 Eigen::Vector3d ForceTable::carrier_point() const {
-  return names.turns[body - 1] * vector(table, "carrier_point") -
+  return names.turns[body - 1] * turn * vector(table, "carrier_point") -
          names.of.carrier.com;
+}
+
+Eigen::Vector3d ForceTable::body_direction() const {
+  return turn * direction(table, "direction");
+}
+
+Eigen::Vector3d ForceTable::carrier_direction() const {
+  return names.turns[body - 1] * body_direction();
 }
 
 Clock ForceTable::clock(const std::string& key, const Clock& otherwise) const {
@@ -48,28 +82,70 @@ Clock ForceTable::clock(const std::string& key, const Clock& otherwise) const {
 
 Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
   const ForceKind& kind = read_kind(table);
-  ForceTable from{table, names, 0, copy, 0};
   const std::string name = table.text("name");
   const auto [begin, end] = names.window(table, "the force");
-  Force force{name, 0, begin, end, nullptr};
   const auto bodies = names.rigid_bodies_of(table, "body");
-  from.copies = static_cast<int>(bodies.size());
-  from.body = force.body = bodies[copy];
+  const Pattern pattern = pattern_of(table);
+  const int place = copy % pattern.count;
+  const int number = copy / pattern.count;
+  Force force{name, name, bodies[number], begin, end, nullptr};
+  if (pattern.count > 1) force.name += ' ' + std::to_string(place + 1);
   if (force.body == 0 && names.of.carrier.fixed) {
     table.must_be("body", "a body, not the carrier, which is fixed");
   }
-  force.law = kind.read(from);
+  force.law = kind.read({table, names, force.body, number,
+                         static_cast<int>(bodies.size()), pattern.turn(place)});
   force.burns = force.law->propellant() != nullptr;
   return force;
 }
 
 std::vector<Force> read_forces(const TomlTable& table, const CaseNames& names) {
-  std::vector<Force> forces = {read_force(table, names, 0)};
-  const auto bodies = names.rigid_bodies_of(table, "body");
-  for (std::size_t copy = 1; copy < bodies.size(); ++copy) {
-    forces.push_back(read_force(table, names, static_cast<int>(copy)));
+  std::vector<Force> forces;
+  const auto count = static_cast<int>(
+      names.rigid_bodies_of(table, "body").size() * pattern_of(table).count);
+  for (int copy = 0; copy < count; ++copy) {
+    forces.push_back(read_force(table, names, copy));
   }
   return forces;
+}
+
+void check_propellant(const TomlTable& file, const Case& c) {
+  struct Left {
+    double mass;
+    Eigen::Matrix3d inertia;
+  };
+  std::map<int, Left> left;
+  const auto tables = file.tables("force");
+  for (const Force& force : c.forces) {
+    const Propellant* burnt = force.law->propellant();
+    if (!burnt) continue;
+    const TomlTable& table = *std::ranges::find_if(
+        tables, [&](const auto& t) { return t.text("name") == force.group; });
+    const RigidBody& body = c.rigid_body(force.body);
+    auto& [mass, inertia] =
+        left.try_emplace(force.body, Left{body.mass, body.inertia})
+            .first->second;
+    const double burned = burned_by(c, force);
+    if (!(burned < mass)) {
+      table.fail(table.has("propellant") ? "propellant" : "thrust",
+                 fmt::format("what may be burned, {:.6g} kg, must be less than "
+                             "the mass that other engines leave, {:.6g} kg of "
+                             "{:.6g}",
+                             burned, mass, body.mass));
+    }
+    mass -= burned;
+    const Eigen::Matrix3d part =
+        burnt->empty_inertia
+            ? Eigen::Matrix3d(body.inertia - *burnt->empty_inertia)
+            : Eigen::Matrix3d(burned / body.mass * body.inertia);
+    if (!is_below(part, inertia)) {
+      table.must_be(table.has("empty_inertia") ? "empty_inertia"
+                                               : "empty_principal_inertia",
+                    "that of the body without this engine's propellant alone: "
+                    "with its other engines it falls below 0");
+    }
+    inertia -= part;
+  }
 }
 
 }  // namespace separation

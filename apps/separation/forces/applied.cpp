@@ -67,6 +67,10 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   }
   law->force = read_vectors(table, "force", rows.at);
   law->moment = read_vectors(table, "moment", rows.at);
+  if (!law->inertial) {
+    for (Vector3d& force : law->force.values) force = from.turn * force;
+    for (Vector3d& moment : law->moment.values) moment = from.turn * moment;
+  }
   return law;
 }
 
@@ -81,7 +85,8 @@ ForceKind applied() {
            {"moment", Dimension::moment},
            {"axes"},
            {"force", Dimension::force}},
-          read};
+          read,
+          true};
 }
 
 }  // namespace separation

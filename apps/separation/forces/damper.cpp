@@ -50,7 +50,8 @@ ForceKind damper() {
            {"other_body"},
            {"other_point", Dimension::length},
            {"damping_N_s_per_m"}},
-          read};
+          read,
+          true};
 }
 
 }  // namespace separation

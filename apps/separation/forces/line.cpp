@@ -29,7 +29,8 @@ LineForce read_line(const ForceTable& from) {
   if (table.has("other_body")) {
     const int other = read_other(from);
     return {point, other,
-            vector(table, "other_point") - from.names.of.rigid_body(other).com};
+            from.turn * vector(table, "other_point") -
+                from.names.of.rigid_body(other).com};
   }
   if (table.has("other_point")) table.needs("other_point", "other_body");
   return {point, 0, from.carrier_point()};

@@ -84,8 +84,7 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   auto law = std::make_shared<Pusher>();
   law->point = from.point();
   law->carrier_point = from.carrier_point();
-  law->direction =
-      from.names.turns[from.body - 1] * direction(table, "direction");
+  law->direction = from.carrier_direction();
   law->first_force = table.number("first_force", Interval::non_negative());
   law->last_force =
       table.optional_number("last_force", Interval::non_negative())
@@ -105,7 +104,8 @@ ForceKind pusher() {
            {"first_force", Dimension::force},
            {"last_force", Dimension::force},
            {"stroke", Dimension::length}},
-          read};
+          read,
+          true};
 }
 
 }  // namespace separation

@@ -69,7 +69,8 @@ ForceKind spring() {
            {"stiffness", Dimension::line_force},
            {"free_length", Dimension::length},
            {"damping_N_s_per_m"}},
-          read};
+          read,
+          true};
 }
 
 }  // namespace separation

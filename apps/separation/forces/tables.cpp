@@ -7,17 +7,23 @@
 
 namespace separation {
 
-double integral(const Table<double>& table, double x) {
+std::vector<double> sums_of(const Table<double>& table) {
+  const auto& [at, values] = table;
+  std::vector<double> sums = {0};
+  for (std::size_t i = 1; i < at.size(); ++i) {
+    sums.push_back(sums.back() +
+                   (at[i] - at[i - 1]) * (values[i - 1] + values[i]) / 2);
+  }
+  return sums;
+}
+
+double integral(const Table<double>& table, const std::vector<double>& sums,
+                double x) {
   const auto& [at, values] = table;
   if (x <= at.front()) return (x - at.front()) * values.front();
-  double sum = 0;
-  for (std::size_t i = 1; i < at.size(); ++i) {
-    const double end = std::min(x, at[i]);
-    const double last = end == at[i] ? values[i] : table(end);
-    sum += (end - at[i - 1]) * (values[i - 1] + last) / 2;
-    if (end == x) return sum;
-  }
-  return sum + (x - at.back()) * values.back();
+  const std::size_t i = std::ranges::upper_bound(at, x) - at.begin() - 1;
+  const double last = i + 1 == at.size() ? values[i] : table(x);
+  return sums[i] + (x - at[i]) * (values[i] + last) / 2;
 }
 
 RowsOver read_variable(const ForceTable& from) {

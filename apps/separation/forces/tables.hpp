@@ -1,7 +1,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <cstddef>
+#include <ranges>
 #include <vector>
 
 #include "separation/case/force_kind.hpp"
@@ -20,13 +22,16 @@ struct Table {
   /// @param origin  zero of the rows
   Value operator()(double x, double origin = 0) const {
     const double from_origin = x - origin;
-    std::size_t i = 0;
     // A jump is at origin + at[i], like the break of the forces, so that
     // rounding of the difference does not move x across it.
-    while (i < at.size() &&
-           (jumps(i) ? origin + at[i] <= x : at[i] <= from_origin)) {
-      ++i;
-    }
+    const auto rows = std::views::iota(std::size_t{0}, at.size());
+    const std::size_t i = std::ranges::partition_point(
+                              rows,
+                              [&](std::size_t row) {
+                                return jumps(row) ? origin + at[row] <= x
+                                                  : at[row] <= from_origin;
+                              }) -
+                          rows.begin();
     if (i == 0) return values.front();
     if (i == at.size()) return values.back();
     const double part = (from_origin - at[i - 1]) / (at[i] - at[i - 1]);
@@ -42,8 +47,12 @@ struct Table {
   }
 };
 
+/// Integrals of a table from its first row to each row.
+std::vector<double> sums_of(const Table<double>& table);
 /// From its first row, which counts from 0, to x.
-double integral(const Table<double>& table, double x);
+/// @param sums  sums_of(table)
+double integral(const Table<double>& table, const std::vector<double>& sums,
+                double x);
 
 /// Variable of a force's tables: time since the force began, or the angle of
 /// the body's hinge.

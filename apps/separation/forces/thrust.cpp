@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "separation/case/body_reader.hpp"
@@ -13,6 +14,7 @@ struct Thrust final : ForceLaw {
   Eigen::Vector3d direction;  ///< body axes
   bool timed = false;         ///< the table is one over time
   Table<double> thrust;       ///< N
+  std::vector<double> sums;   ///< of it, N s
   Clock cutoff;
   double decay;  ///< s
   std::optional<Propellant> burnt;
@@ -40,15 +42,16 @@ struct Thrust final : ForceLaw {
   const Propellant* propellant() const override {
     return burnt ? &*burnt : nullptr;
   }
-  Burn burn(double time, double begin, double own) const override {
+  double thrust_at(double time, double begin, double own) const override {
+    return full(time, begin, own) * part(time, own);
+  }
+  double impulse_until(double time, double begin, double own) const override {
     const double cut = std::max(begin, own);
-    double impulse =
-        integral(thrust, std::min(time, cut) - begin) - integral(thrust, 0);
-    if (time > cut && decay > 0) {
-      impulse +=
-          full(cut, begin, own) * decay * (part(cut, own) - part(time, own));
-    }
-    return {full(time, begin, own) * part(time, own), impulse};
+    const double impulse = integral(thrust, sums, std::min(time, cut) - begin) -
+                           integral(thrust, sums, 0);
+    if (time <= cut || !(decay > 0)) return impulse;
+    return impulse +
+           full(cut, begin, own) * decay * (part(cut, own) - part(time, own));
   }
 };
 
@@ -60,11 +63,13 @@ std::optional<Propellant> read_propellant(const ForceTable& from) {
   auto speed = table.optional_number("exhaust_speed", Interval::positive());
   table.refuse_both("specific_impulse", "exhaust_speed");
   if (impulse) speed = *impulse * standard_gravity;
-  for (const char* key : {"propellant", "empty_com", "empty_inertia",
-                          "empty_principal_inertia"}) {
+  constexpr std::array names = {"propellant", "empty_com", "empty_inertia",
+                                "empty_principal_inertia"};
+  for (const char* key : names) {
     if (!table.has(key)) continue;
     if (!speed) table.needs(key, "specific_impulse or exhaust_speed");
     if (!table.has("propellant")) table.needs(key, "propellant");
+    if (key != names.front()) table.refuse_both(key, "pattern");
   }
   if (!speed) return {};
   Propellant propellant{*speed};
@@ -74,6 +79,13 @@ std::optional<Propellant> read_propellant(const ForceTable& from) {
     propellant.empty_com = *com - from.rigid_body().com;
   }
   propellant.empty_inertia = read_inertia(table, "empty_");
+  if (propellant.empty_inertia &&
+      !is_below(*propellant.empty_inertia, from.rigid_body().inertia)) {
+    table.must_be(
+        table.has("empty_inertia") ? "empty_inertia"
+                                   : "empty_principal_inertia",
+        "about no axis above the inertia of the body with its propellant");
+  }
   return propellant;
 }
 
@@ -89,7 +101,8 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   } else {
     law->thrust = {{0}, {table.number("thrust", Interval::non_negative())}};
   }
-  law->direction = direction(table, "direction");
+  law->sums = sums_of(law->thrust);
+  law->direction = from.body_direction();
   law->cutoff = from.clock("cutoff", never);
   law->decay = table.optional_number("decay", Interval::positive()).value_or(0);
   if (law->decay > 0 && law->cutoff.event < 0 && std::isinf(law->cutoff.time)) {
@@ -118,7 +131,8 @@ ForceKind thrust() {
            {"empty_com", Dimension::length},
            {"empty_inertia", Dimension::inertia},
            {"empty_principal_inertia", Dimension::inertia}},
-          read};
+          read,
+          true};
 }
 
 }  // namespace separation

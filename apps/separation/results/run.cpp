@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
@@ -20,6 +22,7 @@ Run::Run(Case c, RunOptions options)
     : case_(std::move(c)),
       options_(std::move(options)),
       outputs_(case_, options_.only_events),
+      inputs_(inputs_of(case_)),
       recorder_(case_, options_.rows, options_.clearance,
                 !options_.only_events),
       simulation_(make_simulation()) {
@@ -133,6 +136,7 @@ Run::Status Run::advance_to(double time) {
                                  fmt::format("{} s or later", time_)));
   }
   if (!outputs_.has(next_)) return status_ = Status::finished;
+  use_inputs();
   status_ = Status::running;
   message_.clear();
   for (const long last = outputs_.after(time); next_ < last; ++next_) {
@@ -141,6 +145,47 @@ Run::Status Run::advance_to(double time) {
   if (!outputs_.has(next_)) return status_ = Status::finished;
   move_on(time);
   return status_;
+}
+
+std::vector<double> Run::input_values() const {
+  std::vector<double> values = simulation_->history().inputs;
+  values.resize(inputs_.size());
+  return values;
+}
+
+std::size_t Run::input(const std::string& name) const {
+  const auto found = std::ranges::find(inputs_, name, &Input::name);
+  if (found == inputs_.end()) {
+    std::vector<std::string> names;
+    for (const Input& input : inputs_) names.push_back(input.name);
+    using contact::detail::printable;
+    throw contact::Error(contact::detail::unknown(
+        "input", printable(name), contact::detail::nearest(name, names), {}));
+  }
+  return static_cast<std::size_t>(found - inputs_.begin());
+}
+
+void Run::set_inputs(std::vector<double> values) {
+  if (values.size() != inputs_.size()) {
+    throw contact::Error(must_be(fmt::format("{} inputs", values.size()),
+                                 fmt::format("{}", inputs_.size())));
+  }
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (std::isfinite(values[i])) continue;
+    throw contact::Error(
+        must_be(fmt::format("{} = {}", inputs_[i].name, values[i]), "finite"));
+  }
+  // None before the first one other than 0: nothing begins anew for zeros.
+  if (values != input_values()) simulation_->set_inputs(std::move(values));
+}
+
+// Looks before and after the jump, as at events.
+void Run::use_inputs() {
+  if (!simulation_->has_new_inputs()) return;
+  recorder_.catch_up(*simulation_);
+  recorder_.before(*simulation_, {});
+  simulation_->use_inputs();
+  recorder_.catch_up(*simulation_);
 }
 
 std::vector<double> Run::values() const {
@@ -175,6 +220,7 @@ Outcome Run::end() && {
 }
 
 SimulationState Run::renew() {
+  use_inputs();
   if (time_ > memory().last_time) recorder_.catch_up(*simulation_);
   SimulationState state = simulation_->save();
   recorder_.go_on_with(*simulation_);

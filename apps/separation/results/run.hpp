@@ -95,6 +95,18 @@ class Run {
     return memory().rows.columns;
   }
   std::vector<double> values() const;
+  /// Loads from outside, in an order of their own: forces and moments on
+  /// bodies, moments of hinges. 0 at the start.
+  const std::vector<Input>& inputs() const { return inputs_; }
+  std::vector<double> input_values() const;
+  /// Place of an input; throws contact::Error if there is none.
+  std::size_t input(const std::string& name) const;
+  /// They act from time() on, constant until they are set again; values() at
+  /// time() are those before. Their work is part of the active work.
+  /// @param values  one for each of inputs()
+  /// @throws contact::Error for another number of them, or one that is not
+  ///   finite, without a change
+  void set_inputs(std::vector<double> values);
   /// The motion at time(); valid until the run advances.
   const multibody::MotionSample& sample() const {
     return simulation_->sample();
@@ -129,6 +141,7 @@ class Run {
   void go_on_with(std::unique_ptr<Simulation> simulation,
                   Recorder::Memory memory);
   void watch();
+  void use_inputs();
   bool move_on(double time);
   bool record();
   bool is_recorded();
@@ -143,6 +156,7 @@ class Run {
   const Case case_;
   const RunOptions options_;
   const OutputTimes outputs_;
+  const std::vector<Input> inputs_;
   Recorder recorder_;
   std::unique_ptr<Simulation> simulation_;
   long next_ = 1;  // number in outputs_

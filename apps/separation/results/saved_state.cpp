@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view program_format = "hinge-separation checkpoint ";
-constexpr std::string_view format_name = "hinge-separation checkpoint 14";
+constexpr std::string_view format_name = "hinge-separation checkpoint 15";
 static_assert(format_name.starts_with(program_format));
 constexpr std::size_t sum_size = 8;  // in hexadecimal digits
 constexpr const char* source = "the saved state";

@@ -65,6 +65,8 @@ bool has_as_many(const RunState& state, const Case& c) {
          std::ranges::all_of(history.events, is_of_bodies) &&
          history.spent.size() == c.forces.size() &&
          std::ranges::equal(history.touches, c.bodies, same_stops) &&
+         (history.inputs.empty() ||
+          history.inputs.size() == inputs_of(c).size()) &&
          memory.forces.size() == c.forces.size() &&
          memory.pairs.size() == c.clearance.size() &&
          memory.tip_offs.size() == c.tip_offs.size() &&
@@ -130,6 +132,9 @@ void check_history(const History& history, const Past& past) {
   }
   for (const auto& touches : history.touches) {
     for (const double rate : touches) check_size(rate, "touches");
+  }
+  for (const double input : history.inputs) {
+    require(std::isfinite(input), "inputs", input, "finite");
   }
 }
 

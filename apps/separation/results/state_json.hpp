@@ -31,7 +31,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
 
 namespace separation {
 
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent, touches)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(History, events, spent, touches, inputs)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SimulationState, motion, history)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(JointPeaks, reaction, reaction_time,
                                    pressure, hidden, half_angle, moment,

@@ -31,7 +31,7 @@ double History::release_of(int body, const Case& c) const {
 }
 
 CaseForces::CaseForces(const Case& c, const History& history)
-    : case_(c), stops_(c, history), flow_(c, history) {
+    : case_(c), stops_(c, history), given_(c, history), flow_(c, history) {
   for (std::size_t i = 0; i < c.forces.size(); ++i) {
     const Force& force = c.forces[i];
     if (history.spent[i]) continue;
@@ -70,6 +70,7 @@ void CaseForces::add_forces(double time, std::span<const BodyMotion> bodies,
     active.force->law->add(instant(active, time, bodies), forces);
   }
   stops_.add_forces(bodies, forces);
+  given_.add_forces(bodies, forces);
   flow_.add_forces(time, bodies, forces);
 }
 

@@ -7,6 +7,7 @@
 #include "multibody/system/force_model.hpp"
 #include "separation/case/case.hpp"
 #include "separation/simulation/compliant_stops.hpp"
+#include "separation/simulation/inputs.hpp"
 #include "separation/simulation/mass_flow.hpp"
 
 namespace separation {
@@ -22,6 +23,8 @@ struct History {
   std::vector<char> spent;
   /// Rate of the last touch of each compliant stop, rad/s: touches[body][stop].
   std::vector<std::vector<double>> touches;
+  /// Loads from outside, inputs_of(); empty: all are 0.
+  std::vector<double> inputs;
 
   History() = default;
   explicit History(const Case& c)
@@ -95,6 +98,7 @@ class CaseForces final : public multibody::ForceModel {
   std::vector<Active> active_;
   std::vector<double> breaks_;  // increasing
   CompliantStops stops_;
+  GivenLoads given_;
   MassFlow flow_;
 };
 

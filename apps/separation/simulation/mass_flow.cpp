@@ -1,13 +1,8 @@
 #include "separation/simulation/mass_flow.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
-#include "libcontact/base/complaint.hpp"
-#include "libcontact/base/error.hpp"
-#include "libcontact/base/linear/parts.hpp"
 #include "separation/case/force_law.hpp"
 #include "separation/simulation/case_forces.hpp"
 
@@ -21,11 +16,21 @@ using multibody::BodyMotion;
 
 namespace {
 
+// The first time at which something is so that is so at `after`.
+template <class Rule>
+double first_time(double before, double after, const Rule& is_so) {
+  for (;;) {
+    const double middle = before + (after - before) / 2;
+    if (!(before < middle && middle < after)) return after;
+    (is_so(middle) ? after : before) = middle;
+  }
+}
+
 // The first time at which so much has been burned, or not within the run.
 double empty_time(const ForceLaw& law, double begin, double own, double until) {
   const Propellant& propellant = *law.propellant();
   const auto is_empty = [&](double time) {
-    return law.burn(time, begin, own).impulse >=
+    return law.impulse_until(time, begin, own) >=
            propellant.exhaust_speed * propellant.mass;
   };
   if (!(begin < until)) return History::not_yet;
@@ -37,26 +42,7 @@ double empty_time(const ForceLaw& law, double begin, double own, double until) {
     before = after;
     after += after - begin;
   }
-  for (;;) {
-    const double middle = before + (after - before) / 2;
-    if (!(before < middle && middle < after)) return after;
-    (is_empty(middle) ? after : before) = middle;
-  }
-}
-
-// No more than this can be burned, kg.
-double most_burned(const Case& c, const Force& force) {
-  const Propellant& propellant = *force.law->propellant();
-  if (std::isfinite(propellant.mass)) return propellant.mass;
-  const double begin = force.begin.event < 0 ? force.begin.time : 0;
-  const double end = std::min(
-      c.end_time, force.end.event < 0 ? force.end.time : History::not_yet);
-  const Clock& own = force.law->own_clock();
-  return force.law
-             ->burn(std::max(begin, end), begin,
-                    own.event < 0 ? own.time : History::not_yet)
-             .impulse /
-         propellant.exhaust_speed;
+  return first_time(before, after, is_empty);
 }
 
 }  // namespace
@@ -92,15 +78,15 @@ MassFlow::MassFlow(const Case& c, const History& history) : case_(c) {
 
 double MassFlow::Engine::rate(double time) const {
   if (!(time >= begin && time < end)) return 0;
-  return law->burn(time, begin, own).thrust / law->propellant()->exhaust_speed;
+  return law->thrust_at(time, begin, own) / law->propellant()->exhaust_speed;
 }
 
 double MassFlow::Engine::burned(double time) const {
   if (!(time > begin)) return 0;
   const Propellant& burnt = *law->propellant();
-  return std::min(
-      burnt.mass,
-      law->burn(std::min(time, end), begin, own).impulse / burnt.exhaust_speed);
+  return std::min(burnt.mass,
+                  law->impulse_until(std::min(time, end), begin, own) /
+                      burnt.exhaust_speed);
 }
 
 double MassFlow::empty_at(int force) const {
@@ -154,39 +140,19 @@ void MassFlow::add_forces(double time, std::span<const BodyMotion> bodies,
   }
 }
 
-void check_propellant(const Case& c) {
-  const auto count = static_cast<int>(c.bodies.size());
-  for (int number = 0; number <= count; ++number) {
-    const RigidBody& body = c.rigid_body(number);
-    double mass = body.mass;
-    Matrix3d inertia = body.inertia;
-    for (const Force& force : c.forces) {
-      const Propellant* burnt = force.law->propellant();
-      if (force.body != number || !burnt) continue;
-      const double burned = most_burned(c, force);
-      mass -= burned;
-      inertia -= burnt->empty_inertia
-                     ? Matrix3d(body.inertia - *burnt->empty_inertia)
-                     : Matrix3d(burned / body.mass * body.inertia);
-      const std::string place =
-          fmt::format("force \"{}\" on \"{}\": ", force.name, body.name);
-      if (!(mass > 0)) {
-        throw contact::Error(contact::detail::must_be(
-            place + fmt::format("what may be burned, {:.6g} kg,", burned),
-            fmt::format("less than the mass that other engines leave, {:.6g} "
-                        "kg of {:.6g}",
-                        mass + burned, body.mass)));
-      }
-      const double least = contact::detail::symmetric_parts(inertia).values[0];
-      // Of a body without inertia about an axis, but for rounding.
-      if (!(least >= -1e-9 * body.inertia.norm())) {
-        throw contact::Error(contact::detail::must_be(
-            place + "empty_inertia",
-            "that of the body without this engine's propellant alone: with "
-            "its other engines it falls below 0"));
-      }
+double MassFlow::spent_at() const {
+  // As good as all: a body without mass has no motion.
+  constexpr double least = 1e-6;
+  double first = History::not_yet;
+  for (const int body : bodies_) {
+    const auto is_spent = [&](double time) {
+      return !(of(body, time).mass > least * case_.rigid_body(body).mass);
+    };
+    if (is_spent(case_.end_time)) {
+      first = std::min(first, first_time(0, case_.end_time, is_spent));
     }
   }
+  return first;
 }
 
 }  // namespace separation

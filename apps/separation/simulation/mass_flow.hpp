@@ -28,6 +28,9 @@ class MassFlow {
 
   /// When a force of the case has used up what it burns.
   double empty_at(int force) const;
+  /// When engines without a known end have burned all of their body, which can
+  /// not go on then; infinite: never.
+  double spent_at() const;
   /// A body of the case, (0) the carrier, at a time.
   multibody::BodyMass of(int body, double time) const;
   /// As ForceModel has them.
@@ -54,9 +57,5 @@ class MassFlow {
   std::vector<Engine> engines_;
   std::vector<int> bodies_;
 };
-
-/// @throws contact::Error naming force and body where engines may burn as much
-///   as there is
-void check_propellant(const Case& c);
 
 }  // namespace separation

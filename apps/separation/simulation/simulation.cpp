@@ -71,7 +71,6 @@ Simulation::Simulation(const Case& c, FrictionChoice friction)
       forces_(std::make_shared<CaseForces>(c, history_)),
       motion_(system_of(c), friction_of(c, friction), forces_, start_of(c),
               options_of(c)) {
-  check_propellant(c);
   if (c.has_touches()) touches_.emplace(c);
   add_events();
   add_stops();
@@ -408,8 +407,16 @@ Simulation::Stop Simulation::advance_to(double end) {
   due_.clear();
   find_due();
   while (due_.empty() && time() < end) {
-    const auto stop = motion_.advance_to(std::min(end, next_time()));
+    const double spent = forces_->flow().spent_at();
+    const auto stop = motion_.advance_to(std::min({end, next_time(), spent}));
     take_impacts();
+    if (time() >= spent) {
+      message_ = fmt::format(
+          "t = {:.6g} s: an engine has burned all of its body: give it a "
+          "propellant, or an end before",
+          time());
+      return Stop::failed;
+    }
     switch (stop) {
       case multibody::Stop::failed:
         message_ = failure_text();
@@ -518,6 +525,19 @@ bool Simulation::apply() {
   return true;
 }
 
+void Simulation::set_inputs(std::vector<double> values) {
+  if (values == history_.inputs) return;
+  history_.inputs = std::move(values);
+  has_new_inputs_ = true;
+}
+
+void Simulation::use_inputs() {
+  renew_forces();
+  has_new_inputs_ = false;
+  // A reaction may be beyond its limit now.
+  changed_ = true;
+}
+
 SimulationState Simulation::save() {
   // As restore() has it.
   due_.clear();
@@ -527,6 +547,7 @@ SimulationState Simulation::save() {
 
 void Simulation::restore(const SimulationState& state) {
   history_ = state.history;
+  has_new_inputs_ = false;
   due_.clear();
   // A force may have begun just then.
   changed_ = true;

@@ -104,6 +104,11 @@ class Simulation {
   };
   Stop advance_to(double time);
   const std::vector<Happening>& happenings() const { return due_; }
+  /// Loads from outside, inputs_of(), from time() on once use_inputs() is
+  /// called.
+  void set_inputs(std::vector<double> values);
+  bool has_new_inputs() const { return has_new_inputs_; }
+  void use_inputs();
   /// Applies the due events.
   /// @return false if this is impossible; message() gives the reason
   bool apply();
@@ -171,6 +176,7 @@ class Simulation {
   std::size_t impacts_taken_ = 0;  ///< impacts of the motion
   /// Started, resumed, or changed by an event at time().
   bool changed_ = true;
+  bool has_new_inputs_ = false;
   std::string message_;
 };
 

@@ -236,9 +236,10 @@ SeparationModel::SeparationModel(const Plan& plan)
                                    {}, laws_)) {
   for (const Dispersion& dispersion : plan.dispersions) {
     if (!dispersion.each || copies(dispersion).size() > 1) continue;
-    dispersion.table.needs("each",
-                           "a key of a body with a pattern, or of a "
-                           "force on one: body[NAME].KEY or force[NAME].KEY");
+    dispersion.table.needs(
+        "each",
+        "a key of a body or force with a pattern, or of a "
+        "force on such a body: body[NAME].KEY or force[NAME].KEY");
   }
 }
 
@@ -254,9 +255,12 @@ std::vector<std::string> SeparationModel::copies(
   }
   return labels_of(
       nominal_.forces, which_of(dispersion.key, "force"),
-      [](const separation::Force& f) { return f.name; },
+      [](const separation::Force& f) { return f.group; },
       [&](const separation::Force& f) {
-        return nominal_.rigid_body(f.body).name;
+        const std::string& body = nominal_.rigid_body(f.body).name;
+        return f.name == f.group
+                   ? body
+                   : body + ", " + f.name.substr(f.group.size() + 1);
       });
 }
 

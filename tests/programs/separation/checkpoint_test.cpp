@@ -237,15 +237,17 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   EXPECT_EQ(folder.read("mine.txt"), "mine");
 }
 
-// Killed at any instant a run leaves a checkpoint that leads to the same
-// bytes; so it does if it writes over one of an earlier run.
-TEST(Checkpoint, KilledRunsGoOn) {
-  const ProgramFolder folder;
+// A run that is killed as soon as its checkpoint has been seen to change so
+// many times goes on to the same bytes.
+void expect_same_after_kills(const ProgramFolder& folder,
+                             const std::string& file,
+                             const std::string& interval) {
   const std::string run =
-      "hinge-separation data/cases/slosh.toml --output o.json --history ";
-  const std::string every = " --checkpoint-every 0.05 --checkpoint c.db";
+      "hinge-separation " + file + " --output o.json --history ";
+  const std::string every =
+      " --events e.csv --checkpoint-every " + interval + " --checkpoint c.db";
   folder.run_well(run + "a.csv" + every);
-  // As soon as the file has been seen to change so many times.
+  folder.run_well("mv e.csv ae.csv");
   for (const char* changes : {"1", "2", "5", "10", "20"}) {
     const ProgramResult killed =
         folder.run("cp c.db seen\n" + run + "k.csv" + every + " & run=$!\n" +
@@ -258,9 +260,53 @@ TEST(Checkpoint, KilledRunsGoOn) {
                    "kill -KILL $run\n"
                    "wait $run");
     EXPECT_EQ(killed.status, 128 + SIGKILL) << changes;
-    folder.run_well(run + "b.csv --resume c.db");
+    folder.run_well(run + "b.csv --events e.csv --resume c.db");
     EXPECT_TRUE(folder.read("b.csv") == folder.read("a.csv")) << changes;
+    EXPECT_EQ(folder.read("e.csv"), folder.read("ae.csv")) << changes;
   }
+}
+
+// Killed at any instant a run leaves a checkpoint that leads to the same
+// bytes; so it does if it writes over one of an earlier run.
+TEST(Checkpoint, KilledRunsGoOn) {
+  const ProgramFolder folder;
+  expect_same_after_kills(folder, "data/cases/slosh.toml", "0.05");
+}
+
+// Also between bounces, on a rigid stop and on a compliant one, of which there
+// are some dozens.
+TEST(Checkpoint, RunsKilledBetweenBouncesGoOn) {
+  const ProgramFolder folder;
+  const auto boom = [](const char* name, const char* stop) {
+    return std::string("\n[[body]]\nname = \"") + name +
+           R"("
+mass_kg = 5; com_m = [1, 0, 0]; principal_inertia_kg_m2 = [1, 2, 2]
+[body.hinge]; kind = "axis"; axis = [0, 0, 1]
+[[body.hinge.joint]]; name = "pin"; kind = "pin"
+geometry = { radius_mm = 5, radial_clearance_um = 10, length_mm = 20 }
+materials.inner = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+materials.outer = { youngs_modulus_GPa = 200, poissons_ratio = 0.3 }
+friction = { coefficient = 0.1 }
+[[body.hinge.stop]]; angle_deg = -90; from = "above"
+)"_toml + stop +
+           "[body.start]\nangle_deg = -40\n";
+  };
+  folder.write("c.toml", R"(
+name = "bounces"; gravity_m_per_s2 = [0, -9.81, 0]
+run = { end_time_s = 20, output_step_s = 0.1 }
+)"_toml + carrier_at_rest("base") +
+                             boom("rigid", "restitution = 0.98\n") +
+                             boom("soft",
+                                  "restitution = 0.98\n"
+                                  "stiffness_N_m_per_rad = 2e4\n"));
+  expect_same_after_kills(folder, "c.toml", "0.05");
+  const std::string events = folder.read("e.csv");
+  std::size_t hits = 0;
+  for (auto at = events.find("hits its stop"); at != events.npos;
+       at = events.find("hits its stop", at + 1)) {
+    ++hits;
+  }
+  EXPECT_GT(hits, 20u);
 }
 
 // A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction

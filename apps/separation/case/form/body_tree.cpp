@@ -88,7 +88,7 @@ class Reader {
       parent = &entries_[entry.parent].copies[std::max(entry.copy, 0)].rigid;
     }
     const Body body = read_body(entry.table, *parent, laws_, made_);
-    const Pattern pattern = read_pattern(entry.table, body.hinge);
+    const Pattern pattern = read_pattern(entry.table);
     if (pattern.count > 1 && carried_copies(entry) > 1) {
       entry.table.must_be(
           "pattern",

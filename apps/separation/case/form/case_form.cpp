@@ -42,7 +42,7 @@ CaseForm::CaseForm(const contact::TomlFiles& files,
   place(bodies_ = parts(table, "body"), nominal.bodies,
         [](const Body& body) { return body.group; });
   place(forces_ = parts(table, "force"), nominal.forces,
-        [](const Force& force) { return force.name; });
+        [](const Force& force) { return force.group; });
   place(events_ = parts(table, "event"), nominal.events,
         [](const Event& event) { return event.name; });
   for (const Event& event : nominal.events) event_names_.push_back(event.name);
@@ -55,8 +55,7 @@ CaseForm::CaseForm(const contact::TomlFiles& files,
     return depth(nominal, 1 + body.first);
   });
   for (const Part& body : bodies_) {
-    const Pattern pattern =
-        read_pattern(body.table, nominal.bodies[body.first].hinge);
+    const Pattern pattern = read_pattern(body.table);
     for (int i = body.first; i < body.first + body.count; ++i) {
       const int on = nominal.bodies[i].hinge.on;
       turns_[i] = on > 0 ? turns_[on - 1] : pattern.turn(i - body.first);
@@ -115,7 +114,7 @@ void CaseForm::read_bodies(const Part& part, const Numbers& numbers,
     if (copy == 0 || is_each || on > 0) {
       set(part.keys, numbers, copy);
       body = read_body(part.table, parent, {}, made);
-      pattern = read_pattern(part.table, body.hinge);
+      pattern = read_pattern(part.table);
     }
     body.hinge.on = on;
     c.bodies[place] = pattern.copy_of(body, copy, parent.com);
@@ -165,6 +164,7 @@ Case CaseForm::with(const Numbers& numbers) {
   }
   if (read || std::ranges::any_of(forces_, has_keys)) {
     c.forces = read_forces(numbers, names);
+    check_propellant(file, c);
   }
   return c;
 }

@@ -29,7 +29,7 @@ class CaseForm {
            const contact::SharedLaws& made);
 
   /// @param numbers  for each key a number, or one for each copy of its body or
-  ///   each body of its force
+  ///   of its force
   /// @throws contact::Error if they make no case
   Case with(const std::vector<std::span<const double>>& numbers);
 

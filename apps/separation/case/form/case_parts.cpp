@@ -203,6 +203,9 @@ Body read_body(const TomlTable& table, const RigidBody& parent,
   if (const auto hinge = table.optional_table("hinge")) {
     body.hinge = read_hinge(*hinge, body.rigid, parent, laws, made);
   }
+  if (table.has("pattern") && body.hinge.kind == HingeKind::none) {
+    table.needs("pattern", "a hinge");
+  }
   body.lock = read_lock(table, body.rigid.com, body.hinge);
   const auto start = table.optional_table("start");
   body.start = read_body_start(start, body.hinge);
@@ -220,12 +223,26 @@ Body read_body(const TomlTable& table, const RigidBody& parent,
   return body;
 }
 
-Pattern read_pattern(const TomlTable& body, const Hinge& hinge) {
-  const auto table = body.optional_table("pattern");
-  if (!table) return {};
-  if (hinge.kind == HingeKind::none) {
-    body.needs("pattern", "a hinge");
+void check_beside_flow(const TomlTable& table, const Body& body) {
+  Case part{};
+  part.carrier.fixed = true;
+  part.bodies = {body};
+  part.bodies[0].hinge.on = 0;
+  part.forces.emplace_back().body = 1;
+  part.forces[0].burns = true;
+  try {
+    system_of(part);
+  } catch (const contact::Error&) {
+    table.must_be(
+        table.has("principal_inertia") ? "principal_inertia" : "inertia",
+        "above 0 about the line from the hinge to the centre of mass, where "
+        "engines burn mass");
   }
+}
+
+Pattern read_pattern(const TomlTable& of) {
+  const auto table = of.optional_table("pattern");
+  if (!table) return {};
   return {static_cast<int>(table->integer("count", 2, 1000)),
           direction(*table, "axis"),
           table->optional_number("first", Interval::any()).value_or(0)};

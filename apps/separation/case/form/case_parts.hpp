@@ -21,7 +21,12 @@ void read_carrier_of(const contact::TomlTable& file, Case& c);
 Body read_body(const contact::TomlTable& table, const RigidBody& parent,
                const JointLaws& laws, contact::SharedLaws& made);
 
-/// Copies of a body around an axis through the origin of its parent.
+/// Throws for a body on a ball joint without inertia about the line from there
+/// to its centre of mass, which cannot be where engines burn mass.
+void check_beside_flow(const contact::TomlTable& table, const Body& body);
+
+/// Copies of a body around an axis through the origin of its parent, or of the
+/// points and directions of a force about one through that of their own body.
 struct Pattern {
   int count = 1;
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
@@ -34,6 +39,7 @@ struct Pattern {
 };
 /// Calls a copy "NAME 1" for the copy 0.
 void name_copy(Body& body, int copy);
-Pattern read_pattern(const contact::TomlTable& body, const Hinge& hinge);
+/// A single copy without [.pattern].
+Pattern read_pattern(const contact::TomlTable& of);
 
 }  // namespace separation
