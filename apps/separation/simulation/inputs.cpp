@@ -58,8 +58,7 @@ GivenLoads::GivenLoads(const Case& c, const History& history) : case_(c) {
       if (history.release_of(body, c) != History::not_yet) continue;
       loads_.push_back({body, kind, value * c.bodies[body - 1].hinge.axis});
     } else {
-      loads_.push_back(
-          {body, kind, value * Eigen::Vector3d::Unit(component)});
+      loads_.push_back({body, kind, value * Eigen::Vector3d::Unit(component)});
     }
   }
 }

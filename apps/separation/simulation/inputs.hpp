@@ -18,9 +18,9 @@ struct History;
 /// opposite one on the body that carries the hinge, until that breaks.
 struct Input {
   enum class Kind { force, moment, hinge_moment };
-  int body;       ///< rigid body
+  int body;  ///< rigid body
   Kind kind;
-  int component;  ///< 0 for the moment of a hinge
+  int component;     ///< 0 for the moment of a hinge
   std::string name;  ///< "NAME.applied_force_x_N"
 };
 
