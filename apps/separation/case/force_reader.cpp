@@ -3,17 +3,6 @@
 #include "separation/case/force_kind.hpp"
 
 namespace separation {
-namespace {
-
-const ForceKind& read_kind(const TomlTable& table) {
-  const std::vector<ForceKind>& kinds = force_kinds();
-  std::vector<std::string> names;
-  for (const ForceKind& kind : kinds) names.emplace_back(kind.name);
-  return kinds[table.choice("kind", names)];
-}
-
-}  // namespace
-
 multibody::HingeKind ForceTable::hinge() const {
   return body > 0 ? names.of.bodies[body - 1].hinge.kind
                   : multibody::HingeKind::none;
@@ -47,7 +36,7 @@ Clock ForceTable::clock(const std::string& key, const Clock& otherwise) const {
 }
 
 Force read_force(const TomlTable& table, const CaseNames& names, int copy) {
-  const ForceKind& kind = read_kind(table);
+  const ForceKind& kind = force_kinds()[table.choice("kind")];
   ForceTable from{table, names, 0, copy, 0};
   const std::string name = table.text("name");
   const auto [begin, end] = names.window(table, "the force");
