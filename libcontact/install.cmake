@@ -35,7 +35,7 @@ foreach(pc contact.pc contact-files.pc)
     DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 endforeach()
 # Examples, which the programs and users start from.
-set(examples backings cases duty joints materials studies)
+set(examples backings cases duty joints materials schemas studies)
 list(TRANSFORM examples PREPEND ${PROJECT_SOURCE_DIR}/data/)
 install(DIRECTORY ${examples}
   DESTINATION ${CMAKE_INSTALL_DATADIR}/libcontact COMPONENT programs)

@@ -133,10 +133,18 @@ rm bush.toml
 # what the seat without an end would have.
 seat() { # NAME JOINT LOAD DIRECTION
   local joint=(--joint "$plots/../data/joints/$2.toml" --load "$3")
-  "$programs/hinge-pressure" "${joint[@]}" --direction "$4" --points 91 \
+  "$programs/hinge-pressure" "${joint[@]}" --direction "$4" --points 181 \
     --output "$1.csv" 2>seat.log
-  awk -F, 'NR > 1 { if ($3 != v) print ""; v = $3; print $3, $4, $5 }' \
-    "$1.csv" >"$1.dat"
+  # Both halves in one: a seam between two surfaces would be seen.
+  awk -F, 'function turn(i) {
+      if (n == 0) return
+      for (i = n; i > 1; i--) print v, -phi[i], p[i]
+      for (i = 1; i <= n; i++) print v, phi[i], p[i]
+      print ""
+      n = 0
+    }
+    NR > 1 { if ($3 != v) turn(); v = $3; phi[++n] = $4; p[n] = $5 }
+    END { turn() }' "$1.csv" >"$1.dat"
   awk -F, 'NR > 1 && $4 == 0 { v[++n] = $3; print $3, $5 }
     END { for (; n > 0; n--) print v[n], 0 }' "$1.csv" >"$1_cut.dat"
   "$programs/hinge-pressure" "${joint[@]}" --law exact --pressure exact \

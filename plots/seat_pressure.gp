@@ -10,7 +10,7 @@ set size ratio -1
 set style fill solid 1 noborder
 set view map
 set pm3d corners2color mean
-set palette defined (0 '#e9e9e9', 0.002 '#dbe6f3', 0.25 '#92b4dc', \
+set palette defined (0 '#e9e9e9', 0.05 '#dbe6f3', 0.25 '#92b4dc', \
   0.5 '#f7d06b', 0.75 '#ee7a3a', 1 '#a11021')
 
 # The place v from the seat's axis, seen against a load at b from the axis: X
@@ -47,8 +47,8 @@ do for [i = 1:2] {
   bottom = 0.98 - 0.49 * i
   set bmargin at screen bottom
   set tmargin at screen bottom + 0.41
-  set label 1 ring ? 'ring of 28 mm on a ball of 66 mm, liner of 0.5 mm, 100 kN' : \
-    'hip, cup of half a sphere, 2 kN at 65° from its axis' \
+  set label 1 ring ? '28 mm ring on a 66 mm ball, 0.5 mm liner, 100 kN' : \
+    'hip, hemispherical cup, 2 kN at 65° from its axis' \
     at screen 0.5, bottom + 0.45 center
 
   set xrange [-1.2:1.2]
@@ -57,10 +57,9 @@ do for [i = 1:2] {
   set rmargin at screen 0.40
   set colorbox user origin 0.415, bottom + 0.06 size 0.017, 0.29
   set cbtics out nomirror
-  set cblabel 'MPa'
+  set label 6 'MPa' at screen 0.4235, bottom + 0.372 center textcolor rgb ink
   splot sample [t = 0:1] '+' using (NaN):(NaN):(NaN) with points, \
-    for [side = -1:1:2] name.'.dat' \
-      using (side * X($1 * rad, $2 * rad)):(Y($1 * rad, $2 * rad)):\
+    name.'.dat' using (X($1 * rad, $2 * rad)):(Y($1 * rad, $2 * rad)):\
 (seen($1 * rad, $2 * rad) * $3 / 1e6) with pm3d, \
     [t = 0:2 * pi] '+' using (cos(t)):(sin(t)):(0) with lines linewidth 1 \
       linecolor rgb ink, \
@@ -100,5 +99,6 @@ do for [i = 1:2] {
   unset label 3
   unset label 4
   unset label 5
+  unset label 6
 }
 unset multiplot

@@ -51,19 +51,19 @@ Json unit_choices(Dimension dimension) {
 }
 
 contact::KnownKeys state_keys() {
-  return {{"reaction", Dimension::force},
-          {"rate", Dimension::angular_velocity},
-          {"beta_deg"}};
+  constexpr contact::Interval size{0, 1e100};
+  using contact::number_key;
+  return {number_key("reaction", Dimension::force, size),
+          number_key("rate", Dimension::angular_velocity, size),
+          number_key("beta_deg", {0, 180})};
 }
 
 // The intervals of hinge-joint.
 hinge_joint::Input state_of(const std::string& text, bool is_pin) {
   const TomlTable state = TomlTable::from_text(text, "", state_keys());
-  constexpr contact::Interval size{0, 1e100};
-  const double reaction = state.number("reaction", size);
-  const double rate = state.number("rate", size);
-  constexpr contact::Interval angle{0, 180};
-  const double beta = is_pin ? 90 : state.number("beta_deg", angle);
+  const double reaction = state.number("reaction");
+  const double rate = state.number("rate");
+  const double beta = is_pin ? 90 : state.number("beta_deg");
   state.refuse_idle();
   return hinge_joint::state_from_reaction(reaction, beta, rate);
 }

@@ -77,7 +77,7 @@ function fieldsOf(choices) {
     {id: 'coating_ratio', label: 'Coating, ν', value: '0.25', when: coated,
      key: 'coating.poissons_ratio'},
     {id: 'warm', label: 'Temperature', of: [
-      ['none', 'that of the clearance'], ['another', 'another']]},
+      ['none', '20 °C, as sizes'], ['another', 'another']]},
     {id: 'temperature', label: 'Of both bodies', key: 'temperature', value: '80',
      units: 'temperature', unit: 'C', when: warm},
     ...[['materials.inner', 'Ball or pin', '11.5e-6', warm],

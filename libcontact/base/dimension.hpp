@@ -16,7 +16,7 @@ namespace contact {
 enum class Dimension {
   number,                ///< no unit, no ending
   length,                ///< m, mm, um, cm, in, km
-  stress,                ///< Pa, kPa, MPa, GPa
+  stress,                ///< Pa, kPa, MPa, GPa, psi
   force,                 ///< N, kN, MN, lbf
   line_force,            ///< N_per_m, kN_per_m, N_per_mm
   moment,                ///< N_m, kN_m, N_mm

@@ -135,8 +135,8 @@ JointSpec joint_from_table(const TomlTable& table) {
 KnownKeys joint_keys() {
   KnownKeys keys = {
       {"name"},
-      {"kind"},
-      {"inner_body"},
+      word_key("kind", {"ball", "pin"}),
+      word_key("inner_body", {"carrier", "body"}),
       table_key("materials", {{.key = "pair", .of_file = material_pair_keys()},
                               table_key("inner", material_keys()),
                               table_key("outer", material_keys()),

@@ -1,6 +1,7 @@
 #include "libcontact/files/key_schema.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <set>
 #include <string>
@@ -34,6 +35,53 @@ std::string list(const std::vector<std::string>& all) {
   return text;
 }
 
+const Unit& unit_of(const std::string& spelling, const KnownKey& key) {
+  return *detail::unit_in(spelling, key.key, key.dimension);
+}
+
+// Limits of numbers as JSON's keywords, which hold for nothing but numbers. The
+// digits beyond twelve are the rounding of a unit's factor.
+Texts limits(const Interval& range, const Unit& unit) {
+  Texts all;
+  const auto add = [&](const char* name, double limit) {
+    if (std::abs(limit) == Interval::largest) return;
+    all[name] = message("{:.12g}", unit.from_si(limit));
+  };
+  add(range.low_excluded ? "exclusiveMinimum" : "minimum", range.low);
+  if (range.or_infinity) return all;
+  add(range.high_excluded ? "exclusiveMaximum" : "maximum", range.high);
+  return all;
+}
+
+// What is allowed, in a unit: of a number, of an array and of its rows.
+Texts rules_of(const KnownKey& key, const Unit& unit) {
+  const AllowedValues& allowed = key.allowed;
+  if (allowed.integers) {
+    return {{"type", "\"integer\""},
+            {"minimum", message("{}", allowed.integers->first)},
+            {"maximum", message("{}", allowed.integers->second)}};
+  }
+  if (!allowed.words.empty()) {
+    std::vector<std::string> words;
+    for (const std::string& word : allowed.words) {
+      words.push_back('"' + word + '"');
+    }
+    const std::string one = message("[{}]", list(words));
+    if (key.inside.empty()) return {{"enum", one}};
+    return {{"if", "{\"type\": \"string\"}"},
+            {"then", message("{{\"enum\": {}}}", one)}};
+  }
+  if (!allowed.numbers) return {};
+  Texts all = limits(*allowed.numbers, unit);
+  for (int depth = 0; depth < 2 && !all.empty(); ++depth) {
+    Texts outer = limits(*allowed.numbers, unit);
+    outer["items"] = message("{{{}}}", joined(all));
+    all = std::move(outer);
+  }
+  all["type"] = "[\"number\", \"array\"]";
+  return all;
+}
+
 // A key stands once, in one of its units.
 std::string two_spellings(const KnownKeys& keys) {
   std::vector<std::string> pairs;
@@ -51,15 +99,19 @@ std::string two_spellings(const KnownKeys& keys) {
                                  list(pairs));
 }
 
-// The keys that a table of one kind does not have.
+// The keys that a table of one kind does not have, and what the others of that
+// kind may be.
 std::string not_of_kind(const KnownKeys& keys, std::string_view kind) {
   Texts none;
   const auto set = [&](const KnownKey& key, bool fits) {
     for (const auto& name : detail::spellings(key.key, key.dimension)) {
-      if (fits) {
+      const Texts rules = rules_of(key, unit_of(name, key));
+      if (!fits) {
+        none[name] = "false";
+      } else if (key.kinds.empty() || rules.empty()) {
         none.erase(name);
       } else {
-        none[name] = "false";
+        none[name] = message("{{{}}}", joined(rules));
       }
     }
   };
@@ -103,16 +155,17 @@ void add_rules(const KnownKeys& keys, Texts& to) {
 std::string properties(const KnownKeys& keys, const std::string& place) {
   Texts all;
   for (const KnownKey& key : keys) {
-    const bool number = key.dimension != Dimension::number;
     for (const std::string& name : detail::spellings(key.key, key.dimension)) {
+      const Unit& unit = unit_of(name, key);
       Texts about;
-      if (!key.kinds.empty()) {
+      if (key.kinds.empty()) {
+        about = rules_of(key, unit);
+      } else {
         about["$comment"] = message("\"of kind {}\"", key.kinds);
       }
-      if (const Unit* unit = detail::unit_in(name, key.key, key.dimension);
-          number && unit != nullptr) {
+      if (key.dimension != Dimension::number) {
         about["type"] = "[\"number\", \"array\"]";
-        about["description"] = message("\"in {}\"", unit_symbol(unit->ending));
+        about["description"] = message("\"in {}\"", unit_symbol(unit.ending));
       }
       if (!key.inside.empty()) {
         const std::string here = place + "/properties/" + name;

@@ -83,6 +83,10 @@ std::string parse_problem(std::string_view line, std::string_view parser) {
                    rule);
 }
 
+Interval numbers_of(const KnownKey& key) {
+  return key.allowed.numbers.value_or(Interval::any());
+}
+
 const toml::table& as_table(const void* table) {
   return *static_cast<const toml::table*>(table);
 }
@@ -312,9 +316,18 @@ bool TomlTable::is_table(std::string_view key) const {
   return entry && entry->node->is_table();
 }
 
+double TomlTable::number(std::string_view key) const {
+  return number(key, numbers_of(declared(key)));
+}
+
 double TomlTable::number(std::string_view key, const Interval& range) const {
   const Entry entry = at(key);
   return entry.number(*entry.node, range, [] { return ""; });
+}
+
+std::vector<double> TomlTable::numbers(std::string_view key,
+                                       const ArrayShape& shape) const {
+  return numbers(key, shape, numbers_of(declared(key)));
 }
 
 std::vector<double> TomlTable::numbers(std::string_view key,
@@ -326,9 +339,9 @@ std::vector<double> TomlTable::numbers(std::string_view key,
   return result;
 }
 
-std::int64_t TomlTable::integer(std::string_view key, std::int64_t low,
-                                std::int64_t high) const {
+std::int64_t TomlTable::integer(std::string_view key) const {
   const Entry entry = at(key);
+  const auto [low, high] = declared(key).allowed.integers.value();
   const auto value = entry.node->as_integer();
   if (value == nullptr || value->get() < low || value->get() > high) {
     entry.must_be(detail::message("an integer, {} to {}", low, high));
@@ -365,11 +378,10 @@ std::vector<std::string> TomlTable::texts(std::string_view key) const {
 }
 
 std::size_t TomlTable::choice(std::string_view key,
-                              const std::vector<std::string>& words,
                               std::string_view otherwise) const {
   const Entry entry = at(key);
   std::vector<std::string> quoted;
-  for (const std::string& word : words) {
+  for (const std::string& word : declared(key).allowed.words) {
     if (entry.node->value<std::string>() == word) return quoted.size();
     quoted.push_back('"' + word + '"');
   }

@@ -28,6 +28,16 @@ struct ArrayShape {
   bool or_more = false;     ///< more rows too
 };
 
+/// Values that a key may have, for its reader and its schema alike.
+struct AllowedValues {
+  /// Numbers of it, also those of an array; in SI units.
+  std::optional<Interval> numbers = {};
+  /// The first and the last integer.
+  std::optional<std::pair<std::int64_t, std::int64_t>> integers = {};
+  /// One of these.
+  std::vector<std::string> words = {};
+};
+
 /// A key that a table may have.
 struct KnownKey {
   std::string_view key;
@@ -40,8 +50,26 @@ struct KnownKey {
   std::string_view former = {};
   /// Keys of the file that this key names.
   std::vector<KnownKey> of_file = {};
+  AllowedValues allowed = {};
 };
 using KnownKeys = std::vector<KnownKey>;
+
+/// The key of a number, or of an array of numbers.
+inline KnownKey number_key(std::string_view key, Dimension dimension,
+                           const Interval& range) {
+  return {.key = key, .dimension = dimension, .allowed = {.numbers = range}};
+}
+inline KnownKey number_key(std::string_view key, const Interval& range) {
+  return number_key(key, Dimension::number, range);
+}
+inline KnownKey integer_key(std::string_view key, std::int64_t low,
+                            std::int64_t high) {
+  return {.key = key, .allowed = {.integers = {{low, high}}}};
+}
+/// The key of one of some words.
+inline KnownKey word_key(std::string_view key, std::vector<std::string> words) {
+  return {.key = key, .allowed = {.words = std::move(words)}};
+}
 
 /// The key of a table or of an array of tables.
 inline KnownKey table_key(std::string_view key, KnownKeys inside) {
@@ -76,35 +104,44 @@ class TomlTable {
   /// True if the key is there and is a table.
   bool is_table(std::string_view key) const;
 
+  /// A number as its key allows.
+  double number(std::string_view key) const;
+  /// One in a range of its own, as where it depends on other numbers.
   double number(std::string_view key, const Interval& range) const;
   /// An array of numbers or of arrays of them, row by row.
+  std::vector<double> numbers(std::string_view key,
+                              const ArrayShape& shape) const;
   std::vector<double> numbers(std::string_view key, const ArrayShape& shape,
                               const Interval& range) const;
-  std::int64_t integer(std::string_view key, std::int64_t low,
-                       std::int64_t high) const;
+  std::int64_t integer(std::string_view key) const;
   /// A string that is not empty.
   std::string text(std::string_view key) const;
-  /// One of some words; returns its index.
+  /// One of the key's words; returns its index.
   /// @param otherwise  what else the key may be, for the message
   std::size_t choice(std::string_view key,
-                     const std::vector<std::string>& words,
                      std::string_view otherwise = "") const;
   /// A table inside this one: [key].
   TomlTable table(std::string_view key) const;
 
-  auto optional_number(std::string_view key, const Interval& range) const {
-    return optional(&TomlTable::number, key, range);
+  std::optional<double> optional_number(std::string_view key) const {
+    if (!has(key)) return {};
+    return number(key);
   }
-  auto optional_numbers(std::string_view key, const ArrayShape& shape,
-                        const Interval& range) const {
-    return optional(&TomlTable::numbers, key, shape, range);
+  std::optional<double> optional_number(std::string_view key,
+                                        const Interval& range) const {
+    if (!has(key)) return {};
+    return number(key, range);
+  }
+  std::optional<std::vector<double>> optional_numbers(
+      std::string_view key, const ArrayShape& shape) const {
+    if (!has(key)) return {};
+    return numbers(key, shape);
   }
   auto optional_text(std::string_view key) const {
     return optional(&TomlTable::text, key);
   }
-  auto optional_choice(std::string_view key,
-                       const std::vector<std::string>& words) const {
-    return optional(&TomlTable::choice, key, words, "");
+  auto optional_choice(std::string_view key) const {
+    return optional(&TomlTable::choice, key, "");
   }
   auto optional_table(std::string_view key) const {
     return optional(&TomlTable::table, key);

@@ -11,12 +11,13 @@ namespace contact {
 namespace {
 
 KnownKeys worn_seat_keys() {
-  return {{"kind"},
+  return {word_key("kind", {"pin", "ball"}),
           {"radius", Dimension::length},
           {"radial_clearance", Dimension::length},
-          {"cycles"},
-          {"pole"},
-          {"reach", Dimension::angle},
+          number_key("cycles", Interval::non_negative()),
+          number_key("pole", {-1, 1}),
+          number_key("reach", Dimension::angle,
+                     {10 * degree, std::numbers::pi * (1 + 1e-12)}),
           {"depth", Dimension::length}};
 }
 
@@ -32,7 +33,7 @@ std::string list_of(const double* begin, std::size_t count) {
 
 void check_length(const TomlTable& table, std::string_view key, double length,
                   const JointGeometry& geometry) {
-  const double there = table.number(key, Interval::any());
+  const double there = table.number(key);
   if (std::abs(there - length) <= 1e-9 * geometry.radius()) return;
   table.must_be(key, detail::message("{:.9g} m, that of the joint", length));
 }
@@ -59,24 +60,22 @@ WornSeat read_worn_seat(const std::filesystem::path& path,
   const TomlTable table = TomlTable::from_file(path, worn_seat_keys());
   const bool is_ball = geometry.kind() == JointKind::ball;
   const std::string kind = to_string(geometry.kind());
-  if (table.choice("kind", {"pin", "ball"}) != (is_ball ? 1u : 0u)) {
+  if (table.choice("kind") != (is_ball ? 1u : 0u)) {
     table.must_be("kind", kind + ", as the joint is");
   }
   check_length(table, "radius", geometry.radius(), geometry);
   check_length(table, "radial_clearance", geometry.radial_clearance(),
                geometry);
   WornSeat seat;
-  seat.cycles = table.number("cycles", {0, Interval::largest});
+  seat.cycles = table.number("cycles");
   if (is_ball) {
-    const auto pole = table.numbers("pole", {3}, {-1, 1});
+    const auto pole = table.numbers("pole", {3});
     seat.pole = {pole[0], pole[1], pole[2]};
     if (std::abs(seat.pole.norm() - 1) > 1e-6) {
       table.must_be("pole", "a unit vector");
     }
     seat.pole.normalize();
-    seat.reach =
-        table.number("reach", {10 * degree, std::numbers::pi * (1 + 1e-12)});
-    seat.reach = std::min(seat.reach, std::numbers::pi);
+    seat.reach = std::min(table.number("reach"), std::numbers::pi);
   }
   seat.depths = table.numbers("depth", {worn_points(geometry.kind(), seat)},
                               {0, geometry.radius()});

@@ -37,7 +37,7 @@ const page = (more = {}) => ({
 });
 
 test('events of one instant are together', () => {
-  const events = [[1, 'b', 'lock breaks'], [2, 'b', 'axis breaks'],
+  const events = [[1, 'b', 'locks break: lock breaks'], [2, 'b', 'axis breaks'],
                   [2, 'c', 'axis breaks'], [2 + 5e-10, 'd', 'slides'],
                   [2.001, 'd', 'rests']]
       .map(([time, body, what]) => ({time_s: time, body, what}));
@@ -45,6 +45,7 @@ test('events of one instant are together', () => {
       scripts(page({summary: {events}}), ['instants', 'instantText']);
   assert.deepStrictEqual([...instants].map(({events: all}) => all.length),
                          [1, 3, 1]);
+  assert.strictEqual(instantText(instants[0]), '1.000 s  b: locks break');
   assert.strictEqual(instantText(instants[1]),
                      '2.000 s  b, c: axis breaks · d: slides');
 });

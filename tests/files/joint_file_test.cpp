@@ -615,7 +615,11 @@ TEST(TomlTable, EveryUnit) {
                              {"in", 0.0762},
                              {"km", 3e3}});
   expect(Dimension::stress,
-         {{"Pa", 3}, {"kPa", 3e3}, {"MPa", 3e6}, {"GPa", 3e9}});
+         {{"Pa", 3},
+          {"kPa", 3e3},
+          {"MPa", 3e6},
+          {"GPa", 3e9},
+          {"psi", 3 * 4.4482216152605 / (0.0254 * 0.0254)}});
   expect(Dimension::force,
          {{"N", 3}, {"kN", 3e3}, {"MN", 3e6}, {"lbf", 13.3446648457815}});
   expect(Dimension::line_force,
@@ -657,19 +661,18 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
   const auto with = [&](const std::string& key, const std::string& value) {
     return TomlTable::from_text(text, "t.toml", keys, {}, {{key, value}});
   };
-  const auto any = Interval::any();
-  EXPECT_EQ(with("v_mm[2]", "4").numbers("v", {3}, any),
+  EXPECT_EQ(with("v_mm[2]", "4").numbers("v", {3}),
             (std::vector<double>{0.001, 0.004, -0.003}));
-  EXPECT_EQ(with("v_mm[3]", "*2").numbers("v", {3}, any),
+  EXPECT_EQ(with("v_mm[3]", "*2").numbers("v", {3}),
             (std::vector<double>{0.001, 0.0025, -0.006}));
-  EXPECT_EQ(with("m", "*-0.5").numbers("m", {2, 2}, any),
+  EXPECT_EQ(with("m", "*-0.5").numbers("m", {2, 2}),
             (std::vector<double>{-0.5, -1, -1.5, -2}));
-  EXPECT_EQ(with("n", "*1.5").number("n", any), 10.5);
+  EXPECT_EQ(with("n", "*1.5").number("n"), 10.5);
   EXPECT_ERROR(with("v_mm[4]", "4"),
                "v_mm[4] = 4 must be a key of the file: TABLE.KEY, "
                "TABLE[NUMBER].KEY or TABLE[NAME].KEY");
   // The factor works in every unit.
-  EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3}, any)[0], 0.002);
+  EXPECT_EQ(with("v_m[1]", "*2").numbers("v", {3})[0], 0.002);
   EXPECT_ERROR(with("colour", "*2"),
                "colour = *2: unknown key \"colour\" (v, m, n)");
   EXPECT_ERROR(TomlTable::from_text("w = 1", "t.toml", {{"w"}, {"u"}}, {},
@@ -725,7 +728,7 @@ TEST_F(JointFolder, AreParsedOnceAndReadWithSettings) {
   const auto x = [&](const KeySettings& settings) {
     return files.open(folder_ / "a.toml", outer, settings)
         .file("b", inner)
-        .number("x", Interval::any());
+        .number("x");
   };
   EXPECT_EQ(x({}), 1);
   write("b.toml", "x = 5\ny = 2\n");
@@ -738,9 +741,9 @@ TEST_F(JointFolder, AreParsedOnceAndReadWithSettings) {
 TEST(TomlTable, ArraysMatricesIntegersFlags) {
   const KnownKeys keys = {{"v", Dimension::length},
                           {"m", Dimension::inertia},
-                          {"n"},
+                          integer_key("n", 0, 7),
                           {"flag"},
-                          {"word"},
+                          word_key("word", {"a", "b"}),
                           table_key("item", {{"x"}, {"y"}}),
                           {"(no error)"}};
   const std::string text =
@@ -749,21 +752,20 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
       "n = 7\nflag = true\nword = \"b\"\n"
       "[[item]]\nx = 1\n[[item]]\nx = 2\n";
   const auto table = TomlTable::from_text(text, "t.toml", keys);
-  const Interval any = Interval::any();
-  EXPECT_EQ(table.numbers("v", {3}, any),
+  EXPECT_EQ(table.numbers("v", {3}),
             (std::vector<double>{1e-3, 2.5e-3, -3e-3}));
-  EXPECT_EQ(table.numbers("m", {2, 2}, any), (std::vector<double>{1, 2, 3, 4}));
-  EXPECT_EQ(table.numbers("m", {1, 2, true}, any),
+  EXPECT_EQ(table.numbers("m", {2, 2}), (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_EQ(table.numbers("m", {1, 2, true}),
             (std::vector<double>{1, 2, 3, 4}));
-  EXPECT_EQ(table.integer("n", 0, 7), 7);
+  EXPECT_EQ(table.integer("n"), 7);
   EXPECT_TRUE(table.flag("flag"));
   EXPECT_FALSE(table.flag("(no error)"));
-  EXPECT_EQ(table.choice("word", {"a", "b"}), 1u);
+  EXPECT_EQ(table.choice("word"), 1u);
   const auto items = table.tables("item");
   ASSERT_EQ(items.size(), 2u);
-  EXPECT_EQ(items[1].number("x", any), 2);
+  EXPECT_EQ(items[1].number("x"), 2);
   EXPECT_TRUE(table.tables("(no error)").empty());
-  EXPECT_EQ(items[0].number("x", any), 1);
+  EXPECT_EQ(items[0].number("x"), 1);
   // The program has not declared it.
   EXPECT_THROW(static_cast<void>(table.has("other")), std::logic_error);
 
@@ -775,24 +777,28 @@ TEST(TomlTable, ArraysMatricesIntegersFlags) {
                                                {"word"},
                                                table_key("item", {{"y"}})})),
                "t.toml:7: unknown key \"item[1].x\" (y)");
-  EXPECT_ERROR(table.numbers("v", {2}, any),
+  EXPECT_ERROR(table.numbers("v", {2}),
                "t.toml:1: v_mm = [1, 2.5, -3] must be an array of 2 numbers");
   EXPECT_ERROR(table.numbers("v", {3}, Interval::positive()),
                "t.toml:1: v_mm[3] = -3 must be above 0");
   const std::string matrix =
       "t.toml:2: m_kg_m2 = [[1, 2], [3, 4]] must be an "
       "array of 3 ";
-  EXPECT_ERROR(table.numbers("m", {3, 3}, any), matrix + "arrays of 3 numbers");
-  EXPECT_ERROR(table.numbers("m", {3, 2, true}, any),
+  EXPECT_ERROR(table.numbers("m", {3, 3}), matrix + "arrays of 3 numbers");
+  EXPECT_ERROR(table.numbers("m", {3, 2, true}),
                matrix + "or more arrays of 2 numbers");
   EXPECT_ERROR(table.numbers("m", {2, 2}, {0, 3}),
                "t.toml:2: m_kg_m2[2][2] = 4 must be 0 to 3 kg m^2");
   const std::string n = "t.toml:3: n = 7 must be ";
-  EXPECT_ERROR(table.integer("n", 0, 6), n + "an integer, 0 to 6");
+  KnownKeys with_few = keys;
+  with_few[2] = integer_key("n", 0, 6);
+  with_few[3] = integer_key("flag", 0, 6);
+  const auto few = TomlTable::from_text(text, "t.toml", with_few);
+  EXPECT_ERROR(few.integer("n"), n + "an integer, 0 to 6");
   EXPECT_ERROR(table.flag("n"), n + "true or false");
   EXPECT_ERROR(table.tables("n"), n + "an array of tables");
   EXPECT_ERROR(table.table("n"), n + "a table");
-  EXPECT_ERROR(table.integer("flag", 0, 6),
+  EXPECT_ERROR(few.integer("flag"),
                "t.toml:4: flag = true must be an integer, 0 to 6");
   EXPECT_ERROR(items[1].fail("x", "too many"),
                "t.toml:9: item[2].x = 2: too many");
@@ -914,7 +920,7 @@ TEST(TomlTable, OutlivesItsParent) {
     return TomlTable::from_text("[a]\nx = 1", "t", {table_key("a", {{"x"}})})
         .table("a");
   }();
-  EXPECT_EQ(inner.number("x", Interval::any()), 1);
+  EXPECT_EQ(inner.number("x"), 1);
   EXPECT_EQ(inner.source(), "t");
 }
 

@@ -1,5 +1,6 @@
-"""The schemas that programs print: all shipped files are valid by them, and
-mistakes planted in these are found. python3-jsonschema checks."""
+"""The schemas that programs print: all shipped files are valid by them,
+mistakes planted in these are found, and limits are those of the readers.
+python3-jsonschema checks."""
 
 import json
 import subprocess
@@ -76,3 +77,55 @@ def key_of_another_kind(document):
 
 
 planted(case, "cases/soyuz.toml", key_of_another_kind)
+
+# Numbers and words that no reader takes.
+planted(joint, pin, lambda d: d["geometry"].update(radius_mm=0))
+planted(joint, pin, lambda d: d.update(kind="pinn"))
+planted(joint, pin, lambda d: d["friction"].update(coefficient=-0.1))
+planted(joint, pin, lambda d: d.update(temperature_C=-274))
+planted(case, "cases/soyuz.toml", lambda d: d["body"][0].update(mass_t=0))
+planted(case, "cases/soyuz.toml", lambda d: d["run"].update(integrator="euler"))
+planted(case, "cases/soyuz.toml", lambda d: d["force"][0].update(thrust_kN=-1))
+planted(study, "studies/soyuz.toml", lambda d: d.update(runs=0))
+planted(study, "studies/soyuz.toml", lambda d: d["requirement"][0].update(success=1))
+
+
+def refusal(file, key, value):
+    """The message of a program that does not read the file with the setting."""
+    beta = [] if read(file)["kind"] == "pin" else ["--beta", "90"]
+    done = subprocess.run(
+        [programs / "hinge-joint", data / file, "--load", "1kN", *beta,
+         "--set", f"{key}={value}"],
+        capture_output=True, text=True,
+    )  # fmt: skip
+    return done.stderr if done.returncode == 2 else ""
+
+
+def check_limits(file, table, schema, place):
+    """A millionth beyond each limit of its numbers, and on excluded ones."""
+    count = 0
+    for key, value in table.items():
+        known = schema["properties"][key]
+        if isinstance(value, dict):
+            count += check_limits(file, value, known, f"{place}{key}.")
+        if not isinstance(value, (int, float)):
+            continue
+        for word, limit in known.items():
+            if not word.endswith("imum"):
+                continue
+            step = 1e-6 * (abs(limit) or 1)
+            beyond = [limit - step if word.endswith("inimum") else limit + step]
+            if word.startswith("exclusive"):
+                beyond.append(limit)
+            for number in beyond:
+                said = refusal(file, place + key, number)
+                assert "must be" in said, (file, place + key, number, said)
+                count += 1
+    return count
+
+
+found = sum(
+    check_limits(file, read(file), joint.schema, "")
+    for file in (pin, "joints/hip_cup.toml", "joints/relieved_bush.toml")
+)
+assert found > 12, found

@@ -60,6 +60,8 @@ INSTANTIATE_TEST_SUITE_P(
               "hinge-joint --joint ball --pair data/materials/steel_steel.toml "
               "--bearing GE50ES --friction steel_steel_greased --reaction "
               "100kN --beta 90"},
+        Alike{"hinge-joint --bearing GE50ES --load 100kN",
+              "hinge-joint --bearing GE50ES --load 100kN --beta 90"},
         Alike{"hinge-joint --joint lined_bush_pressed --reaction 0",
               "hinge-joint data/joints/lined_bush_pressed.toml --load 0"},
         Alike{"hinge-joint --joint ball --pair steel_bronze --radius 10mm "
@@ -119,6 +121,14 @@ INSTANTIATE_TEST_SUITE_P(
                     " --friction steel_steel_grease --load "
                     "1kN",
                 "did you mean \"steel_steel_greased\"?"},
+        Refused{"hinge-angle --pair steel_bronze --wall 1mm --backing steel" +
+                    sized + "--load 1kN/m",
+                "did you mean \"carbon_steel\"?"},
+        Refused{
+            "hinge-joint " + pin + " --load 1kN --set geometry.clearance=20um",
+            "its size is radial_clearance or diametral_clearance"},
+        Refused{"hinge-pressure " + pin + " --load 1kN --tilt 1mrad",
+                "--tilt requires a wall"},
         Refused{"hinge-joint " + pin + " --laod 100kN",
                 "did you mean \"--load\"?"},
         Refused{"hinge-pressure " + pin + " --laod 100kN",

@@ -8,7 +8,10 @@ import unittest
 
 BIN = pathlib.Path(os.environ["CONTACT_BUILD"]) / "bin"
 DATA = pathlib.Path(__file__).parents[2] / "data"
-TYPES = {"number": (int, float), "array": list, "object": dict, "string": str}
+TYPES = {
+    "number": (int, float), "integer": int, "array": list, "object": dict,
+    "string": str,
+}  # fmt: skip
 
 
 def schema_of(program):

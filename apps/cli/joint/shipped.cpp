@@ -64,8 +64,14 @@ std::string shipped_file(Shipped kind, const std::string& name) {
 
 std::string shipped_hint(Shipped kind, std::string_view name,
                          std::vector<std::string> words) {
-  std::ranges::copy(shipped_names(kind), std::back_inserter(words));
-  return contact::detail::did_you_mean(contact::detail::nearest(name, words));
+  const auto shipped = shipped_names(kind);
+  std::ranges::copy(shipped, std::back_inserter(words));
+  std::string meant = contact::detail::nearest(name, words);
+  // steel of carbon_steel
+  const auto part = std::ranges::find_if(
+      shipped, [&](const std::string& of) { return of.find(name) != of.npos; });
+  if (meant.empty() && part != shipped.end()) meant = *part;
+  return contact::detail::did_you_mean(meant);
 }
 
 // Its first table ends what stands at the top.

@@ -44,7 +44,12 @@ namespace {
 const Joint& checked(const Joint& joint, const char* flag) {
   if (!joint.has_size) refuse_without(flag, "--radius and --clearance");
   if (joint.is_pin() && !joint.has_length) refuse_without(flag, "--length");
-  const std::string why = contact::FinitePin::refusal(joint.spec);
+  std::string why = contact::FinitePin::refusal(joint.spec);
+  // Nobody who tilts a pin has asked for play.
+  if (constexpr std::string_view play = "pin joint with play";
+      why.starts_with(play)) {
+    why.replace(0, play.size(), flag);
+  }
   if (!why.empty()) throw contact::Error(said_of(joint, why));
   return joint;
 }

@@ -60,7 +60,16 @@ Inputs::Inputs(const Options& options, const Setup& setup) {
                     Dimension::force);
     // Without a force it has no direction.
     const bool unloaded = forces_->size() == 1 && (*forces_)[0] == 0;
-    const bool any = pin || (unloaded && options.beta.empty());
+    const bool by_designation =
+        setup.given[0].spec.bearing && options.beta.empty();
+    if (by_designation) {
+      cli::note(
+          "hinge-joint",
+          "--beta 90 taken: a bearing turns about its ring's axis, across "
+          "the reaction");
+    }
+    const bool any =
+        pin || by_designation || (unloaded && options.beta.empty());
     angles_ = angle_sweep("--beta", options.beta, "--reaction", allowed_beta,
                           pin, any ? "90" : "");
   } else {

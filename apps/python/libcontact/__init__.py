@@ -108,6 +108,16 @@ class Status(enum.IntEnum):
     OUT_OF_SEAT = 3
 
 
+class ContactState(enum.IntEnum):
+    """Whether interference holds a joint's halves together: the values of
+    Solution.contact_state."""
+
+    CLOSED = 0
+    LIFTED = 1
+    ZERO = 2
+    CLEARANCE = 3
+
+
 class State(enum.IntEnum):
     """Motion of a joint's two halves: the values of Solution.state."""
 
@@ -138,6 +148,7 @@ if not TYPE_CHECKING:
 __all__ = [
     "Case",
     "Coefficients",
+    "ContactState",
     "ContactWarning",
     "Cycle",
     "Error",

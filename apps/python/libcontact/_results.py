@@ -11,6 +11,9 @@ from numpy.typing import NDArray
 from . import _core
 from ._plots import plot_solution
 
+#: Numbers that are words of an enumeration here alone.
+_words = {"contact_state": "ContactState"}
+
 #: As many rows are printed.
 _most = 4
 
@@ -47,6 +50,7 @@ def _table(self: Any) -> tuple[list[str], list[list[str]]]:
     digits = 4 if self.shape else 6
     lines = []
     for key, _, unit, _, words in self._quantities:
+        words = words or _words.get(key, "")
         values = getattr(self, key)
         shown = [values[p] if p else values for p in places]
         if shown and np.isnan(shown).all():

@@ -11,7 +11,7 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 Shape read_hull(const TomlTable& table) {
-  const auto numbers = table.numbers("points", {4, 3, true}, Interval::any());
+  const auto numbers = table.numbers("points", {4, 3, true});
   std::vector<Vector3d> points;
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     points.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
@@ -24,7 +24,7 @@ Shape read_hull(const TomlTable& table) {
 }
 
 Shape read_box(const TomlTable& table) {
-  const auto size = table.numbers("size", {3}, Interval::positive());
+  const auto size = table.numbers("size", {3});
   return box(
       vector_or_zero(table, "centre"), {size[0], size[1], size[2]},
       optional_rotation(table, "rotation").value_or(Matrix3d::Identity()));
@@ -32,15 +32,14 @@ Shape read_box(const TomlTable& table) {
 
 Shape read_shape(const TomlTable& table) {
   constexpr std::size_t box_choice = 4;  // a hull by other keys
-  const std::size_t choice =
-      table.choice("kind", {"capsule", "cylinder", "cone", "hull", "box"});
+  const std::size_t choice = table.choice("kind");
   if (choice == box_choice) return read_box(table);
   const auto kind = static_cast<ShapeKind>(choice);
   if (kind == ShapeKind::hull) return read_hull(table);
   Shape shape{kind};
   shape.from = vector(table, "from");
   shape.to = vector(table, "to");
-  shape.radius = table.number("radius", Interval::positive());
+  shape.radius = table.number("radius");
   if (!((shape.to - shape.from).norm() > 0) && kind != ShapeKind::capsule) {
     table.must_be("to", "a point apart from \"from\"");
   }
@@ -90,7 +89,7 @@ std::optional<Matrix3d> read_inertia(const TomlTable& table,
                                      const std::string& prefix) {
   const std::string rows = prefix + "inertia";
   const std::string principal = prefix + "principal_inertia";
-  if (const auto m = table.optional_numbers(rows, {3, 3}, Interval::any())) {
+  if (const auto m = table.optional_numbers(rows, {3, 3})) {
     table.refuse_both(rows, principal);
     const Matrix3d inertia = Eigen::Map<const Matrix3d>(m->data());
     check_inertia(table, rows, inertia);
@@ -117,13 +116,12 @@ RigidBody read_carrier(const TomlTable& table) {
 
 RigidBody read_rigid_body(const TomlTable& table) {
   RigidBody body = read_form(table);
-  const auto mass = table.optional_number("mass", Interval::positive());
-  const auto density =
-      table.optional_number("density_kg_per_m3", Interval::positive());
+  const auto mass = table.optional_number("mass");
+  const auto density = table.optional_number("density_kg_per_m3");
   const auto inertia = read_inertia(table);
   const auto com = optional_vector(table, "com");
   table.refuse_both("density_kg_per_m3", "mass");
-  if (!mass && !density) table.number("mass", Interval::positive());
+  if (!mass && !density) table.number("mass");
   if (body.shapes.empty() && !inertia) {
     table.needs("inertia, or shapes to take it from");
   }

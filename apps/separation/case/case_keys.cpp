@@ -9,8 +9,11 @@ namespace separation {
 namespace {
 
 using contact::Dimension;
+using contact::integer_key;
 using contact::KnownKey;
+using contact::number_key;
 using contact::table_key;
+using contact::word_key;
 using Keys = contact::KnownKeys;
 
 Keys with(Keys keys, const Keys& more) {
@@ -25,31 +28,41 @@ Keys of(std::string_view kinds, Keys keys) {
 }
 
 Keys run_keys() {
-  return {{"end_time", Dimension::time},
-          {"output_step", Dimension::time},
-          {"friction"},
-          {"integrator"},
-          {"step", Dimension::time},
-          {"relative_tolerance"},
-          {"absolute_tolerance"},
-          {"longest_step", Dimension::time}};
+  const auto time = [](std::string_view key) {
+    return number_key(key, Dimension::time, Interval::positive());
+  };
+  constexpr Interval tolerance{1e-14, 1e-2};
+  return {
+      time("end_time"),
+      time("output_step"),
+      word_key("friction", {friction_choices.begin(), friction_choices.end()}),
+      word_key("integrator", {"adaptive", "rk4"}),
+      time("step"),
+      number_key("relative_tolerance", tolerance),
+      number_key("absolute_tolerance", tolerance),
+      time("longest_step")};
 }
 
 Keys shape_keys() {
-  Keys keys = with({{"kind"}, {"name"}}, of("capsule cylinder cone",
-                                            {{"from", Dimension::length},
-                                             {"to", Dimension::length},
-                                             {"radius", Dimension::length}}));
+  Keys keys =
+      with({word_key("kind", {"capsule", "cylinder", "cone", "hull", "box"}),
+            {"name"}},
+           of("capsule cylinder cone",
+              {{"from", Dimension::length},
+               {"to", Dimension::length},
+               number_key("radius", Dimension::length, Interval::positive())}));
   keys = with(keys, of("hull", {{"points", Dimension::length}}));
-  return with(keys, of("box", {{"centre", Dimension::length},
-                               {"size", Dimension::length},
-                               {"rotation", Dimension::angle}}));
+  return with(
+      keys,
+      of("box", {{"centre", Dimension::length},
+                 number_key("size", Dimension::length, Interval::positive()),
+                 number_key("rotation", Dimension::angle, most_turns)}));
 }
 
 Keys rigid_body_keys() {
   return {{"name"},
-          {"mass", Dimension::mass},
-          {"density_kg_per_m3"},
+          number_key("mass", Dimension::mass, Interval::positive()),
+          number_key("density_kg_per_m3", Interval::positive()),
           {"com", Dimension::length},
           {"inertia", Dimension::inertia},
           {"principal_inertia", Dimension::inertia},
@@ -60,19 +73,21 @@ Keys rigid_body_keys() {
 Keys start_keys() {
   return {{"position", Dimension::length},
           {"velocity", Dimension::velocity},
-          {"rotation", Dimension::angle},
+          number_key("rotation", Dimension::angle, most_turns),
           {"angular_velocity", Dimension::angular_velocity}};
 }
 
 Keys hinge_keys() {
+  std::vector<std::string> kinds;
+  for (const HingeType& type : hinge_types()) kinds.emplace_back(type.name);
   Keys keys = {
-      {"kind"},
+      word_key("kind", kinds),
       {"name"},
       {"on"},
       {"body_point", Dimension::length, {}, {}, "load_point"},
       {"carrier_point", Dimension::length},
       {"parent_point", Dimension::length},
-      {"zero_rotation", Dimension::angle},
+      number_key("zero_rotation", Dimension::angle, most_turns),
       table_key("stop", stop_keys()),
       table_key("torque_margin", margin_keys()),
       table_key("joint",
@@ -81,7 +96,8 @@ Keys hinge_keys() {
                       {"position", Dimension::length},
                       {.key = "in_seat", .former = "in_seat"},
                       {"without_seat"},
-                      {"seat_loads", Dimension::force},
+                      number_key("seat_loads", Dimension::force,
+                                 Interval::positive()),
                       {"seat_table"}}))};
   for (const HingeType& type : hinge_types()) {
     keys = with(keys, of(type.name, type.keys));
@@ -90,7 +106,7 @@ Keys hinge_keys() {
 }
 
 Keys pattern_keys() {
-  return {{"count"}, {"axis"}, {"first", Dimension::angle}};
+  return {integer_key("count", 2, 1000), {"axis"}, {"first", Dimension::angle}};
 }
 
 Keys body_keys() {
@@ -107,22 +123,24 @@ Keys body_keys() {
 }
 
 Keys event_keys() {
+  constexpr auto non_negative = Interval::non_negative();
   return {{"name"},
           {"bodies", Dimension::number, {}, {}, "loads"},
-          {"breaks"},
-          {"locks"},
-          {"ends"},
-          {"rate_below", Dimension::angular_velocity},
+          word_key("breaks", {"lock", "hinge", "latch"}),
+          word_key("locks", {"hinge"}),
+          word_key("ends", {"run"}),
+          number_key("rate_below", Dimension::angular_velocity,
+                     Interval::positive()),
           {"after"},
           {"together"},
-          {"node"},
-          {"time", Dimension::time},
-          {"delay", Dimension::time},
-          {"angle", Dimension::angle},
-          {"reaction", Dimension::force},
+          word_key("node", {"hinge", "lock"}),
+          number_key("time", Dimension::time, non_negative),
+          number_key("delay", Dimension::time, non_negative),
+          number_key("angle", Dimension::angle, most_turns),
+          number_key("reaction", Dimension::force, Interval::positive()),
           {"touches"},
           {"clearance"},
-          {"distance", Dimension::length}};
+          number_key("distance", Dimension::length, non_negative)};
 }
 
 Keys clearance_keys() {
@@ -131,16 +149,18 @@ Keys clearance_keys() {
 
 // While something is: KEY_at or KEY_at_event with KEY_delay.
 Keys window_keys() {
-  return {{"starts_at", Dimension::time},
-          {"starts_at_event"},
-          {"starts_delay", Dimension::time},
-          {"ends_at", Dimension::time},
-          {"ends_at_event"},
-          {"ends_delay", Dimension::time}};
+  const auto time = [](std::string_view key) {
+    return number_key(key, Dimension::time, Interval::non_negative());
+  };
+  return {time("starts_at"), {"starts_at_event"}, time("starts_delay"),
+          time("ends_at"),   {"ends_at_event"},   time("ends_delay")};
 }
 
 Keys force_keys() {
-  Keys keys = with({{"kind"}, {"name"}, {"body"}}, window_keys());
+  std::vector<std::string> kinds;
+  for (const ForceKind& kind : force_kinds()) kinds.emplace_back(kind.name);
+  Keys keys =
+      with({word_key("kind", kinds), {"name"}, {"body"}}, window_keys());
   for (const ForceKind& kind : force_kinds()) {
     keys = with(keys, of(kind.name, kind.keys));
     if (!kind.has_pattern) continue;

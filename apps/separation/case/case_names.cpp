@@ -9,7 +9,6 @@
 namespace separation {
 namespace {
 
-using contact::Interval;
 using contact::TomlTable;
 
 std::vector<std::string> body_names(const Case& c, bool with_carrier) {
@@ -116,11 +115,9 @@ int CaseNames::event_called(const TomlTable& table, std::string_view key,
 
 Clock CaseNames::clock(const TomlTable& table, const std::string& key,
                        const Clock& otherwise) const {
-  const auto time =
-      table.optional_number(key + "_at", Interval::non_negative());
+  const auto time = table.optional_number(key + "_at");
   const int event = event_of(table, key + "_at_event");
-  const auto delay =
-      table.optional_number(key + "_delay", Interval::non_negative());
+  const auto delay = table.optional_number(key + "_delay");
   table.refuse_both(key + "_at_event", key + "_at");
   if (delay && event < 0) table.needs(key + "_delay", key + "_at_event");
   if (event >= 0) return {0, event, delay.value_or(0)};

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <array>
-#include <numbers>
 
 #include "libcontact/base/complaint.hpp"
 #include "separation/case/clearance_reader.hpp"
@@ -17,14 +16,11 @@ namespace {
 struct Condition {
   Event::Trigger trigger;
   std::string_view key;
-  Interval range;
 };
 constexpr std::array<Condition, 3> conditions = {{
-    {Event::Trigger::time, "time", Interval::non_negative()},
-    {Event::Trigger::angle,
-     "angle",
-     {-100 * std::numbers::pi, 100 * std::numbers::pi}},
-    {Event::Trigger::reaction, "reaction", Interval::positive()},
+    {Event::Trigger::time, "time"},
+    {Event::Trigger::angle, "angle"},
+    {Event::Trigger::reaction, "reaction"},
 }};
 
 // Bodies that come so near to each other.
@@ -32,8 +28,7 @@ bool read_distance(const TomlTable& table, const CaseNames& names,
                    Event& event) {
   table.refuse_both("clearance", "touches");
   const bool touches = table.has("touches");
-  const auto distance =
-      table.optional_number("distance", Interval::non_negative());
+  const auto distance = table.optional_number("distance");
   if (distance && !table.has("clearance")) table.needs("distance", "clearance");
   if (!touches && !table.has("clearance")) return false;
   event.trigger = Event::Trigger::distance;
@@ -78,7 +73,7 @@ void read_condition(const TomlTable& table, const CaseNames& names,
                     Event& event) {
   const Condition* found = nullptr;
   for (const Condition& condition : conditions) {
-    const auto value = table.optional_number(condition.key, condition.range);
+    const auto value = table.optional_number(condition.key);
     if (!value) continue;
     if (found != nullptr) table.refuse_both(condition.key, found->key);
     found = &condition;
@@ -91,7 +86,7 @@ void read_condition(const TomlTable& table, const CaseNames& names,
     table.refuse_both("delay", key);
   }
   if (read_distance(table, names, event)) return;
-  const auto delay = table.optional_number("delay", Interval::non_negative());
+  const auto delay = table.optional_number("delay");
   if (found != nullptr) {
     table.refuse_both("delay", found->key);
     // An event some time after another has a delay.
@@ -109,12 +104,11 @@ void read_action(const TomlTable& table, Event& event) {
   table.refuse_both("locks", "breaks");
   table.refuse_both("ends", "breaks");
   table.refuse_both("ends", "locks");
-  if (table.optional_choice("locks", {"hinge"})) {
+  if (table.optional_choice("locks")) {
     event.action = Event::Action::latch;
   } else if (table.has("breaks")) {
-    event.action = static_cast<Event::Action>(
-        table.choice("breaks", {"lock", "hinge", "latch"}));
-  } else if (table.optional_choice("ends", {"run"})) {
+    event.action = static_cast<Event::Action>(table.choice("breaks"));
+  } else if (table.optional_choice("ends")) {
     event.action = Event::Action::end_run;
   } else if (table.has("touches") || table.has("clearance")) {
     event.action = Event::Action::none;
@@ -124,7 +118,7 @@ void read_action(const TomlTable& table, Event& event) {
 }
 
 void read_latch(const TomlTable& table, Event& event) {
-  const auto rate = table.optional_number("rate_below", Interval::positive());
+  const auto rate = table.optional_number("rate_below");
   if (event.action != Event::Action::latch) {
     if (rate) table.needs("rate_below", "locks");
     return;
@@ -184,8 +178,8 @@ Event read_event(const TomlTable& table, const CaseNames& names) {
     event.bodies = bodies_near(event);
   }
   read_latch(table, event);
-  event.node = static_cast<Event::Node>(
-      table.optional_choice("node", {"hinge", "lock"}).value_or(0));
+  event.node =
+      static_cast<Event::Node>(table.optional_choice("node").value_or(0));
   if (table.has("node") && event.trigger != Event::Trigger::reaction) {
     table.needs("node", "reaction");
   }

@@ -32,6 +32,8 @@ struct ForceEnds {
   Eigen::Vector3d point;  ///< on its body
   int other = -1;         ///< rigid body with the opposite force; -1: none
   Eigen::Vector3d other_point = Eigen::Vector3d::Zero();
+  /// Where an engine's gas leaves to, unit, body axes; else 0.
+  Eigen::Vector3d exhaust = Eigen::Vector3d::Zero();
 };
 
 /// What an engine burns.

@@ -14,10 +14,7 @@ namespace separation {
 namespace {
 
 const ForceKind& read_kind(const TomlTable& table) {
-  const std::vector<ForceKind>& kinds = force_kinds();
-  std::vector<std::string> names;
-  for (const ForceKind& kind : kinds) names.emplace_back(kind.name);
-  return kinds[table.choice("kind", names)];
+  return force_kinds()[table.choice("kind")];
 }
 
 Pattern pattern_of(const TomlTable& table) {

@@ -68,8 +68,7 @@ contact::JointSpec read_joint_of(const TomlTable& table, const JointLaws& laws,
 contact::Joint make_joint(const TomlTable& table,
                           const contact::JointSpec& joint,
                           contact::SharedLaws& made) {
-  const auto loads =
-      table.optional_numbers("seat_loads", {2}, Interval::positive());
+  const auto loads = table.optional_numbers("seat_loads", {2});
   const auto kept = table.optional_text("seat_table");
   for (const char* key : {"seat_loads", "seat_table"}) {
     if (table.has(key) && !joint.geometry.seat()) {
@@ -118,8 +117,7 @@ HingeJoint read_hinge_joint(const TomlTable& table, const JointLaws& laws,
     }
     joint = joint.without_seat();
   }
-  const double position =
-      table.optional_number("position", Interval::any()).value_or(0);
+  const double position = table.optional_number("position").value_or(0);
   contact::Joint model = make_joint(table, joint, made);
   return {std::move(joint), position, std::move(model)};
 }
@@ -143,9 +141,7 @@ Hinge read_hinge(const TomlTable& table, const RigidBody& body,
                  const RigidBody& parent, const JointLaws& laws,
                  contact::SharedLaws& made) {
   Hinge hinge;
-  std::vector<std::string> names;
-  for (const HingeType& type : hinge_types()) names.emplace_back(type.name);
-  const HingeType& type = hinge_types()[table.choice("kind", names)];
+  const HingeType& type = hinge_types()[table.choice("kind")];
   hinge.kind = type.kind;
   hinge.name = table.optional_text("name").value_or("hinge");
   hinge.body_point = vector_or_zero(table, "body_point") - body.com;

@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <numbers>
 
 namespace separation {
 
@@ -19,13 +18,13 @@ std::string column_text(const TomlTable& table, std::string_view key) {
 
 std::optional<Vector3d> optional_vector(const TomlTable& table,
                                         std::string_view key) {
-  const auto values = table.optional_numbers(key, {3}, Interval::any());
+  const auto values = table.optional_numbers(key, {3});
   if (!values) return {};
   return Vector3d((*values)[0], (*values)[1], (*values)[2]);
 }
 
 Vector3d vector(const TomlTable& table, std::string_view key) {
-  const auto values = table.numbers(key, {3}, Interval::any());
+  const auto values = table.numbers(key, {3});
   return {values[0], values[1], values[2]};
 }
 
@@ -48,9 +47,7 @@ Matrix3d rotation_of(const Vector3d& vector) {
 
 std::optional<Matrix3d> optional_rotation(const TomlTable& table,
                                           std::string_view key) {
-  // More turns than anyone means.
-  constexpr Interval range{-100 * std::numbers::pi, 100 * std::numbers::pi};
-  const auto v = table.optional_numbers(key, {3}, range);
+  const auto v = table.optional_numbers(key, {3});
   if (!v) return {};
   return rotation_of({(*v)[0], (*v)[1], (*v)[2]});
 }
@@ -60,7 +57,7 @@ constexpr contact::ArrayShape one_or_more{.rows = 1, .or_more = true};
 }  // namespace
 
 std::vector<double> increasing(const TomlTable& table, std::string_view key) {
-  auto values = table.numbers(key, one_or_more, Interval::any());
+  auto values = table.numbers(key, one_or_more);
   if (!std::is_sorted(values.begin(), values.end(), std::less_equal<>())) {
     table.must_be(key, "numbers that grow from one to the next");
   }
@@ -69,7 +66,7 @@ std::vector<double> increasing(const TomlTable& table, std::string_view key) {
 
 std::vector<double> times_with_jumps(const TomlTable& table,
                                      std::string_view key) {
-  auto times = table.numbers(key, one_or_more, Interval::any());
+  auto times = table.numbers(key, one_or_more);
   bool in_order = std::is_sorted(times.begin(), times.end());
   for (std::size_t i = 2; i < times.size(); ++i) {
     in_order = in_order && times[i - 2] < times[i];

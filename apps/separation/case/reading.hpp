@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,6 +13,10 @@ namespace separation {
 
 using contact::Interval;
 using contact::TomlTable;
+
+/// Angles, to more turns than anyone means.
+inline constexpr Interval most_turns{-100 * std::numbers::pi,
+                                     100 * std::numbers::pi};
 
 /// A text that becomes part of the names of columns and data sets.
 std::string column_text(const TomlTable& table, std::string_view key);

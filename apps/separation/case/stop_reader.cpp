@@ -2,19 +2,16 @@
 
 #include <fmt/format.h>
 
-#include <numbers>
-
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/hunt_crossley.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
+#include "separation/case/reading.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
 namespace {
 
 using contact::degree;
-using contact::Interval;
-using contact::TomlTable;
 
 // Requires an angle between named directions, or about an axis.
 void check_hinge(const TomlTable& table, const TomlTable& of,
@@ -33,7 +30,7 @@ void check_hinge(const TomlTable& table, const TomlTable& of,
 }
 
 void read_side(const TomlTable& table, double start, HingeStop& stop) {
-  const auto from = table.optional_choice("from", {"below", "above"});
+  const auto from = table.optional_choice("from");
   if (!from && start == stop.angle) {
     table.needs("angle", "from: the body starts there");
   }
@@ -48,12 +45,9 @@ void read_side(const TomlTable& table, double start, HingeStop& stop) {
 }
 
 HingeStop read_stop(const TomlTable& table) {
-  constexpr double most = 100 * std::numbers::pi;
   HingeStop stop;
-  stop.angle = table.number("angle", {-most, most});
-  stop.stiffness =
-      table.optional_number("stiffness_N_m_per_rad", Interval::positive())
-          .value_or(0);
+  stop.angle = table.number("angle");
+  stop.stiffness = table.optional_number("stiffness_N_m_per_rad").value_or(0);
   stop.restitution =
       table.number("restitution", {0, 1, !stop.is_rigid(), false});
   if (!stop.is_rigid()) {
@@ -66,10 +60,10 @@ HingeStop read_stop(const TomlTable& table) {
 }  // namespace
 
 contact::KnownKeys stop_keys() {
-  return {{"angle", contact::Dimension::angle},
-          {"from"},
-          {"restitution"},
-          {"stiffness_N_m_per_rad"}};
+  return {contact::number_key("angle", contact::Dimension::angle, most_turns),
+          contact::word_key("from", {"below", "above"}),
+          contact::number_key("restitution", {0, 1}),
+          contact::number_key("stiffness_N_m_per_rad", Interval::positive())};
 }
 
 std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
@@ -103,8 +97,8 @@ std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
 contact::KnownKeys margin_keys() {
   return {{"from", contact::Dimension::angle},
           {"to", contact::Dimension::angle},
-          {"friction_factor"},
-          {"other_factor"}};
+          contact::number_key("friction_factor", {1, 100}),
+          contact::number_key("other_factor", {1, 100})};
 }
 
 std::optional<MarginPath> read_margin(const TomlTable& table,
@@ -115,14 +109,11 @@ std::optional<MarginPath> read_margin(const TomlTable& table,
   if (hinge.kind != multibody::HingeKind::axis) {
     table.needs("torque_margin", "kind = \"axis\"");
   }
-  MarginPath path{
-      of->optional_number("from", Interval::any()).value_or(start.angle),
-      of->number("to", Interval::any())};
+  MarginPath path{of->optional_number("from").value_or(start.angle),
+                  of->number("to")};
   if (path.to == path.from) of->must_be("to", "another angle than from");
-  const Interval factor{1, 100};
-  path.friction_factor =
-      of->optional_number("friction_factor", factor).value_or(1);
-  path.other_factor = of->optional_number("other_factor", factor).value_or(1);
+  path.friction_factor = of->optional_number("friction_factor").value_or(1);
+  path.other_factor = of->optional_number("other_factor").value_or(1);
   return path;
 }
 

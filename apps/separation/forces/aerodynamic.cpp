@@ -111,11 +111,9 @@ std::vector<Table<double>> read_coefficients(const TomlTable& table,
     const Table<double> zero{{0}, {0}};
     result.assign(pressures, zero);
   } else if (pressures == 1) {
-    result.push_back(
-        {angles, table.numbers(key, {angles.size()}, Interval::any())});
+    result.push_back({angles, table.numbers(key, {angles.size()})});
   } else {
-    const auto numbers =
-        table.numbers(key, {pressures, angles.size()}, Interval::any());
+    const auto numbers = table.numbers(key, {pressures, angles.size()});
     for (std::size_t i = 0; i < pressures; ++i) {
       const auto row = numbers.begin() + i * angles.size();
       result.push_back({angles, {row, row + angles.size()}});
@@ -125,8 +123,7 @@ std::vector<Table<double>> read_coefficients(const TomlTable& table,
 }
 
 void read_flow(const TomlTable& table, Aerodynamic& air) {
-  if (const auto density = table.optional_number("density_kg_per_m3",
-                                                 Interval::non_negative())) {
+  if (const auto density = table.optional_number("density_kg_per_m3")) {
     table.refuse_both("density_kg_per_m3", "dynamic_pressure");
     air.density = *density;
     air.wind = vector_or_zero(table, "wind");
@@ -134,13 +131,11 @@ void read_flow(const TomlTable& table, Aerodynamic& air) {
   }
   air.flow = direction(table, "flow");
   if (!table.has("time")) {
-    air.dynamic_pressure = {
-        {0}, {table.number("dynamic_pressure", Interval::non_negative())}};
+    air.dynamic_pressure = {{0}, {table.number("dynamic_pressure")}};
     return;
   }
   const auto at = times_with_jumps(table, "time");
-  air.dynamic_pressure = {at, table.numbers("dynamic_pressure", {at.size()},
-                                            Interval::non_negative())};
+  air.dynamic_pressure = {at, table.numbers("dynamic_pressure", {at.size()})};
 }
 
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
@@ -148,9 +143,8 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   auto air = std::make_shared<Aerodynamic>();
   air->axis = direction(table, "axis");
   air->point = from.point_or_com();
-  air->area = table.number("reference_area_m2", Interval::positive());
-  air->length = table.optional_number("reference_length", Interval::positive())
-                    .value_or(1);
+  air->area = table.number("reference_area_m2");
+  air->length = table.optional_number("reference_length").value_or(1);
   read_flow(table, *air);
   const std::vector<double>& angles = air->angles = increasing(table, "angle");
   air->pressures = {0};
@@ -168,22 +162,25 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
 
 ForceKind aerodynamic() {
   using contact::Dimension;
-  return {"aerodynamic",
-          {{"point", Dimension::length},
-           {"time", Dimension::time},
-           {"angle", Dimension::angle},
-           {"axis"},
-           {"reference_area_m2"},
-           {"reference_length", Dimension::length},
-           {"flow"},
-           {"dynamic_pressure", Dimension::stress},
-           {"density_kg_per_m3"},
-           {"wind", Dimension::velocity},
-           {"axial"},
-           {"normal"},
-           {"moment"},
-           {"table_pressure", Dimension::stress}},
-          read};
+  using contact::number_key;
+  return {
+      "aerodynamic",
+      {{"point", Dimension::length},
+       {"time", Dimension::time},
+       {"angle", Dimension::angle},
+       {"axis"},
+       number_key("reference_area_m2", Interval::positive()),
+       number_key("reference_length", Dimension::length, Interval::positive()),
+       {"flow"},
+       number_key("dynamic_pressure", Dimension::stress,
+                  Interval::non_negative()),
+       number_key("density_kg_per_m3", Interval::non_negative()),
+       {"wind", Dimension::velocity},
+       {"axial"},
+       {"normal"},
+       {"moment"},
+       {"table_pressure", Dimension::stress}},
+      read};
 }
 
 }  // namespace separation

@@ -46,7 +46,7 @@ Table<Vector3d> read_vectors(const TomlTable& table, std::string_view key,
                              const std::vector<double>& at) {
   if (!table.has(key)) return {{0}, {Vector3d::Zero()}};
   if (at.empty()) return {{0}, {vector(table, key)}};
-  const auto numbers = table.numbers(key, {at.size(), 3}, Interval::any());
+  const auto numbers = table.numbers(key, {at.size(), 3});
   Table<Vector3d> result{at, {}};
   for (std::size_t i = 0; i < numbers.size(); i += 3) {
     result.values.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
@@ -57,8 +57,7 @@ Table<Vector3d> read_vectors(const TomlTable& table, std::string_view key,
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Applied>();
-  law->inertial =
-      table.optional_choice("axes", {"body", "inertial"}).value_or(0) == 1;
+  law->inertial = table.optional_choice("axes").value_or(0) == 1;
   law->point = from.point_or_com();
   const RowsOver rows = read_variable(from);
   law->variable = rows.variable;
@@ -83,7 +82,7 @@ ForceKind applied() {
            {"time", Dimension::time},
            {"angle", Dimension::angle},
            {"moment", Dimension::moment},
-           {"axes"},
+           contact::word_key("axes", {"body", "inertial"}),
            {"force", Dimension::force}},
           read,
           true};

@@ -35,8 +35,7 @@ struct Damper final : ForceLaw {
 std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   auto law = std::make_shared<Damper>();
   law->ends = read_line(from);
-  law->damping =
-      from.table.number("damping_N_s_per_m", Interval::non_negative());
+  law->damping = from.table.number("damping_N_s_per_m");
   return law;
 }
 
@@ -49,7 +48,7 @@ ForceKind damper() {
            {"carrier_point", Dimension::length},
            {"other_body"},
            {"other_point", Dimension::length},
-           {"damping_N_s_per_m"}},
+           contact::number_key("damping_N_s_per_m", Interval::non_negative())},
           read,
           true};
 }

@@ -37,10 +37,9 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const RowsOver rows = read_variable(from);
   law->variable = rows.variable;
   if (rows.variable == Variable::none) {
-    law->moment = {{0}, {table.number("moment", Interval::any())}};
+    law->moment = {{0}, {table.number("moment")}};
   } else {
-    law->moment = {rows.at,
-                   table.numbers("moment", {rows.at.size()}, Interval::any())};
+    law->moment = {rows.at, table.numbers("moment", {rows.at.size()})};
   }
   return law;
 }

@@ -85,11 +85,10 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   law->point = from.point();
   law->carrier_point = from.carrier_point();
   law->direction = from.carrier_direction();
-  law->first_force = table.number("first_force", Interval::non_negative());
+  law->first_force = table.number("first_force");
   law->last_force =
-      table.optional_number("last_force", Interval::non_negative())
-          .value_or(law->first_force);
-  law->stroke = table.number("stroke", Interval::positive());
+      table.optional_number("last_force").value_or(law->first_force);
+  law->stroke = table.number("stroke");
   return law;
 }
 
@@ -97,13 +96,15 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
 
 ForceKind pusher() {
   using contact::Dimension;
+  using contact::number_key;
+  constexpr auto non_negative = Interval::non_negative();
   return {"pusher",
           {{"point", Dimension::length},
            {"direction"},
            {"carrier_point", Dimension::length},
-           {"first_force", Dimension::force},
-           {"last_force", Dimension::force},
-           {"stroke", Dimension::length}},
+           number_key("first_force", Dimension::force, non_negative),
+           number_key("last_force", Dimension::force, non_negative),
+           number_key("stroke", Dimension::length, Interval::positive())},
           read,
           true};
 }

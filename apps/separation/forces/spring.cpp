@@ -49,11 +49,9 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Spring>();
   law->ends = read_line(from);
-  law->stiffness = table.number("stiffness", Interval::non_negative());
-  law->free_length = table.number("free_length", Interval::non_negative());
-  law->damping =
-      table.optional_number("damping_N_s_per_m", Interval::non_negative())
-          .value_or(0);
+  law->stiffness = table.number("stiffness");
+  law->free_length = table.number("free_length");
+  law->damping = table.optional_number("damping_N_s_per_m").value_or(0);
   return law;
 }
 
@@ -61,14 +59,16 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
 
 ForceKind spring() {
   using contact::Dimension;
+  using contact::number_key;
+  constexpr auto non_negative = Interval::non_negative();
   return {"spring",
           {{"point", Dimension::length},
            {"carrier_point", Dimension::length},
            {"other_body"},
            {"other_point", Dimension::length},
-           {"stiffness", Dimension::line_force},
-           {"free_length", Dimension::length},
-           {"damping_N_s_per_m"}},
+           number_key("stiffness", Dimension::line_force, non_negative),
+           number_key("free_length", Dimension::length, non_negative),
+           number_key("damping_N_s_per_m", non_negative)},
           read,
           true};
 }

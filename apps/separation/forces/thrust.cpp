@@ -34,7 +34,9 @@ struct Thrust final : ForceLaw {
     forces[at.body].add_at(body, body.point(point),
                            body.rotation * (part(at.time, at.own) * force));
   }
-  ForceEnds where(const Case&, int) const override { return {point}; }
+  ForceEnds where(const Case&, int) const override {
+    return {.point = point, .exhaust = -direction};
+  }
   Clock own_clock() const override { return cutoff; }
   void add_breaks(double begin, std::vector<double>& breaks) const override {
     if (timed) thrust.add_breaks(begin, breaks);
@@ -58,9 +60,8 @@ struct Thrust final : ForceLaw {
 std::optional<Propellant> read_propellant(const ForceTable& from) {
   const TomlTable& table = from.table;
   constexpr double standard_gravity = 9.80665;  // m/s^2
-  const auto impulse =
-      table.optional_number("specific_impulse", Interval::positive());
-  auto speed = table.optional_number("exhaust_speed", Interval::positive());
+  const auto impulse = table.optional_number("specific_impulse");
+  auto speed = table.optional_number("exhaust_speed");
   table.refuse_both("specific_impulse", "exhaust_speed");
   if (impulse) speed = *impulse * standard_gravity;
   constexpr std::array names = {"propellant", "empty_com", "empty_inertia",
@@ -73,8 +74,8 @@ std::optional<Propellant> read_propellant(const ForceTable& from) {
   }
   if (!speed) return {};
   Propellant propellant{*speed};
-  propellant.mass = table.optional_number("propellant", Interval::positive())
-                        .value_or(propellant.mass);
+  propellant.mass =
+      table.optional_number("propellant").value_or(propellant.mass);
   if (const auto com = optional_vector(table, "empty_com")) {
     propellant.empty_com = *com - from.rigid_body().com;
   }
@@ -96,15 +97,14 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   law->timed = table.has("time");
   if (law->timed) {
     const auto at = times_with_jumps(table, "time");
-    law->thrust = {
-        at, table.numbers("thrust", {at.size()}, Interval::non_negative())};
+    law->thrust = {at, table.numbers("thrust", {at.size()})};
   } else {
-    law->thrust = {{0}, {table.number("thrust", Interval::non_negative())}};
+    law->thrust = {{0}, {table.number("thrust")}};
   }
   law->sums = sums_of(law->thrust);
   law->direction = from.body_direction();
   law->cutoff = from.clock("cutoff", never);
-  law->decay = table.optional_number("decay", Interval::positive()).value_or(0);
+  law->decay = table.optional_number("decay").value_or(0);
   if (law->decay > 0 && law->cutoff.event < 0 && std::isinf(law->cutoff.time)) {
     table.needs("decay", "cutoff_at or cutoff_at_event");
   }
@@ -116,18 +116,21 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
 
 ForceKind thrust() {
   using contact::Dimension;
+  using contact::number_key;
+  constexpr auto non_negative = Interval::non_negative();
+  constexpr auto positive = Interval::positive();
   return {"thrust",
           {{"point", Dimension::length},
            {"direction"},
            {"time", Dimension::time},
-           {"thrust", Dimension::force},
-           {"cutoff_at", Dimension::time},
+           number_key("thrust", Dimension::force, non_negative),
+           number_key("cutoff_at", Dimension::time, non_negative),
            {"cutoff_at_event"},
-           {"cutoff_delay", Dimension::time},
-           {"decay", Dimension::time},
-           {"specific_impulse", Dimension::time},
-           {"exhaust_speed", Dimension::velocity},
-           {"propellant", Dimension::mass},
+           number_key("cutoff_delay", Dimension::time, non_negative),
+           number_key("decay", Dimension::time, positive),
+           number_key("specific_impulse", Dimension::time, positive),
+           number_key("exhaust_speed", Dimension::velocity, positive),
+           number_key("propellant", Dimension::mass, positive),
            {"empty_com", Dimension::length},
            {"empty_inertia", Dimension::inertia},
            {"empty_principal_inertia", Dimension::inertia}},

@@ -64,24 +64,20 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   const TomlTable& table = from.table;
   from.refuse_without_axis();
   auto law = std::make_shared<Torsion>();
-  law->damping =
-      table.optional_number("damping_N_m_s_per_rad", Interval::non_negative())
-          .value_or(0);
+  law->damping = table.optional_number("damping_N_m_s_per_rad").value_or(0);
   if (table.has("angle")) {
     for (const char* key : {"stiffness_N_m_per_rad", "free_angle", "preload"}) {
       table.refuse_both(key, "angle");
     }
     const auto at = increasing(table, "angle");
-    law->table = {at, table.numbers("moment", {at.size()}, Interval::any())};
+    law->table = {at, table.numbers("moment", {at.size()})};
     law->sums = sums_of(law->table);
     return law;
   }
   if (table.has("moment")) table.needs("moment", "angle");
-  law->stiffness =
-      table.number("stiffness_N_m_per_rad", Interval::non_negative());
-  law->free_angle =
-      table.optional_number("free_angle", Interval::any()).value_or(0);
-  law->preload = table.optional_number("preload", Interval::any()).value_or(0);
+  law->stiffness = table.number("stiffness_N_m_per_rad");
+  law->free_angle = table.optional_number("free_angle").value_or(0);
+  law->preload = table.optional_number("preload").value_or(0);
   return law;
 }
 
@@ -89,11 +85,12 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
 
 ForceKind torsion() {
   using contact::Dimension;
+  constexpr auto non_negative = Interval::non_negative();
   return {"torsion",
-          {{"stiffness_N_m_per_rad"},
+          {contact::number_key("stiffness_N_m_per_rad", non_negative),
            {"free_angle", Dimension::angle},
            {"preload", Dimension::moment},
-           {"damping_N_m_s_per_rad"},
+           contact::number_key("damping_N_m_s_per_rad", non_negative),
            {"angle", Dimension::angle},
            {"moment", Dimension::moment}},
           read};

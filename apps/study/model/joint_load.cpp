@@ -4,13 +4,11 @@
 #include <cmath>
 #include <numbers>
 
-#include "libcontact/base/units.hpp"
 #include "libcontact/seat/contact.hpp"
 
 namespace study {
 namespace {
 
-using contact::Interval;
 using contact::TomlTable;
 using Eigen::Vector3d;
 
@@ -18,7 +16,7 @@ constexpr const char* vector_key = "reaction_xyz";
 
 // Reads the reaction and the rate of the turning.
 void read_reaction(const TomlTable& load, Load& to) {
-  to.rate = load.optional_number("rate", Interval::positive()).value_or(1);
+  to.rate = load.optional_number("rate").value_or(1);
   if (load.has(vector_key)) {
     for (const char* key : {"reaction", "beta"}) {
       if (load.has(key)) {
@@ -26,14 +24,13 @@ void read_reaction(const TomlTable& load, Load& to) {
       }
     }
     to.direction = contact::LoadDirection::vector;
-    to.reaction =
-        Vector3d(load.numbers(vector_key, {3}, Interval::any()).data());
+    to.reaction = Vector3d(load.numbers(vector_key, {3}).data());
     return;
   }
   to.direction = contact::LoadDirection::angle;
-  const double force = load.number("reaction", Interval::non_negative());
-  const double beta = load.optional_number("beta", {0, std::numbers::pi})
-                          .value_or(std::numbers::pi / 2);
+  const double force = load.number("reaction");
+  const double beta =
+      load.optional_number("beta").value_or(std::numbers::pi / 2);
   to.reaction = force * Vector3d(std::sin(beta), 0, std::cos(beta));
 }
 
@@ -59,8 +56,7 @@ void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
   if (load.has("swing") && (!seat || to.without_seat)) {
     load.needs("swing", "a joint in a [seat]");
   }
-  to.swing =
-      load.optional_number("swing", {0, std::numbers::pi / 2}).value_or(0);
+  to.swing = load.optional_number("swing").value_or(0);
 }
 
 void read_placement(const TomlTable& load,
@@ -75,16 +71,13 @@ void read_placement(const TomlTable& load,
     load.must_be("tilt", "left out beside load_at, which finds it");
   }
   if (load.has("twist") && !load.has("tilt")) load.needs("twist", "tilt");
-  // A pin bends or jams long before these slopes.
-  const Interval slope{-10 * contact::degree, 10 * contact::degree};
   const double half = geometry.length() / 2;
   contact::Placement& placement = to.placement;
-  placement.tilt = {load.optional_number("tilt", slope).value_or(0),
-                    load.optional_number("twist", slope).value_or(0), 0};
+  placement.tilt = {load.optional_number("tilt").value_or(0),
+                    load.optional_number("twist").value_or(0), 0};
   placement.place =
       load.optional_number("load_at", {-half, half}).value_or(placement.place);
-  placement.axial_velocity =
-      load.optional_number("slide", Interval::any()).value_or(0);
+  placement.axial_velocity = load.optional_number("slide").value_or(0);
   if (!to.ends_pin) return;
   for (const char* key : {"beta", vector_key}) {
     if (!load.has(key)) continue;

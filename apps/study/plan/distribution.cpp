@@ -20,8 +20,8 @@ constexpr contact::ArrayShape one_or_more{.rows = 1, .or_more = true};
 
 // Low and high of a range, both required.
 std::pair<double, double> read_range(const TomlTable& table) {
-  const double low = table.number("low", Interval::any());
-  const double high = table.number("high", Interval::any());
+  const double low = table.number("low");
+  const double high = table.number("high");
   if (!(low < high)) table.must_be("high", "above low");
   // Draws square it.
   constexpr double widest = 1e150;
@@ -32,8 +32,8 @@ std::pair<double, double> read_range(const TomlTable& table) {
 // A distribution of Boost, cut off at low and high if they are there.
 template <class Distribution>
 Quantile truncated(const TomlTable& table, const Distribution& all) {
-  const auto low = table.optional_number("low", Interval::any());
-  const auto high = table.optional_number("high", Interval::any());
+  const auto low = table.optional_number("low");
+  const auto high = table.optional_number("high");
   if (low && high && !(*low < *high)) table.must_be("high", "above low");
   const auto below = [&all](double x) {
     return x <= range(all).first ? 0.0 : cdf(all, x);
@@ -72,9 +72,8 @@ Quantile read_triangular(const TomlTable& table) {
 
 // Linear between the points of the cumulative probability.
 Quantile read_table(const TomlTable& table) {
-  auto values =
-      table.numbers("values", {.rows = 2, .or_more = true}, Interval::any());
-  auto part = table.numbers("cumulative", {.rows = values.size()}, {0, 1});
+  auto values = table.numbers("values", {.rows = 2, .or_more = true});
+  auto part = table.numbers("cumulative", {.rows = values.size()});
   const auto rises = [](const std::vector<double>& numbers) {
     return std::is_sorted(numbers.begin(), numbers.end(), std::less_equal<>());
   };
@@ -91,10 +90,10 @@ Quantile read_table(const TomlTable& table) {
 }
 
 Quantile read_list(const TomlTable& table) {
-  auto values = table.numbers("values", one_or_more, Interval::any());
+  auto values = table.numbers("values", one_or_more);
   std::vector<double> until(values.size(), 1);
-  if (const auto weights = table.optional_numbers(
-          "weights", {.rows = values.size()}, Interval::positive())) {
+  if (const auto weights =
+          table.optional_numbers("weights", {.rows = values.size()})) {
     until = *weights;
   }
   std::partial_sum(until.begin(), until.end(), until.begin());
@@ -110,17 +109,13 @@ Quantile read_list(const TomlTable& table) {
 Quantile read_distribution(const TomlTable& table) {
   using boost::math::lognormal;
   using boost::math::normal;
-  switch (table.choice("kind", {"normal", "log_normal", "uniform", "triangular",
-                                "table", "list"})) {
+  switch (table.choice("kind")) {
     case 0:
       return truncated(table,
-                       normal(table.number("mean", Interval::any()),
-                              table.number("deviation", Interval::positive())));
+                       normal(table.number("mean"), table.number("deviation")));
     case 1:
-      return truncated(
-          table,
-          lognormal(std::log(table.number("median", Interval::positive())),
-                    table.number("log_deviation", Interval::positive())));
+      return truncated(table, lognormal(std::log(table.number("median")),
+                                        table.number("log_deviation")));
     case 2:
       return [range = read_range(table)](double u) {
         return range.first + (range.second - range.first) * u;
@@ -142,29 +137,33 @@ std::string distribution_text(const TomlTable& table) {
         fmt::format(" {} ", key.kinds).find(' ' + kind + ' ') != kind.npos;
     if (!is_of_kind || !table.has(key.key)) continue;
     const bool is_list = kind == "table" || kind == "list";
-    const auto numbers =
-        is_list ? table.numbers(key.key, one_or_more, Interval::any())
-                : std::vector{table.number(key.key, Interval::any())};
+    const auto numbers = is_list ? table.numbers(key.key, one_or_more)
+                                 : std::vector{table.number(key.key)};
     text += fmt::format(", {} {}", key.key, fmt::join(numbers, " "));
   }
   return text;
 }
 
 contact::KnownKeys distribution_keys() {
-  const auto key = [](std::string_view name, std::string_view kinds) {
-    return contact::KnownKey{name, contact::Dimension::number, {}, kinds};
+  const auto key = [](std::string_view name, std::string_view kinds,
+                      const Interval& range = Interval::any()) {
+    contact::KnownKey known = contact::number_key(name, range);
+    known.kinds = kinds;
+    return known;
   };
-  return {{"kind"},
+  constexpr auto positive = Interval::positive();
+  return {contact::word_key("kind", {"normal", "log_normal", "uniform",
+                                     "triangular", "table", "list"}),
           key("mean", "normal"),
-          key("deviation", "normal"),
-          key("median", "log_normal"),
-          key("log_deviation", "log_normal"),
+          key("deviation", "normal", positive),
+          key("median", "log_normal", positive),
+          key("log_deviation", "log_normal", positive),
           key("low", "normal log_normal uniform triangular"),
           key("high", "normal log_normal uniform triangular"),
           key("mode", "triangular"),
           key("values", "table list"),
-          key("cumulative", "table"),
-          key("weights", "list")};
+          key("cumulative", "table", {0, 1}),
+          key("weights", "list", positive)};
 }
 
 }  // namespace study

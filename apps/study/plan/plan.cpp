@@ -4,48 +4,63 @@
 
 #include <algorithm>
 #include <limits>
+#include <numbers>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/units.hpp"
 
 namespace study {
 namespace {
 
+using contact::integer_key;
 using contact::Interval;
+using contact::number_key;
 using contact::table_key;
 using contact::TomlTable;
+using contact::word_key;
 
 }  // namespace
 
 contact::KnownKeys study_keys() {
+  using std::numbers::pi;
+  // A pin bends or jams long before these slopes.
+  constexpr Interval slope{-10 * contact::degree, 10 * contact::degree};
   contact::KnownKeys dispersion = distribution_keys();
-  for (const char* key : {"key", "relative", "each", "factors", "loadings"}) {
+  for (const char* key : {"key", "relative", "each", "factors"}) {
     dispersion.push_back({key});
   }
+  dispersion.push_back(number_key("loadings", {-1, 1}));
+  constexpr Interval share{0, 1, true, true};
   return {
       {"name"},
       {"case"},
       {"joint"},
-      table_key("load", {{"reaction", contact::Dimension::force},
-                         {"reaction_xyz", contact::Dimension::force},
-                         {"beta", contact::Dimension::angle},
-                         {"rate", contact::Dimension::angular_velocity},
-                         {"in_seat"},
-                         {"without_seat"},
-                         {"swing", contact::Dimension::angle},
-                         {"tilt", contact::Dimension::angle},
-                         {"twist", contact::Dimension::angle},
-                         {"load_at", contact::Dimension::length},
-                         {"slide", contact::Dimension::velocity}}),
-      {"runs"},
-      {"seed"},
-      {"sampling"},
+      table_key("load",
+                {number_key("reaction", contact::Dimension::force,
+                            Interval::non_negative()),
+                 {"reaction_xyz", contact::Dimension::force},
+                 number_key("beta", contact::Dimension::angle, {0, pi}),
+                 number_key("rate", contact::Dimension::angular_velocity,
+                            Interval::positive()),
+                 {"in_seat"},
+                 {"without_seat"},
+                 number_key("swing", contact::Dimension::angle, {0, pi / 2}),
+                 number_key("tilt", contact::Dimension::angle, slope),
+                 number_key("twist", contact::Dimension::angle, slope),
+                 {"load_at", contact::Dimension::length},
+                 {"slide", contact::Dimension::velocity}}),
+      integer_key("runs", 1, most_runs),
+      integer_key("seed", 0, std::numeric_limits<std::int64_t>::max()),
+      word_key("sampling", {sampling_names.begin(), sampling_names.end()}),
       {"quantities"},
       table_key("factor", {{"name"}}),
       table_key("dispersion", dispersion),
-      table_key(
-          "requirement",
-          {{"quantity"}, {"at_least"}, {"at_most"}, {"success"}, {"risk"}})};
+      table_key("requirement", {{"quantity"},
+                                {"at_least"},
+                                {"at_most"},
+                                number_key("success", share),
+                                number_key("risk", share)})};
 }
 
 namespace {
@@ -69,7 +84,7 @@ std::vector<Share> read_shares(const TomlTable& table,
     if (table.has("loadings")) table.needs("loadings", "factors");
     return {};
   }
-  const auto loadings = table.numbers("loadings", {names.size()}, {-1, 1});
+  const auto loadings = table.numbers("loadings", {names.size()});
   std::vector<Share> shares;
   double sum = 0;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -112,14 +127,12 @@ Requirement read_requirement(const TomlTable& table) {
   table.refuse_both("at_least", "at_most");
   const bool at_least = table.has("at_least");
   if (!at_least && !table.has("at_most")) table.needs("at_least or at_most");
-  constexpr Interval share{0, 1, true, true};
   return {
       .quantity = table.text("quantity"),
       .at_least = at_least,
-      .limit = table.number(at_least ? "at_least" : "at_most", Interval::any()),
-      .demand = {.success = table.number("success", share),
-                 .risk = table.optional_number("risk", share)
-                             .value_or(Demand{}.risk)},
+      .limit = table.number(at_least ? "at_least" : "at_most"),
+      .demand = {.success = table.number("success"),
+                 .risk = table.optional_number("risk").value_or(Demand{}.risk)},
       .table = table};
 }
 
@@ -127,7 +140,7 @@ Requirement read_requirement(const TomlTable& table) {
 // run fails.
 std::uint64_t read_runs(const TomlTable& file, const Plan& plan) {
   if (file.has("runs")) {
-    return static_cast<std::uint64_t>(file.integer("runs", 1, most_runs));
+    return static_cast<std::uint64_t>(file.integer("runs"));
   }
   if (plan.requirements.empty()) file.needs("runs or [[requirement]]");
   std::uint64_t runs = 0;
@@ -165,13 +178,11 @@ Plan plan_of(const TomlTable& file, const std::filesystem::path& path,
   } else {
     plan.joint_file = file.folder() / file.text("joint");
   }
-  if (const auto names = file.optional_choice(
-          "sampling", {sampling_names.begin(), sampling_names.end()})) {
-    plan.sampling = static_cast<Sampling>(*names);
+  if (const auto name = file.optional_choice("sampling")) {
+    plan.sampling = static_cast<Sampling>(*name);
   }
   if (file.has("seed")) {
-    plan.seed = static_cast<std::uint64_t>(
-        file.integer("seed", 0, std::numeric_limits<std::int64_t>::max()));
+    plan.seed = static_cast<std::uint64_t>(file.integer("seed"));
   }
   for (const TomlTable& table : file.tables("dispersion")) {
     plan.dispersions.push_back(read_dispersion(table, plan));

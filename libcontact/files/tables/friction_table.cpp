@@ -16,11 +16,9 @@ FrictionStress curve_from_table(const TomlTable& friction,
                                 const detail::StressEntry& entry) {
   const ArrayShape two_or_more{.rows = 2, .or_more = true};
   FrictionStress::Table table;
-  table.points =
-      friction.numbers(entry.points, two_or_more, Interval::positive());
-  table.coefficients =
-      friction.numbers("coefficients", two_or_more, Interval::non_negative());
-  if (friction.optional_choice("curve", {"spline", "linear"}).value_or(0)) {
+  table.points = friction.numbers(entry.points, two_or_more);
+  table.coefficients = friction.numbers("coefficients", two_or_more);
+  if (friction.optional_choice("curve").value_or(0)) {
     table.curve = FrictionStress::Table::Curve::linear;
   }
   try {
@@ -30,19 +28,18 @@ FrictionStress curve_from_table(const TomlTable& friction,
   }
 }
 
+Interval range_of(const detail::StressNumber& number) {
+  return {0, std::min(number.largest, Interval::largest), number.is_above_zero};
+}
+
 // A stress of pressure and speed, by the name of its law.
 FrictionStress stress_from_table(const TomlTable& friction) {
-  std::vector<std::string> names;
-  for (const detail::StressEntry* entry : detail::stress_entries()) {
-    names.emplace_back(entry->name);
-  }
   const detail::StressEntry& entry =
-      *detail::stress_entries()[friction.choice("law", names)];
+      *detail::stress_entries()[friction.choice("law")];
   if (entry.is_table()) return curve_from_table(friction, entry);
   std::vector<double> numbers;
-  for (const auto& [key, unit, is_above_zero, largest] : entry.numbers) {
-    numbers.push_back(friction.number(
-        key, {0, std::min(largest, Interval::largest), is_above_zero}));
+  for (const detail::StressNumber& number : entry.numbers) {
+    numbers.push_back(friction.number(number.key, range_of(number)));
   }
   return entry.make(numbers, {});
 }
@@ -62,17 +59,12 @@ double coefficient_from_table(const TomlTable& friction) {
     if (friction.has("preset_share")) {
       friction.needs("preset_share", "preset");
     }
-    return friction.number("coefficient", Interval::non_negative());
+    return friction.number("coefficient");
   }
   friction.refuse_both("preset", "coefficient");
-  std::vector<std::string> names;
-  for (const detail::FrictionPreset& preset : detail::friction_presets()) {
-    names.emplace_back(preset.name);
-  }
   const detail::FrictionPreset& preset =
-      detail::friction_presets()[friction.choice("preset", names)];
-  return preset.at(
-      friction.optional_number("preset_share", {0, 1}).value_or(0.5));
+      detail::friction_presets()[friction.choice("preset")];
+  return preset.at(friction.optional_number("preset_share").value_or(0.5));
 }
 
 }  // namespace
@@ -82,10 +74,9 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
   const auto friction = table.optional_table("friction");
   if (!friction) return {};
   if (friction->has("law")) return stress_from_table(*friction);
-  const Interval range = Interval::non_negative();
-  const auto constant = friction->optional_number("viscous_constant", range);
-  const auto slope = friction->optional_number("viscous_pressure_slope", range);
-  const auto adhesion = friction->optional_number("adhesion", range);
+  const auto constant = friction->optional_number("viscous_constant");
+  const auto slope = friction->optional_number("viscous_pressure_slope");
+  const auto adhesion = friction->optional_number("adhesion");
   if (!constant && !slope) {
     return FrictionLaw(coefficient_from_table(*friction), adhesion.value_or(0));
   }
@@ -98,25 +89,39 @@ std::optional<FrictionModel> friction_from_table(const TomlTable& table) {
 }
 
 KnownKeys friction_keys() {
-  KnownKeys keys = {{"coefficient"},
-                    {"preset"},
-                    {"preset_share"},
-                    {"adhesion", Dimension::stress},
-                    {"viscous_constant", Dimension::viscous_constant},
-                    {"viscous_pressure_slope", Dimension::inverse_velocity},
-                    {"law"}};
-  const auto add = [&](std::string_view key, std::string_view unit) {
+  constexpr auto non_negative = Interval::non_negative();
+  std::vector<std::string> presets;
+  for (const detail::FrictionPreset& preset : detail::friction_presets()) {
+    presets.emplace_back(preset.name);
+  }
+  std::vector<std::string> laws;
+  for (const detail::StressEntry* entry : detail::stress_entries()) {
+    laws.emplace_back(entry->name);
+  }
+  KnownKeys keys = {
+      number_key("coefficient", non_negative),
+      word_key("preset", presets),
+      number_key("preset_share", {0, 1}),
+      number_key("adhesion", Dimension::stress, non_negative),
+      number_key("viscous_constant", Dimension::viscous_constant, non_negative),
+      number_key("viscous_pressure_slope", Dimension::inverse_velocity,
+                 non_negative),
+      word_key("law", laws)};
+  const auto add = [&](std::string_view key, std::string_view unit,
+                       const Interval& range) {
     if (std::ranges::find(keys, key, &KnownKey::key) != keys.end()) return;
-    keys.push_back({key, dimension_of(unit)});
+    keys.push_back(number_key(key, dimension_of(unit), range));
   };
   for (const detail::StressEntry* entry : detail::stress_entries()) {
     for (const detail::StressNumber& number : entry->numbers) {
-      add(number.key, number.unit);
+      add(number.key, number.unit, range_of(number));
     }
-    if (entry->is_table()) add(entry->points, entry->points_unit);
+    if (entry->is_table()) {
+      add(entry->points, entry->points_unit, Interval::positive());
+    }
   }
-  add("coefficients", "");
-  add("curve", "");
+  add("coefficients", "", non_negative);
+  keys.push_back(word_key("curve", {"spline", "linear"}));
   return keys;
 }
 

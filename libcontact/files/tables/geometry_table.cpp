@@ -1,7 +1,6 @@
 #include "libcontact/files/tables/geometry_table.hpp"
 
 #include <cmath>
-#include <numbers>
 #include <string>
 #include <utility>
 
@@ -26,10 +25,10 @@ constexpr ClearanceKey clearance_keys[] = {{"radial_clearance", 1},
 
 double radius_from_table(const TomlTable& table) {
   table.refuse_both("diameter", "radius");
-  const auto diameter = table.optional_number("diameter", Interval::positive());
+  const auto diameter = table.optional_number("diameter");
   if (diameter) return *diameter / 2;
   if (!table.has("radius")) table.needs("radius or diameter");
-  return table.number("radius", Interval::positive());
+  return table.number("radius");
 }
 
 // The radial clearance by the only one of clearance_keys that is there.
@@ -55,15 +54,11 @@ double clearance_from_table(const TomlTable& table, double radius) {
 }
 
 std::optional<Temperatures> temperatures_from_table(const TomlTable& joint) {
-  const auto kelvin = [&](std::string_view key) {
-    return joint.optional_number(
-        key, {Temperatures::coldest, Temperatures::hottest});
-  };
-  const auto both = kelvin("temperature");
-  const auto inner = kelvin("inner_temperature");
-  const auto outer = kelvin("outer_temperature");
-  const auto reference = kelvin("reference_temperature");
-  const auto axial = joint.optional_choice("axial_growth", {"free", "held"});
+  const auto both = joint.optional_number("temperature");
+  const auto inner = joint.optional_number("inner_temperature");
+  const auto outer = joint.optional_number("outer_temperature");
+  const auto reference = joint.optional_number("reference_temperature");
+  const auto axial = joint.optional_choice("axial_growth");
   for (const char* key : {"inner_temperature", "outer_temperature"}) {
     joint.refuse_both("temperature", key);
   }
@@ -103,28 +98,26 @@ SeatZone angles_from_table(const TomlTable& seat, double radius) {
     return made("ring_width", [&] { return SeatZone::ring(width, radius); });
   }
   if (seat.has("cup")) {
-    const double half_angle = seat.number("cup", {0, pi, true});
+    const double half_angle = seat.number("cup");
     return made("cup", [&] { return SeatZone::cup(half_angle); });
   }
   if (!seat.has("lower_rim") && !seat.has("upper_rim")) {
     seat.needs("ring_width, cup, or lower_rim and upper_rim");
   }
-  const double from = seat.number("lower_rim", {0, pi, false, true});
+  const double from = seat.number("lower_rim");
   const double to = seat.number("upper_rim", {from, pi, true});
   return made("upper_rim", [&] { return SeatZone(from, to); });
 }
 
 SeatEdge edge_from_table(const TomlTable& seat, double radius) {
   SeatEdge edge;
-  const auto read = [&](const char* key, const Interval& allowed, auto& to) {
-    if (seat.has(key)) to = seat.number(key, allowed);
-  };
-  read("edge_radius", {0, radius, false, true}, edge.radius);
-  read("edge_angle", {0, std::numbers::pi, true, true}, edge.angle);
-  read("report_distance", {0, 1, true, true}, edge.report_distance);
+  edge.radius = seat.optional_number("edge_radius", {0, radius, false, true})
+                    .value_or(edge.radius);
+  if (seat.has("edge_angle")) edge.angle = seat.number("edge_angle");
+  edge.report_distance =
+      seat.optional_number("report_distance").value_or(edge.report_distance);
   const auto face = [&](const char* key) {
-    return static_cast<SideFace>(
-        seat.optional_choice(key, {"goes_on", "free"}).value_or(0));
+    return static_cast<SideFace>(seat.optional_choice(key).value_or(0));
   };
   edge.side_face = face("side_face");
   edge.housing = face("housing");
@@ -141,13 +134,13 @@ SeatZone zone_from_table(const TomlTable& seat, double radius) {
       angles_from_table(seat, radius).with_edge(edge_from_table(seat, radius));
   if (seat.has("rim_setback")) {
     try {
-      zone = zone.moved_in(seat.number("rim_setback", {0, std::numbers::pi}));
+      zone = zone.moved_in(seat.number("rim_setback"));
     } catch (const Error& error) {
       seat.fail("rim_setback", error.what());
     }
   }
   if (!seat.has("axis")) return zone;
-  const auto axis = seat.numbers("axis", {3}, Interval::any());
+  const auto axis = seat.numbers("axis", {3});
   if (std::hypot(axis[0], axis[1], axis[2]) == 0) {
     seat.must_be("axis", "a vector that is not 0");
   }
@@ -156,8 +149,7 @@ SeatZone zone_from_table(const TomlTable& seat, double radius) {
 
 // The one of a range of clearances that the joint has.
 Fit::Clearance taken_from_table(const TomlTable& table) {
-  const auto taken =
-      table.optional_choice("clearance", {"minimum", "mean", "maximum"});
+  const auto taken = table.optional_choice("clearance");
   return taken ? static_cast<Fit::Clearance>(*taken) : Fit::Clearance::mean;
 }
 
@@ -169,7 +161,10 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
                                    {"clearance", "hole"},
                                    {"hole", "diameter"}}) {
     if (table.has(key) && !table.has(other) && !table.has("designation")) {
-      table.needs(key, other);
+      table.needs(key, key == std::string_view("clearance")
+                           ? "hole, of a fit; its size is radial_clearance or "
+                             "diametral_clearance"
+                           : other);
     }
   }
   if (!table.has("hole")) return {};
@@ -180,7 +175,7 @@ std::optional<Fit> fit_from_table(const TomlTable& table) {
   if (!Fit::holes.contains(hole)) table.must_be("hole", Fit::holes.rule);
   const std::string shaft = table.text("shaft");
   if (!Fit::shafts.contains(shaft)) table.must_be("shaft", Fit::shafts.rule);
-  const double diameter = table.number("diameter", Interval::positive());
+  const double diameter = table.number("diameter");
   if (!Fit::has_size(shaft, diameter)) {
     table.must_be("diameter",
                   detail::message("3 to {:g} mm with shaft {}",
@@ -218,8 +213,7 @@ std::optional<SphericalBearing> bearing_from_table(const TomlTable& table) {
     table.refuse_both("designation", key);
   }
   const std::string designation = table.text("designation");
-  const auto group =
-      table.optional_choice("clearance_group", {"C2", "CN", "C3"}).value_or(1);
+  const auto group = table.optional_choice("clearance_group").value_or(1);
   const Fit::Clearance taken = taken_from_table(table);
   try {
     return SphericalBearing(designation, static_cast<ClearanceGroup>(group),
@@ -233,11 +227,10 @@ JointGeometry geometry_from_table(
     const TomlTable& joint, const TomlTable& table,
     const std::optional<Fit>& fit,
     const std::optional<SphericalBearing>& bearing) {
-  const bool ball = joint.choice("kind", {"ball", "pin"}) == 0;
+  const bool ball = joint.choice("kind") == 0;
   const JointBody inner_body =
-      joint.optional_choice("inner_body", {"carrier", "body"}).value_or(0) == 0
-          ? JointBody::carrier
-          : JointBody::body;
+      joint.optional_choice("inner_body").value_or(0) == 0 ? JointBody::carrier
+                                                           : JointBody::body;
   if (bearing && !ball) table.needs("designation", "kind = \"ball\"");
   const double nominal = bearing ? bearing->radius() : radius_from_table(table);
   const double radius = fit ? fit->radius() : nominal;
@@ -253,7 +246,7 @@ JointGeometry geometry_from_table(
     return seat ? whole.with_seat(zone_from_table(*seat, radius)) : whole;
   }
   if (seat) joint.needs("seat", "kind = \"ball\"");
-  const double length = table.number("length", Interval::positive());
+  const double length = table.number("length");
   return JointGeometry::pin(radius, clearance, length, inner_body);
 }
 
@@ -263,8 +256,8 @@ Relief relief_from_table(const TomlTable& file, const JointGeometry& geometry) {
   if (geometry.kind() != JointKind::pin) {
     file.needs("relief", "kind = \"pin\"");
   }
-  const bool barrel = table->choice("kind", {"barrel", "ends"}) == 0;
-  const double depth = table->number("depth", Interval::positive());
+  const bool barrel = table->choice("kind") == 0;
+  const double depth = table->number("depth");
   if (!barrel) {
     const double half = geometry.length() / 2;
     return Relief::ends(depth,
@@ -277,40 +270,52 @@ Relief relief_from_table(const TomlTable& file, const JointGeometry& geometry) {
 }
 
 KnownKeys geometry_keys() {
-  return {{"temperature", Dimension::temperature},
-          {"inner_temperature", Dimension::temperature},
-          {"outer_temperature", Dimension::temperature},
-          {"reference_temperature", Dimension::temperature},
-          {"axial_growth"},
-          {"plane_state"},
-          table_key("geometry", {{"radius", Dimension::length},
-                                 {"diameter", Dimension::length},
-                                 {"radial_clearance", Dimension::length},
-                                 {"diametral_clearance", Dimension::length},
-                                 {"relative_clearance"},
-                                 {"radial_interference", Dimension::length},
-                                 {"diametral_interference", Dimension::length},
-                                 {"hole"},
-                                 {"shaft"},
-                                 {"clearance"},
-                                 {"designation"},
-                                 {"clearance_group"},
-                                 {"length", Dimension::length}}),
+  using detail::pi;
+  const auto length = [](std::string_view key) {
+    return number_key(key, Dimension::length, Interval::positive());
+  };
+  const auto angle = [](std::string_view key, const Interval& range) {
+    return number_key(key, Dimension::angle, range);
+  };
+  const auto temperature = [](std::string_view key) {
+    return number_key(key, Dimension::temperature,
+                      {Temperatures::coldest, Temperatures::hottest});
+  };
+  return {temperature("temperature"),
+          temperature("inner_temperature"),
+          temperature("outer_temperature"),
+          temperature("reference_temperature"),
+          word_key("axial_growth", {"free", "held"}),
+          word_key("plane_state", {"strain", "stress"}),
+          table_key("geometry",
+                    {length("radius"),
+                     length("diameter"),
+                     {"radial_clearance", Dimension::length},
+                     {"diametral_clearance", Dimension::length},
+                     number_key("relative_clearance", {-1, 1, true, true}),
+                     length("radial_interference"),
+                     length("diametral_interference"),
+                     {"hole"},
+                     {"shaft"},
+                     word_key("clearance", {"minimum", "mean", "maximum"}),
+                     {"designation"},
+                     word_key("clearance_group", {"C2", "CN", "C3"}),
+                     length("length")}),
           table_key("seat", {{"left_out"},
-                             {"ring_width", Dimension::length},
-                             {"cup", Dimension::angle},
-                             {"lower_rim", Dimension::angle},
-                             {"upper_rim", Dimension::angle},
-                             {"rim_setback", Dimension::angle},
-                             {"edge_radius", Dimension::length},
-                             {"edge_angle", Dimension::angle},
-                             {"side_face"},
-                             {"housing"},
-                             {"report_distance", Dimension::angle},
+                             length("ring_width"),
+                             angle("cup", {0, pi, true}),
+                             angle("lower_rim", {0, pi, false, true}),
+                             angle("upper_rim", {0, pi, true}),
+                             angle("rim_setback", {0, pi}),
+                             number_key("edge_radius", Dimension::length,
+                                        Interval::non_negative()),
+                             angle("edge_angle", {0, pi, true, true}),
+                             word_key("side_face", {"goes_on", "free"}),
+                             word_key("housing", {"goes_on", "free"}),
+                             angle("report_distance", {0, 1, true, true}),
                              {"axis"}}),
-          table_key("relief", {{"kind"},
-                               {"depth", Dimension::length},
-                               {"relieved_length", Dimension::length}})};
+          table_key("relief", {word_key("kind", {"barrel", "ends"}),
+                               length("depth"), length("relieved_length")})};
 }
 
 }  // namespace contact

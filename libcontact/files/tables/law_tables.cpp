@@ -37,13 +37,10 @@ void read_half_angle(const TomlTable& half_angle, JointSpec& joint) {
   joint.half_angle_law =
       half_angle.optional_text("law").value_or(joint.half_angle_law);
   const std::string name = joint.half_angle_law_name();
-  options.limit_half_angle = half_angle.optional_number(
-      "limit_half_angle", {0, std::numbers::pi, true, true});
+  options.limit_half_angle = half_angle.optional_number("limit_half_angle");
   options.linear_limit =
-      half_angle.optional_choice("limit_formula", {"arctan", "linear"})
-          .value_or(0) == 1;
-  const auto degrees = half_angle.optional_number("degrees_per_radian",
-                                                  degrees_per_radian_range);
+      half_angle.optional_choice("limit_formula").value_or(0) == 1;
+  const auto degrees = half_angle.optional_number("degrees_per_radian");
   if (degrees) options.initial_slope = *degrees * degree;
   try {
     if (!is_slow(detail::find_half_angle_entry(name))) {
@@ -83,14 +80,14 @@ void read_pressure(const TomlTable& pressure, JointSpec& joint) {
 InnerLoading loading_from_table(const TomlTable& file, const JointSpec& joint) {
   const auto table = file.optional_table("loading");
   if (!table) return InnerLoading::centre();
-  if (table->choice("kind", {"centre", "back"}) == 0) {
+  if (table->choice("kind") == 0) {
     if (table->has("patch_half_angle")) {
       table->needs("patch_half_angle", "kind = \"back\"");
     }
     return InnerLoading::centre();
   }
-  const InnerLoading loading = InnerLoading::back(
-      table->number("patch_half_angle", {0, std::numbers::pi / 2}));
+  const InnerLoading loading =
+      InnerLoading::back(table->number("patch_half_angle"));
   if (!joint.inner.layers.empty()) {
     table->needs("kind",
                  "an inner body without [[coating]]: a coated ball or pin can "
@@ -132,12 +129,16 @@ void read_laws(const TomlTable& table, JointSpec& joint) {
 
 KnownKeys law_keys() {
   return {
-      table_key("half_angle", {{"law"},
-                               {"limit_half_angle", Dimension::angle},
-                               {"limit_formula"},
-                               {"degrees_per_radian"}}),
+      table_key("half_angle",
+                {{"law"},
+                 number_key("limit_half_angle", Dimension::angle,
+                            {0, std::numbers::pi, true, true}),
+                 word_key("limit_formula", {"arctan", "linear"}),
+                 number_key("degrees_per_radian", degrees_per_radian_range)}),
       table_key("pressure", {{"law"}}),
-      table_key("loading", {{"kind"}, {"patch_half_angle", Dimension::angle}})};
+      table_key("loading", {word_key("kind", {"centre", "back"}),
+                            number_key("patch_half_angle", Dimension::angle,
+                                       {0, std::numbers::pi / 2})})};
 }
 
 }  // namespace contact

@@ -10,7 +10,7 @@ namespace contact {
 namespace {
 
 double thickness_from_table(const TomlTable& layer, double radius) {
-  const double thickness = layer.number("thickness", Interval::positive());
+  const double thickness = layer.number("thickness");
   // Thicker ones are as good as infinite; powers of 1e300 would overflow.
   constexpr double largest_ratio = 1e6;
   constexpr double smallest_ratio = LayeredPair::smallest_relative_thickness;
@@ -56,9 +56,8 @@ Backing backing_from_table(const TomlTable& wall) {
   if (wall.is_table("backing")) {
     return Backing::medium(material_from_table(wall.table("backing")));
   }
-  return wall.choice("backing", {"rigid", "held"}, material) == 0
-             ? Backing::rigid()
-             : Backing::held();
+  return wall.choice("backing", material) == 0 ? Backing::rigid()
+                                               : Backing::held();
 }
 
 Material in_plane_stress(Material material) {
@@ -115,7 +114,7 @@ LayeredBody coated_body(const TomlTable& joint, double radius,
 
 void take_plane_state(const TomlTable& joint, JointKind kind,
                       LayeredBody& inner, LayeredBody& outer) {
-  const auto state = joint.optional_choice("plane_state", {"strain", "stress"});
+  const auto state = joint.optional_choice("plane_state");
   if (!state) return;
   if (kind == JointKind::ball) joint.needs("plane_state", "kind = \"pin\"");
   if (*state == 0) return;
@@ -129,9 +128,11 @@ void take_plane_state(const TomlTable& joint, JointKind kind,
 
 KnownKeys wall_keys() {
   KnownKeys layer = material_keys();
-  layer.push_back({"thickness", Dimension::length});
-  return {table_key("wall", {table_key("backing", material_keys()),
-                             table_key("layer", layer)}),
+  layer.push_back(
+      number_key("thickness", Dimension::length, Interval::positive()));
+  KnownKey backing = word_key("backing", {"rigid", "held"});
+  backing.inside = material_keys();
+  return {table_key("wall", {backing, table_key("layer", layer)}),
           table_key("coating", layer)};
 }
 

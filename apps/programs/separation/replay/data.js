@@ -113,7 +113,9 @@ for (const event of events) {
   if (last && event.time_s - last.time <= 1e-9) last.events.push(event);
   else instants.push({time: event.time_s, events: [event]});
 }
-const eventText = ({body, what}) => `${body}: ${what}`;
+// "lower nodes break: lower node breaks" says it twice.
+const eventText = ({body, what}) =>
+    `${body}: ${what.replace(/^(.* breaks?): .* breaks$/, '$1')}`;
 // Bodies to which the same happens are named together.
 const instantText = ({time, events: all}) => {
   const bodies = new Map(all.map(({what}) => [what, []]));

@@ -44,6 +44,71 @@ class ForceMarks {
   }
 }
 
+// A nozzle and a plume have length 1 along y, from the throat on.
+const bell = new THREE.CylinderBufferGeometry(1, 0.5, 1, 24, 1, true);
+bell.translate(0, 0.5, 0);
+const flame = new THREE.ConeBufferGeometry(1, 1, 24, 1, true);
+flame.translate(0, 0.5, 0);
+
+// The engines: a nozzle at each point of a body with a thrust, on the body, and
+// a plume of a length in proportion to all thrust there.
+class Engines {
+  constructor(picture) {
+    this.size = picture.size;
+    this.all = [];
+    if (!take.forces) return;
+    data.forces.forEach((force, i) => {
+      if (!force.exhaust) return;
+      const place = `${force.body} ${force.point} ${force.exhaust}`;
+      const there = this.all.find((engine) => engine.place === place);
+      if (there) there.forces.push(i);
+      else this.all.push(this.engine(force, i, place, picture));
+    });
+    this.most = Math.max(...this.all.map(({forces}) => forces.reduce(
+        (sum, i) => sum + mostOf(i).force, 0)));
+  }
+
+  engine({body, point, exhaust}, number, place, picture) {
+    const box = new THREE.Box3().setFromPoints(picture.corners[body]);
+    const {x, y, z} = box.getSize(new THREE.Vector3());
+    const radius = Math.min(0.2 * Math.min(x, y, z), 0.03 * this.size);
+    const group = new THREE.Group();
+    group.position.set(...point);
+    group.quaternion.setFromUnitVectors(
+        new THREE.Vector3(0, 1, 0), new THREE.Vector3(...exhaust));
+    const part = (shape, material, width) => {
+      const mesh = new THREE.Mesh(shape, material);
+      mesh.scale.set(width, 2 * radius, width);
+      group.add(mesh);
+      return mesh;
+    };
+    part(bell, new THREE.MeshLambertMaterial(
+        {color: new THREE.Color('#55585c').convertSRGBToLinear(),
+         side: THREE.DoubleSide}), radius);
+    const plumes = [['#ff8c1a', 0.5, 1], ['#ffe08a', 0.9, 0.5]].map(
+        ([colour, opacity, width]) => part(flame, new THREE.MeshBasicMaterial({
+          color: new THREE.Color(colour).convertSRGBToLinear(), opacity,
+          transparent: true, depthWrite: false}), width * radius));
+    for (const plume of plumes) plume.position.y = 2 * radius;
+    picture.bodies[body].add(group);
+    return {place, forces: [number], plumes, length: 0};
+  }
+
+  set() {
+    for (const engine of this.all) {
+      const thrust = engine.forces.reduce((sum, i) => {
+        const acts = take.force(i);
+        return sum + (acts ? Math.hypot(...acts.force) : 0);
+      }, 0);
+      engine.length = 0.3 * this.size * thrust / this.most;
+      engine.plumes.forEach((plume, i) => {
+        plume.visible = thrust > 0;
+        plume.scale.y = engine.length * (i === 0 ? 1 : 0.5) + 1e-9;
+      });
+    }
+  }
+}
+
 // The largest force and moment of all rows.
 function mostOf(number) {
   const most = {force: 0, moment: 0};

@@ -274,6 +274,8 @@ window.replay = {
   },
   // The 'arrow', 'opposite' or 'moment' of a force of the case, as below.
   force: (number, kind) => tipsOf(picture.forces.marks[number][kind]),
+  // Length of the plume of an engine, m.
+  plume: (number) => picture.engines.all[number].length,
   // Length of its arrow when it is largest, m.
   mostForce: (number) => {
     const {kind} = picture.forces.marks[number];

@@ -104,6 +104,7 @@ ordered_json force_json(const Case& c, const Force& force) {
     j["other"] = ends.other;
     j["other_point"] = xyz(ends.other_point);
   }
+  if (!ends.exhaust.isZero()) j["exhaust"] = xyz(ends.exhaust);
   return j;
 }
 

@@ -165,6 +165,7 @@ class Picture {
                  moment: largest('friction_moment_N_m'),
                  pressure: largest('peak_pressure_Pa')};
     this.forces = new ForceMarks(this);
+    this.engines = new Engines(this);
     this.line = this.addLine(colours.distance, 4);
   }
 
@@ -184,6 +185,7 @@ class Picture {
     this.setStage();
     for (const hinge of this.hinges) this.setHinge(hinge);
     this.forces.set();
+    this.engines.set();
     this.setLine();
     this.setTarget();
     this.setDistance();

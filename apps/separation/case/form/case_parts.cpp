@@ -45,36 +45,27 @@ void refuse_idle_keys(const TomlTable& table,
 
 void read_run(const TomlTable& table, Case& c) {
   auto& options = c.options;
-  c.end_time = table.number("end_time", Interval::positive());
-  c.output_step = table.optional_number("output_step", Interval::positive())
-                      .value_or(c.end_time / 200);
+  c.end_time = table.number("end_time");
+  c.output_step =
+      table.optional_number("output_step").value_or(c.end_time / 200);
   if (c.end_time / c.output_step > most_rows) {
     table.must_be("output_step",
                   fmt::format("{:g} s or above: {:g} rows at most",
                               c.end_time / most_rows, most_rows));
   }
   c.friction = static_cast<FrictionChoice>(
-      table
-          .optional_choice("friction",
-                           {friction_choices.begin(), friction_choices.end()})
-          .value_or(0));
-  options.integrator =
-      table.optional_choice("integrator", {"adaptive", "rk4"}).value_or(0) == 0
-          ? multibody::Integrator::adaptive
-          : multibody::Integrator::rk4;
-  const Interval tolerance{1e-14, 1e-2};
+      table.optional_choice("friction").value_or(0));
+  options.integrator = table.optional_choice("integrator").value_or(0) == 0
+                           ? multibody::Integrator::adaptive
+                           : multibody::Integrator::rk4;
   refuse_idle_keys(table, options.integrator);
-  options.relative_tolerance =
-      table.optional_number("relative_tolerance", tolerance)
-          .value_or(options.relative_tolerance);
-  options.absolute_tolerance =
-      table.optional_number("absolute_tolerance", tolerance)
-          .value_or(default_absolute_tolerance);
-  options.step = table.optional_number("step", Interval::positive())
-                     .value_or(options.step);
+  options.relative_tolerance = table.optional_number("relative_tolerance")
+                                   .value_or(options.relative_tolerance);
+  options.absolute_tolerance = table.optional_number("absolute_tolerance")
+                                   .value_or(default_absolute_tolerance);
+  options.step = table.optional_number("step").value_or(options.step);
   options.longest_step =
-      table.optional_number("longest_step", Interval::positive())
-          .value_or(options.longest_step);
+      table.optional_number("longest_step").value_or(options.longest_step);
 }
 
 // Start of the carrier or of a body of its own.
@@ -243,9 +234,8 @@ void check_beside_flow(const TomlTable& table, const Body& body) {
 Pattern read_pattern(const TomlTable& of) {
   const auto table = of.optional_table("pattern");
   if (!table) return {};
-  return {static_cast<int>(table->integer("count", 2, 1000)),
-          direction(*table, "axis"),
-          table->optional_number("first", Interval::any()).value_or(0)};
+  return {static_cast<int>(table->integer("count")), direction(*table, "axis"),
+          table->optional_number("first").value_or(0)};
 }
 
 Matrix3d Pattern::turn(int copy) const {

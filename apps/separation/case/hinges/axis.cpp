@@ -14,27 +14,24 @@ using Eigen::Vector3d;
 
 std::optional<contact::JointGroup::Sharing> read_sharing(const TomlTable& table,
                                                          std::size_t joints) {
-  if (table.optional_choice("sharing", {"equal"})) {
+  if (table.optional_choice("sharing")) {
     table.refuse_both("sharing", "radial_stiffness");
     return contact::JointGroup::Sharing{};  // filled in by make_group()
   }
-  auto stiffness = table.optional_numbers("radial_stiffness", {joints},
-                                          Interval::positive());
+  auto stiffness = table.optional_numbers("radial_stiffness", {joints});
   if (!stiffness) return {};
-  return contact::JointGroup::Sharing{
-      *std::move(stiffness), table.numbers("axial_share", {joints}, {0, 1})};
+  return contact::JointGroup::Sharing{*std::move(stiffness),
+                                      table.numbers("axial_share", {joints})};
 }
 
 std::optional<contact::ThrustFace> read_thrust_face(const TomlTable& table) {
   const auto face = table.optional_table("thrust_face");
   if (!face) return {};
-  const double outer = face->number("outer_radius", Interval::positive());
+  const double outer = face->number("outer_radius");
   return contact::ThrustFace(
       face->number("inner_radius", {0, outer, false, true}), outer,
-      contact::FrictionLaw(
-          face->number("coefficient", Interval::non_negative()),
-          face->optional_number("adhesion", Interval::non_negative())
-              .value_or(0)));
+      contact::FrictionLaw(face->number("coefficient"),
+                           face->optional_number("adhesion").value_or(0)));
 }
 
 void read(const HingeTable& from, Hinge& hinge) {
@@ -53,8 +50,8 @@ void read_joints(const TomlTable& table, Hinge& hinge) {
 }
 
 void read_start(const TomlTable& table, multibody::BodyStart& start) {
-  start.angle = table.optional_number("angle", Interval::any()).value_or(0);
-  start.angle_rate = table.optional_number("rate", Interval::any()).value_or(0);
+  start.angle = table.optional_number("angle").value_or(0);
+  start.angle_rate = table.optional_number("rate").value_or(0);
 }
 
 void place(const Hinge& hinge, multibody::Body& body) {
@@ -80,17 +77,22 @@ double turn(const Hinge& hinge, const Matrix3d& parent,
 }  // namespace
 
 HingeType axis_hinge() {
+  using contact::Dimension;
+  using contact::number_key;
+  constexpr auto non_negative = Interval::non_negative();
+  constexpr auto positive = Interval::positive();
   return {multibody::HingeKind::axis,
           "axis",
           {{"axis"},
-           {"sharing"},
-           {"radial_stiffness"},
-           {"axial_share"},
-           contact::table_key("thrust_face",
-                              {{"inner_radius", contact::Dimension::length},
-                               {"outer_radius", contact::Dimension::length},
-                               {"coefficient"},
-                               {"adhesion", contact::Dimension::stress}})},
+           contact::word_key("sharing", {"equal"}),
+           number_key("radial_stiffness", positive),
+           number_key("axial_share", {0, 1}),
+           contact::table_key(
+               "thrust_face",
+               {number_key("inner_radius", Dimension::length, non_negative),
+                number_key("outer_radius", Dimension::length, positive),
+                number_key("coefficient", non_negative),
+                number_key("adhesion", Dimension::stress, non_negative)})},
           true,
           "rate",
           read,
