@@ -23,7 +23,7 @@ inline constexpr GoneOption gone_options[] = {
     {"hinge-duty", "--pin-states", "--states FILE has how a pin lies"},
 };
 
-/// "--in-seat is gone: ..."; "" of words that are none of them.
+/// "--in-seat is gone: ..."; "" if no word is a removed option.
 inline std::string gone_option(std::string_view program,
                                std::string_view word) {
   const std::string_view flag = word.substr(0, word.find('='));

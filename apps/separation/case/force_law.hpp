@@ -34,21 +34,21 @@ struct ForceEnds {
   Eigen::Vector3d other_point = Eigen::Vector3d::Zero();
 };
 
-/// What an engine burns.
+/// Propellant of an engine.
 struct Propellant {
-  double exhaust_speed;  ///< thrust over what leaves, m/s
+  double exhaust_speed;  ///< thrust over mass flow
   double mass = std::numeric_limits<double>::infinity();  ///< kg
-  /// Of the body without it: the centre of mass, as ForceEnds::point; left out:
-  /// where it is with it. The inertia about that, body axes; left out: in
-  /// proportion to the mass.
+  /// Of the body without propellant. The centre of mass, as ForceEnds::point;
+  /// by default it does not move. The inertia about it, body axes; by default
+  /// in proportion to the mass.
   std::optional<Eigen::Vector3d> empty_com = {};
   std::optional<Eigen::Matrix3d> empty_inertia = {};
 };
 
-/// What an engine does until a time: thrust, and its integral.
+/// State of an engine at a time: thrust, and its integral.
 struct Burn {
   double thrust;   ///< N
-  double impulse;  ///< since its begin, N s
+  double impulse;  ///< since it began, N s
 };
 
 /// Action of a force between its begin and its end.
@@ -72,9 +72,9 @@ class ForceLaw {
   virtual void add_kinks(
       [[maybe_unused]] const ForceInstant& at,
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
-  /// It burns this; null: nothing. It ends when that is used up.
+  /// The propellant that it burns; null: none. It ends when that is used up.
   virtual const Propellant* propellant() const { return nullptr; }
-  /// @param begin, own  as of ForceInstant
+  /// @param begin, own  as in ForceInstant
   virtual Burn burn([[maybe_unused]] double time, [[maybe_unused]] double begin,
                     [[maybe_unused]] double own) const {
     return {};
