@@ -14,8 +14,8 @@ namespace {
 
 using contact::JointContact;
 
-// The array of value(contact, half-angle, at), where at[1] is a normal force,
-// with warnings of the largest contact.
+// The array of value(contact, half-angle, at), where at[1] is a normal force;
+// warns of the largest contact.
 template <class Value>
 py::object of_contacts(const JointSet& self,
                        std::initializer_list<Argument> arguments,

@@ -58,7 +58,7 @@ class Cycle {
   const contact::JointGeometry& geometry() const {
     return on_.contact().geometry();
   }
-  /// The contact that wears in.
+  /// The contact for wear.
   /// @throws contact::Error if it reaches rims
   contact::JointContact endless() const {
     if (on_.joint().is_endless()) return on_.contact();
@@ -77,7 +77,7 @@ class Cycle {
   JointCycle on_;
 };
 
-// How a pin lies: one tilt or place, or one for each row that was given.
+// Positions of a pin: one tilt or place, or one for each given row.
 contact::Lies lies_of(const DutyCycle& cycle, std::size_t rows,
                       const std::optional<Numbers>& tilt,
                       const std::optional<Numbers>& place) {
@@ -108,7 +108,7 @@ contact::Lies lies_of(const DutyCycle& cycle, std::size_t rows,
                                             place->data() + place->size())));
 }
 
-// As a RuntimeWarning at the line that is `level` functions of Python above.
+// Emits a RuntimeWarning at the line `level` Python frames above.
 void warn(const std::string& note, int level) {
   if (note.empty()) return;
   if (PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), level) != 0) {
@@ -166,7 +166,7 @@ Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   return all;
 }
 
-// A quantity by its attribute's name; of a vector its length.
+// A quantity by its attribute's name; for a vector its length.
 JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
   if (name == "half_angle") {
     return [&cycle](const Instant& i) { return cycle.on().half_angle(i); };
@@ -245,7 +245,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
-/// Wear of a seat or hole, from call to call and file to file.
+/// Wear of a seat or hole, kept between calls and files.
 class WornSeat {
  public:
   WornSeat() = default;
@@ -253,7 +253,7 @@ class WornSeat {
       : seat_(std::move(seat)), geometry_(geometry) {}
 
   const contact::WornSeat& seat() const { return seat_; }
-  // @throws contact::Error if nothing is worn
+  // @throws contact::Error if there is no wear
   std::string toml() const {
     if (geometry_) return contact::worn_seat_text(seat_, *geometry_);
     throw contact::Error(
@@ -265,7 +265,7 @@ class WornSeat {
   std::optional<contact::JointGeometry> geometry_;
 };
 
-// @param seat  worn further, if it is there
+// @param seat  existing wear to continue from, if not null
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
                                         double cycles, double inner,
                                         WornSeat* seat) {

@@ -35,7 +35,7 @@ py::array_t<double> array_of(const VectorXd& numbers) {
   return py::array_t<double>(numbers.size(), numbers.data());
 }
 
-// With its joints, and those whose seat is on the carrier.
+// With its joints, and those with a seat on the carrier.
 struct Mechanism {
   std::vector<contact::Joint> joints;
   MechanismStep step;

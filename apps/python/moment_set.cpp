@@ -15,7 +15,7 @@ namespace {
 using contact::MomentSet;
 using Eigen::Vector3d;
 
-// Moments that the contacts of solutions hold, at fixed n, R_n and theta0.
+// Moments that the contacts of solutions can hold, at fixed n, R_n and theta0.
 class MomentSets {
  public:
   MomentSets(const JointSet& joints, const Answers<Solved>& solution) {
@@ -40,7 +40,7 @@ class MomentSets {
 
   Argument argument() const { return {numbers_.data(), 0, shape_}; }
   const Shape& shape() const { return shape_; }
-  // The set whose number is at[0].
+  // The set with the index at[0].
   const MomentSet& operator()(const double* const* at) const {
     return sets_[static_cast<std::size_t>(*at[0])];
   }

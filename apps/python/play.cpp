@@ -14,7 +14,7 @@ using contact::Impact;
 using contact::PlayForce;
 using contact::PlayMotion;
 
-// A joint with play; its tables are made once.
+// A joint with play; its tables are built once.
 class Play {
  public:
   Play(const FileJoint& joint, double damping, double regularisation_speed)

@@ -18,7 +18,8 @@ using contact::JointSolution;
 using contact::SlidingContact;
 using Eigen::Vector3d;
 
-// Whether the contact is at a rim of its seat, or of a pin by slices.
+// True if the contact is not axisymmetric: at a rim of its seat, or a pin by
+// slices.
 bool has_no_axis(const JointSolution& s) {
   return s.status == contact::Status::ok && std::isnan(s.half_angle);
 }
@@ -64,7 +65,7 @@ py::object pressures_of(const contact::Joint& joint, const JointSolution& s,
   return returned(all);
 }
 
-// Pressures of a solution that is kept without its grid.
+// Pressures of a solution that was stored without its grid.
 py::object pressures(const FileJoint& self, const Answers<Solved>& solution,
                      const Numbers& places) {
   if (solution.rows.size() == 1) {

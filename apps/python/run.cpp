@@ -50,7 +50,7 @@ class Listener {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Printing lets go of the lock.
+  // Printing releases the lock.
   void tell(const py::tuple& times) const {
     PyObject* const answer = outlive_python(
         [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });
@@ -93,8 +93,8 @@ const char* word(separation::Run::Status status) {
   return words[static_cast<int>(status)];
 }
 
-/// A run that Python moves on. What takes long goes on without Python's lock;
-/// looks at the run meanwhile are refused.
+/// A run that Python advances. Long work runs without Python's lock; queries
+/// meanwhile are rejected.
 class CaseRun {
  public:
   CaseRun(const FileCase& file, bool clearance)
@@ -138,8 +138,8 @@ class CaseRun {
     if (values_.empty()) values_ = run().values();
     return values_;
   }
-  // To the end, with a last row there; no further queries then. With the notes
-  // on its contacts.
+  // Runs to the end with a last row there, and no further queries. Includes the
+  // notes on its contacts.
   py::tuple whole(py::object progress) && {
     advance_to(run_.of().end_time, std::move(progress));
     const auto notes = separation::contact_notes(run_.of(), run_.memory());
@@ -149,7 +149,7 @@ class CaseRun {
   }
 
  private:
-  // Options by which the run asks its listener.
+  // Options with which the run calls its listener.
   separation::RunOptions heard(separation::RunOptions options) {
     options.progress = [this](const separation::Run& r) {
       if (listener_) listener_->come_to(r.time());
@@ -175,9 +175,9 @@ class CaseRun {
   }
 
   const std::string identity_;
-  Listener* listener_ = nullptr;  // while it moves on
+  Listener* listener_ = nullptr;  // while it advances
   bool is_busy_ = false;          // under Python's lock
-  std::vector<double> values_;    // place of the run, once somebody has asked
+  std::vector<double> values_;  // values of the state, computed on first query
   separation::Run run_;
 };
 
@@ -198,7 +198,7 @@ std::vector<std::string> mode_words() {
 
 namespace {
 
-// Properties that say where the run is.
+// Properties that describe the state of the run.
 void bind_place(py::class_<CaseRun>& type) {
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(

@@ -13,7 +13,7 @@ using contact::JointSolution;
 using contact::RestSolution;
 using Eigen::Vector3d;
 
-// Solutions of rows in turn, one from the other if they are warm.
+// Solves rows one after another; warm rows start from the previous solution.
 class Solver {
  public:
   Solver(const JointSet& joints, const Starts<Solved>& start, bool warm,

@@ -1,4 +1,4 @@
-// Steps of a simulator, and how friction answers to its causes.
+// Steps of a simulator, and the response of friction.
 #include <pybind11/stl.h>
 
 #include "libcontact/base/text.hpp"
@@ -63,7 +63,7 @@ py::object step(const JointSet& self, const Numbers& reaction,
   return all;
 }
 
-// Joints of one mechanism: their steps, and how they have come to fit.
+// Joints of one mechanism: their steps, and the convergence of the moments.
 py::tuple step_together(const std::vector<const FileJoint*>& joints,
                         const Numbers& reaction,
                         const Numbers& angular_velocity, const Numbers& free,
@@ -104,7 +104,7 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
     begin.push_back({vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
                      vector_at(at[3]), placements[i](at, i)});
   });
-  // Symmetric, so that the order of its numbers does not matter.
+  // Symmetric, so that the order of the numbers has no effect.
   const contact::StepSweeps sweeps =
       contact::step(all, begin,
                     Eigen::Map<const Eigen::MatrixXd>(

@@ -33,7 +33,7 @@ struct KeyOption {
   Dimension dimension;  ///< number: a text
   /// Largest plausible length, m: a larger number without a unit is a slip.
   double most;
-  JointUse use;  ///< and those behind it
+  JointUse use;  ///< and later ones
   const char* kind;
   const char* meaning;
   std::string_view needs = {};
@@ -106,7 +106,7 @@ constexpr KeyOption key_options[] = {
     {"--backing", "wall.backing", as_text, 0, JointUse::pressure, "NAME|FILE",
      "the body behind the wall: rigid, held or a material", "--wall"}};
 
-// The key of a joint file that an option is.
+// The key of a joint file that corresponds to an option.
 contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
                                bool has_size) {
   const bool wall = option.key == wall_key;
@@ -139,7 +139,7 @@ std::vector<std::string> length_notes(const JointOptions& o) {
   return notes;
 }
 
-// Moduli with only the ratio known, which no joint file can give.
+// Moduli for a known ratio alone, which no joint file can express.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
   using contact::detail::infinity;
   constexpr Allowed poisson{0, 0.5, ""};
@@ -163,11 +163,11 @@ contact::MaterialPair materials_of(const JointOptions& o) {
       o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
   if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
   if (o.has("--wall")) refuse_without("--wall", either);
-  // Any pair will do for a pressure law that needs none.
+  // A pressure law without materials accepts any pair.
   return {"", contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3), {}};
 }
 
-// hinge-table's is a ball unless it says otherwise.
+// hinge-table uses a ball by default.
 bool is_pin(const JointOptions& o) {
   const std::string& kind = o.joint();
   if (kind == "pin" || kind == "ball" || kind.empty()) return kind == "pin";
@@ -193,7 +193,7 @@ bool check_size(const JointOptions& o, bool pin) {
   return has_size;
 }
 
-// The table of a joint file that a material's file is; "" of a word.
+// The table of a joint file that holds a material's file; "" for a word.
 std::string backing_table(const JointOptions& o) {
   const std::string backing =
       shipped_file(Shipped::backings, o.key("--backing"));
@@ -214,7 +214,7 @@ std::string backing_table(const JointOptions& o) {
   return "";
 }
 
-// A rejected number may have a wrong unit.
+// The unit of a rejected number may be wrong.
 contact::JointSpec spec_of(const std::string& text,
                            const contact::KeySettings& settings,
                            const contact::MaterialPair& materials,
@@ -231,7 +231,7 @@ contact::JointSpec spec_of(const std::string& text,
   }
 }
 
-// A joint file in memory, whose keys the options are.
+// A joint file in memory; its keys are the options.
 Joint joint_from_options(const JointOptions& o) {
   const bool pin = is_pin(o);
   const contact::MaterialPair materials = materials_of(o);
@@ -322,8 +322,8 @@ Joint joint_of(const JointOptions& o, const std::string& name,
   return joint;
 }
 
-// Joints by the names of the shipped ones; a bearing by its designation alone
-// is a ball of steel in steel.
+// Resolves the names of shipped joints; a bearing given by its designation
+// alone is a steel ball in steel.
 void settle_joint(const Program& program, JointOptions& o) {
   for (std::string& name : o.joints) {
     if (name == "ball" || name == "pin" || is_file(name)) continue;
@@ -351,7 +351,7 @@ void settle_joint(const Program& program, JointOptions& o) {
   }
 }
 
-// How a key of the file is set that an option is without one.
+// Hint for an option that exists only as a key of the file.
 std::string key_hint(const JointOptions& o, std::string_view flag) {
   if (o.use == JointUse::pressure) return {};
   const auto option =

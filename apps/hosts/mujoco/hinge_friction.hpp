@@ -102,7 +102,7 @@ class HingeFriction {
   int turns_ = 0;
   contact_sweeps sweeps_{};
   Eigen::MatrixXd inertia_;             // H
-  Eigen::LLT<Eigen::MatrixXd> damped_;  // of H where there is damping
+  Eigen::LLT<Eigen::MatrixXd> damped_;  // factor of H with damping
   Eigen::VectorXd force_;               // generalized, of friction
 };
 

@@ -25,7 +25,7 @@ using contact::Dimension;
 using contact::ForceLaw;
 using contact::ForceState;
 
-// Penetrations of the rows: as they are given, of loads, or 400 of the law.
+// Penetrations of the rows: as given, for given loads, or 400 of the law.
 std::vector<double> penetrations(const PlayOptions& options,
                                  const LoadOptions& load,
                                  const cli::Joint& joint, const ForceLaw& law) {
@@ -56,7 +56,7 @@ std::vector<double> penetrations(const PlayOptions& options,
   return all;
 }
 
-// Rows without a value, and contacts that leave the theory.
+// Warns of rows without a value, and of contacts outside the theory.
 cli::ExitStatus report(const cli::Joint& joint, const ForceLaw& law,
                        const contact::LargestContact& largest,
                        std::size_t without, std::size_t rows) {

@@ -1,4 +1,4 @@
-// hinge-angle --impact: a joint with play is hit.
+// hinge-angle --impact: impacts in a joint with play.
 #include <fmt/format.h>
 
 #include <limits>

@@ -17,7 +17,7 @@ struct JointDuty {
   contact::JointSpec spec;  ///< spec of the cycle's joint
   contact::JointCycle cycle;
   bool ends = false;                              ///< true: solved by slices
-  std::vector<BodyWear> wear = {};                ///< of both bodies, or empty
+  std::vector<BodyWear> wear = {};                ///< both bodies, or empty
   std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
   contact::WornSeat worn_seat = {};               ///< after the cycles
   /// k as given, mm^3/(N m).

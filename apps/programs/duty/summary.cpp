@@ -26,7 +26,7 @@ std::vector<cli::Cell> at_place(cli::Cell time, const Vector3d& place) {
   return {std::move(time), place.x(), place.y(), place.z()};
 }
 
-// The time of a value; NaN without a value.
+// Time of a value; NaN if there is no value.
 double time_of(double value, const Instant& at) {
   return std::isnan(value) ? value : at.time;
 }
@@ -156,7 +156,7 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
          "standard error, of the measured volume alone");
 }
 
-// The worst values at the rims, without the ones of every contact.
+// The worst values at the rims, without the columns of every contact.
 void add_rims(const JointCycle& cycle, Report& to) {
   const Instant nearest = cycle.least_gap();
   const Instant sharpest = cycle.largest_intensity();

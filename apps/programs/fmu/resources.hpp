@@ -20,7 +20,7 @@ struct Resources {
   std::vector<Key> keys;
   bool is_joint;                   ///< else a case
   double end_time = 0;             ///< duration of a case, s
-  std::vector<std::string> notes;  ///< where it exceeds limits of the theory
+  std::vector<std::string> notes;  ///< exceeded limits of the theory
 };
 
 /// @throws contact::Error if a file cannot be read, or is neither a valid joint

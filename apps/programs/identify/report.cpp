@@ -59,13 +59,13 @@ void add_lines(const FrictionFit& fit, bool profile, cli::Report& to) {
   }
 }
 
-// A number that is measured, and the datum that it is of.
+// A measured component of a datum.
 double measured(const MeasuredMoment& datum, int component) {
   return datum.is_vector() ? std::get<Eigen::Vector3d>(datum.moment)[component]
                            : std::get<double>(datum.moment);
 }
 
-// How many residuals are beyond 5 standard errors, by their median.
+// Number of residuals beyond 5 standard errors, estimated by the median.
 std::ptrdiff_t outliers(const FrictionFit& fit) {
   std::vector<double> sizes(fit.residual.begin(), fit.residual.end());
   for (double& size : sizes) size = std::abs(size);
@@ -81,13 +81,13 @@ double load_ratio(std::span<const MeasuredMoment> data) {
   return most.reaction.norm() / least.reaction.norm();
 }
 
-// Whether a trend is more than chance: t above the quantile of 99.9 % and more.
+// True if a trend is significant: t above the 99.9 % quantile.
 bool shows(const Estimate& trend) {
   constexpr double most_by_chance = 3.6;
   return std::abs(trend.value) > most_by_chance * trend.standard_error;
 }
 
-// Ends of profiles that were not found.
+// Adds a warning for each end of a profile that was not found.
 void add_unknown_ends(const FrictionFit& fit, std::vector<std::string>& to) {
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     const auto& [low, high] = fit.estimates[i].profile;
@@ -193,7 +193,7 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   for (std::string& note : limits.notes(fit.largest_contact)) {
     all.push_back(std::move(note));
   }
-  // With a plateau up to lift-off it is well known.
+  // A plateau up to lift-off determines it well.
   if (clearance && fit.joint->geometry().radial_clearance() > 0) {
     all.emplace_back(
         "a fitted clearance is badly known and its interval is skew: take "

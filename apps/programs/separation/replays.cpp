@@ -14,7 +14,8 @@
 namespace separation {
 namespace {
 
-// Text of the case as run: a pipe is read by then, and keys may be changed.
+// Text of the case as run: a pipe has been read, and keys may have been
+// changed.
 std::string text_of_case(const Case& c, const Options& options) {
   std::error_code ignored;
   std::string text = std::filesystem::is_regular_file(c.file, ignored)
@@ -52,7 +53,7 @@ bool Replays::write(const Case& c, std::vector<ShownRun> runs,
       cli::warn(program_name, error.what());
       good = false;
     }
-    file.reset();  // and the part that it had room for
+    file.reset();  // and frees its disk space
   }
   return good;
 }

@@ -107,7 +107,7 @@ class HingeFriction:
         self._finish(data)
 
     def _starts(self, data: Any) -> tuple[Any, Any, Any]:
-        """Of balls in the axes of their body, of hinges in those of the world."""
+        """Vectors of balls in the axes of their body, of hinges in world axes."""
         model = self._model
         reactions, axes, turns = [], [], []
         assert self._mechanism is not None
@@ -128,7 +128,7 @@ class HingeFriction:
         return reactions, axes, turns
 
     def _weigh(self, data: Any) -> Any:
-        """The mass matrix with damping, of which the mechanism is told."""
+        """Gives the mechanism the mass matrix with damping."""
         model = self._model
         inertia = np.zeros((model.nv, model.nv))
         if hasattr(data, "qM"):  # up to 3.9

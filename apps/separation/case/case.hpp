@@ -122,7 +122,7 @@ inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 /// Bodies whose distance is watched, a < b.
 struct WatchedPair {
   int a, b;
-  std::string name = {};  ///< of the clearance; "": none
+  std::string name = {};  ///< the clearance's; "": none
   /// Time window of the watch. An event about one of the bodies counts from the
   /// time it occurred for that body; an event about both from the time it
   /// occurred for both.

@@ -38,7 +38,7 @@ struct ForceEnds {
 struct Propellant {
   double exhaust_speed;  ///< thrust over mass flow
   double mass = std::numeric_limits<double>::infinity();  ///< kg
-  /// Of the body without propellant. The centre of mass, as ForceEnds::point;
+  /// The body without propellant: its centre of mass, as ForceEnds::point;
   /// by default it does not move. The inertia about it, body axes; by default
   /// in proportion to the mass.
   std::optional<Eigen::Vector3d> empty_com = {};

@@ -109,10 +109,10 @@ struct Note {
   std::string body;
   std::string what;
   // Impacts only, else 0.
-  double rate = 0;      ///< of the hinge before it, on an axis with its sign
+  double rate = 0;      ///< hinge's before it, on an axis with sign
   double impulse = 0;   ///< N m s; 0 on a compliant stop
-  double loss = 0;      ///< of energy, J
-  double approach = 0;  ///< of bodies that approach each other, m/s
+  double loss = 0;      ///< energy lost, J
+  double approach = 0;  ///< speed of approaching bodies, m/s
 };
 
 /// True if a run of the case can have such a note.

@@ -178,7 +178,7 @@ void check_propellant(const Case& c) {
                         mass + burned, body.mass)));
       }
       const double least = contact::detail::symmetric_parts(inertia).values[0];
-      // Of a body without inertia about an axis, but for rounding.
+      // A body without inertia about an axis may have this by rounding.
       if (!(least >= -1e-9 * body.inertia.norm())) {
         throw contact::Error(contact::detail::must_be(
             place + "empty_inertia",

@@ -36,7 +36,7 @@ class TorqueMargins {
 
  private:
   std::mutex mutex_;
-  std::map<int, TorqueMargin> known_;  // of bodies
+  std::map<int, TorqueMargin> known_;  // body to margin
 };
 
 }  // namespace separation

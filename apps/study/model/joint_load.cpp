@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 constexpr const char* vector_key = "reaction_xyz";
 
-// Reads the reaction and the rate of the turning.
+// Reads the reaction and the rate of rotation.
 void read_reaction(const TomlTable& load, Load& to) {
   to.rate = load.optional_number("rate", Interval::positive()).value_or(1);
   if (load.has(vector_key)) {
@@ -37,7 +37,7 @@ void read_reaction(const TomlTable& load, Load& to) {
   to.reaction = force * Vector3d(std::sin(beta), 0, std::cos(beta));
 }
 
-// Refuses loads that the seat of the joint has no answer to.
+// Rejects loads for which the joint's seat has no solution.
 void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
                Load& to) {
   if (load.has("in_seat")) {
@@ -75,7 +75,7 @@ void read_placement(const TomlTable& load,
     load.must_be("tilt", "left out beside load_at, which finds it");
   }
   if (load.has("twist") && !load.has("tilt")) load.needs("twist", "tilt");
-  // A pin bends or jams long before these slopes.
+  // A pin bends or jams at much smaller slopes.
   const Interval slope{-10 * contact::degree, 10 * contact::degree};
   const double half = geometry.length() / 2;
   contact::Placement& placement = to.placement;

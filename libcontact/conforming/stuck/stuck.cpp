@@ -224,7 +224,7 @@ class Recurrence {
 
   double n = 1;
   ArrayXd value;
-  ArrayXd before;  // of n - 1
+  ArrayXd before;  // value at n - 1
 
   void step(const ArrayXd& cosine) {
     const double square = n * n;

@@ -52,7 +52,7 @@ StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
 
 namespace {
 
-// "" where there is a stiffness.
+// Why there is no stiffness; "" if there is one.
 std::string why_none(const JointSpec& joint, double half_angle) {
   if (joint.geometry.radial_clearance() < 0) {
     return "the joint has interference";

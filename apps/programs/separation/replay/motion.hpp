@@ -70,7 +70,7 @@ class BodyPath {
     std::size_t mode = 0;   // 0: no hinge
     std::size_t angle = 0;  // 0: no axis
   };
-  // Of the carrier, of each body in the chain, and of the body.
+  // Columns of the carrier, each body in the chain, and the body.
   std::vector<Columns> columns_;
 };
 

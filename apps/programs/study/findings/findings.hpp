@@ -26,7 +26,7 @@ struct Judgement {
   std::optional<Answer> answer;
   Bounds miss_probability;  ///< at the consumer's risk
   std::size_t needed;       ///< runs needed for "met" with these misses
-  double share;             ///< of the percentile: success, or 1 - success
+  double share;             ///< percentile's: success, or 1 - success
   /// Percentile of all runs. Runs without the number count at the failing end,
   /// so the percentile or a bound can be infinite.
   Percentile percentile;
