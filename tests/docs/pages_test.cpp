@@ -190,7 +190,7 @@ std::ptrdiff_t words(const std::string& text) {
                        });
 }
 
-// Words of the README are all that is in it, those of pages are their prose.
+// For the README all words count, for pages only their prose.
 TEST(Pages, ForUsersAreReadInFiveMinutes) {
   EXPECT_LE(words(contents(root / "README.md")), 900);
   for (const char* folder : {"tutorials", "how-to", "explanation"}) {

@@ -359,7 +359,7 @@ TEST(WalledExactLaw, IsTheSolverOfBalls) {
 
 TEST(WalledExactLaw, IsTheSolverOfPins) { compare<PinContact>(JointKind::pin); }
 
-// Which layers there are, and what ends them: eleven kinds in sixty rows.
+// Kinds of layers and their supports: eleven kinds in sixty rows.
 std::string kind_of_walls(const ReferenceTable::Row& row) {
   std::string kind = row.text("end");
   for (const char* column : {"E1", "coat_E", "La_E", "Lb_E"}) {

@@ -149,7 +149,7 @@ TEST_P(Versions, AreInTheirSeat) {
   EXPECT_TRUE(is_said);
 }
 
-// All outputs of steps and of friction alone are those of C.
+// All outputs of steps and of friction equal the results of C.
 TEST_P(Versions, AnswerAsC) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());
   contact_joint* joint = nullptr;
@@ -314,12 +314,12 @@ TEST_P(Versions, RunACase) {
   EXPECT_EQ(it.get("wheel_x.angle_deg"), end);
   it.call("FreeFMUstate", &state);
   contact_run_free(run);
-  // Beyond its end it says so, as what a host may do otherwise.
+  // Beyond its end it returns a discard, so that a host may try another step.
   EXPECT_EQ(it.step(13, 1e3), 2);
   EXPECT_EQ(last_message(), "the case ends at 40.000000 s");
 }
 
-// Bodies on bodies, of which some leave: as from C to the last bit.
+// Bodies on bodies, which separate in part: bit-identical to C.
 TEST_P(Versions, RunATree) {
   const std::string file = cases + "fairing_on_stage.toml";
   const auto fmu = fmu_of(file, GetParam());
@@ -653,7 +653,7 @@ TEST(FmuExchange, PendulumRestsAndLetsGo) {
     EXPECT_EQ(other.flag("holds"), share < 1);
     EXPECT_EQ(info.again != 0, share > 1);
     if (share < 1) continue;
-    // The moment is that of the onset, opposite to what pushes.
+    // The moment at the onset opposes the driving moment.
     EXPECT_LT(
         (other.vector("moment") - share / it.get("utilisation") * held / share)
             .norm(),

@@ -1,4 +1,4 @@
-// A hinge that is held in a loop like that of a host with explicit torques.
+// A held hinge in the loop of a host with explicit torques.
 #include "hosts/held_hinge.hpp"
 
 #include <gtest/gtest.h>

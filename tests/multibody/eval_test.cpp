@@ -184,7 +184,7 @@ TEST(MultibodyEval, TreesHaveKeysOfTheirOwn) {
   EXPECT_EQ(
       with("/loads", json::array()).find("the file: unknown key \"loads\" ("),
       0u);
-  // Its own rate on that of what it hangs on.
+  // Adds its own rate to the rate of its parent.
   EXPECT_EQ(with("/bodies/1/angular_velocity", {0, 1e-5, 0}),
             "bodies[1]: angular_velocity: off by 1e-05 from the body's other "
             "data");

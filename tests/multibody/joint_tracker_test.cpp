@@ -204,8 +204,8 @@ TEST_P(JointTrackerSteps, TracksPaths) {
 INSTANTIATE_TEST_SUITE_P(Steps, JointTrackerSteps,
                          testing::Values(1e-3, 1e-4, 1e-5));
 
-// On paths that error() was not made with, some of which curve 20 times as
-// much. Measured: 0.62 of error().
+// On paths that were not used to calibrate error(), some of them 20 times more
+// curved. Measured: 0.62 of error().
 TEST(JointTracker, ErrorIsNotExceededOnOtherPaths) {
   for (const std::uint64_t seed : {11, 12, 13, 14, 15}) {
     const std::vector<Path> all = paths(seed, 200);
@@ -399,7 +399,8 @@ TEST(JointTracker, JointsWithoutClearanceAreTracked) {
   }
 }
 
-// Laws whose integrals are not those of the cosine alone. Measured: 1.8e-15.
+// Laws whose integrals differ from the integrals of the cosine. Measured:
+// 1.8e-15.
 TEST(JointTracker, EveryPressureLawIsTrackedThroughItsWindows) {
   for (const char* const law : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
     const double largest = largest_error(growing({.pressure = law}));

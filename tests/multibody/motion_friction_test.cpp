@@ -366,7 +366,7 @@ TEST(MotionFriction, TraditionalEstimateBrakesTooHard) {
   for (const bool node : {false, true}) {
     const double consistent = stop(FrictionEstimate::consistent, node);
     const double traditional = stop(FrictionEstimate::traditional, node);
-    // The half-angle of R_n is a little smaller than that of R.
+    // The half-angle for R_n is slightly smaller than the half-angle for R.
     EXPECT_NEAR(consistent / traditional, std::hypot(1, f), 2e-3);
   }
 }
@@ -534,8 +534,8 @@ TEST(MotionFriction, ASlipThatTurnsAboutGoesOn) {
               0.05 * w);
 }
 
-// In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of
-// what it holds, 1.02 just after its beginning.
+// At the ends and in the middle of a step the hinge needs 0.99, 0.01 and 0.85
+// of the moment that it holds, but 1.02 just after the beginning.
 TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
   Motion motion = wheel_motion(
       [](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); },
@@ -546,9 +546,9 @@ TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
   EXPECT_NEAR(motion.changes()[0].time, 0.15 - std::sqrt(0.02 / 1.4), 1e-9);
 }
 
-// Sliding comes to a stop and would have gone on within the same step: the
-// rate would be w ((t - 1)^2 - 1e-4) if friction drove as it brakes. It stops
-// at 0.99 s and is held until the torque is what friction holds, at 1 s.
+// Sliding stops and would have continued within the same step: the rate would
+// be w ((t - 1)^2 - 1e-4) if friction drove as it brakes. It stops at 0.99 s
+// and is held until the torque reaches the limit of friction at 1 s.
 TEST(MotionFriction, AShortStopWithinAStepIsFound) {
   const double w = 2;
   for (const Integrator integrator : integrators) {

@@ -294,9 +294,9 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
   }
 }
 
-// Gyrostat: a free body with a balanced wheel. Without forces the wheel's
-// spin in space about its axis and the total momentum stay; the body's
-// precession is that of a symmetrical body with the wheel's momentum.
+// Gyrostat: a free body with a balanced wheel. Without forces the wheel's spin
+// in space about its axis and the total momentum stay constant; the body
+// precesses like a symmetrical body with the wheel's momentum.
 TEST(Motion, GyrostatPrecessesAsItShould) {
   const double across = 4, along = 6, wheel_along = 0.5, wheel_across = 0.3;
   Carrier carrier{50, Matrix3d::Zero()};

@@ -15,7 +15,7 @@ namespace multibody {
 struct CaseInstant : Instant {
   // NOLINTNEXTLINE: any instant, in the format of stars
   CaseInstant(Instant instant = {}) : Instant(std::move(instant)) {}
-  bool is_tree = false;  ///< its format is that of trees
+  bool is_tree = false;  ///< the file has the format of trees
 };
 
 /// Reads a case, its "schema" says which format. Of a star the file's "kind" is

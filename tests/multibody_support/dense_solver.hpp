@@ -16,8 +16,8 @@ class DenseSolver {
  public:
   explicit DenseSolver(const System& system);
 
-  /// State and what acts as in Dynamics; accelerations of the carrier and
-  /// relative ones of the bodies out.
+  /// Takes state and loads as Dynamics does; returns accelerations of the
+  /// carrier and relative accelerations of the bodies.
   void evaluate(const double* state, const ActiveForces<double>& forces);
   const Eigen::Vector3d& linear() const { return linear_; }
   const Eigen::Vector3d& angular() const { return angular_; }

@@ -76,8 +76,8 @@ TEST(Seat, SaysWhatItCannotCarry) {
   EXPECT_EQ(seat.under(towards(10, 0, NAN)).status, SeatStatus::no_load);
 }
 
-// The pressures at places add up to the load, at rims as elsewhere, and agree
-// with what is reported.
+// The pressures at places integrate to the load, at rims and elsewhere, and
+// agree with the reported values.
 TEST(Seat, PressuresAddUpToTheLoad) {
   const SeatContact seat(bearing(), cup(60));
   for (const Eigen::Vector3d& load :

@@ -157,9 +157,9 @@ TEST(JointInSeat, FreeContactIsTheJointWithoutEnd) {
             endless.solve_contact(known).friction_moment);
 }
 
-// Friction too is continuous where the contact reaches the rim, dry, with
-// adhesion and viscous: within the grid's accuracy, for the area that of its
-// ends.
+// Friction too is continuous where the contact reaches the rim: dry, with
+// adhesion, and viscous. The tolerance is the grid's accuracy; for the area it
+// is the accuracy of the ends.
 TEST(JointInSeat, ReachesTheRimWithoutAJump) {
   const struct {
     FrictionModel friction;
@@ -373,8 +373,8 @@ TEST(JointInSeat, WithoutItAnOverlapIsKnown) {
   }
 }
 
-// Vectors in other axes than those of the body with the seat: the same answers
-// in these, at a rim and free.
+// Vectors in other axes than the axes of the body with the seat give the same
+// results in these axes, at a rim and free.
 TEST(JointInSeat, TakesVectorsInAnyAxes) {
   const Joint joint(bearing());
   const Placement placement{
@@ -508,7 +508,7 @@ TEST(JointInSeat, StepHoldsAndLetsGo) {
                     .norm(),
                 1e-9 * moved.moment.norm());
       if (moved.holds) continue;
-      // The moment is that of the contact at the end's rate.
+      // The moment equals the moment of the contact at the final rate.
       const JointSolution at_end = joint.solve_contact(
           {.normal_force = moved.solution.normal_force * moved.solution.normal,
            .angular_velocity = moved.angular_velocity,
@@ -635,8 +635,8 @@ TEST(SeatTable, AnswersAsTheContact) {
   }
 }
 
-// A table read again is the same table, to the last bit; that of another joint
-// and half of one are refused.
+// A table read again is bit-identical; a table of another joint and a truncated
+// one are rejected.
 TEST(SeatTable, IsReadAgain) {
   const JointSpec spec = bearing();
   const Gridded joint(spec, {.cells = 10, .longitudes = 30});

@@ -16,8 +16,8 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-// What is said of the side faces of rims, against finite elements of cups
-// whose side faces are free.
+// Checks the statements of the rim warnings against finite elements of cups
+// with free side faces.
 namespace contact::test::rim_warning_test {
 namespace {
 
@@ -42,7 +42,7 @@ TEST(RimWarning, HoldsWhatFiniteElementsFind) {
     const double pressure = row.value("dp_percent");
     const double approach = row.value("da_percent");
     if (row.given("p_MPa")) {
-      // p is that of the cell about the axis.
+      // p is the pressure of the cell about the axis.
       EXPECT_NEAR(row.value("p_MPa") * 1e6 / state.pressure_at_load,
                   1 + pressure / 100, 1e-2)
           << row.label();

@@ -93,8 +93,8 @@ void compare_rims(const ReferenceTable::Row& row, const SeatState& state,
   const double expected[] = {row.value("K_rim1"), row.value("K_rim2")};
   const double arcs[] = {value_or(row, "rim1_half_arc_deg", 0),
                          value_or(row, "rim2_half_arc_deg", 0)};
-  // A rim that is hardly touched has 1e-2 of what it would have if the reported
-  // peak were that of its singularity.
+  // A rim that is hardly touched has 1e-2 of the peak that its singularity
+  // would have for the reported pressure.
   const double slight =
       state.peak_pressure * std::sqrt(2 * pi * row.value("rim_distance"));
   const double scale = std::max({expected[0], expected[1], slight});
@@ -160,8 +160,8 @@ SeatState compare(const ReferenceTable::Row& row, const SeatContact& seat,
   return state;
 }
 
-// What the pressures at places, on points that are dense beside rims, leave of
-// the force.
+// Relative difference between the force and the integral of the pressures at
+// points that are dense beside rims.
 double left_of_force(const SeatContact& seat, const SeatState& state) {
   const double from = seat.zone().from(), to = seat.zone().to();
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
@@ -181,9 +181,9 @@ double left_of_force(const SeatContact& seat, const SeatState& state) {
   return (force - state.force).norm() / state.force.norm();
 }
 
-// All rows on the grid that there is by default, whose limits are the column
-// Grid{} of docs/explanation/seats.md over the bars, and a little; every fourth
-// one on a finer grid, and what takes as long as that.
+// All rows on the default grid; the limits are the column Grid{} of
+// docs/explanation/seats.md over the bars, with a small margin. Every fourth
+// row also on a finer grid, and the slow rows too.
 TEST(Seat, MatchesTheReference) {
   const ReferenceTable table("edges/edges_ball.csv");
   Reports usual(Limits{.load = 5.5,

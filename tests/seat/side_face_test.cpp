@@ -20,8 +20,8 @@
 #include "support/reference_table.hpp"
 #include "support/seat.hpp"
 
-// Seats whose side faces are free, against finite elements of another program
-// and what has to hold of the elements themselves.
+// Seats with free side faces against finite elements of another program, and
+// identities of the elements themselves.
 namespace contact::test::side_face_test {
 namespace {
 
@@ -106,8 +106,8 @@ TEST(SideFace, OfARingMatchesFiniteElements) {
 // twice as much.
 TEST(SideFace, OfCupsOfAllSizesMatchesFiniteElements) {
   // 5.6e-3 and 2.5e-2 seen in 26 rows, the latter where the approach is 2.8
-  // times that of the confined contact; the reference's mesh keeps these
-  // differences within 3 % of themselves.
+  // times the confined contact's approach. The error of the reference's mesh is
+  // within 3 % of these differences.
   AccuracyReport pressure("p in the middle", 2e-2);
   AccuracyReport approach("approach", 4e-2);
   AccuracyReport confined("p of the confined contact", 1e-2);
@@ -190,7 +190,7 @@ TEST(SideFace, PressuresMakeUpTheLoad) {
     }
   }
   sum *= 1e-4 * 50 * degree / parts * 360 * degree / parts;
-  // That of pressure(), and the midpoint rule at the contact's end.
+  // Tolerance of pressure(), and of the midpoint rule at the contact's end.
   EXPECT_NEAR((sum - state.force).norm(), 0, 2e-3 * state.force.norm());
 }
 
@@ -204,7 +204,7 @@ TEST(SideFace, YieldsAndIsSymmetric) {
   const std::vector<Eigen::MatrixXd> all = of.on(cells);
   ASSERT_EQ(all.size(), 25U);
   for (const int m : {0, 1, 2, 5, 10, 13, 20, 24}) {
-    // What is interpolated is so to 1e-2 of itself: -1.3e-3 seen.
+    // Interpolation is accurate to 1e-2: -1.3e-3 seen.
     const double least = m == 10 || m == 20 ? -3e-3 : -1e-12;
     const Eigen::MatrixXd& more = all[m];
     const double size = more.norm();
@@ -239,8 +239,8 @@ double last_far_load(const SeatContact& seat, const Eigen::Vector3d& direction,
   return low;
 }
 
-// A cup as thick as its radius yields more as a whole, by 4 % of the approach:
-// its far contacts have that, and join those of the grid.
+// A cup as thick as its radius is more compliant as a whole, by 4 % of the
+// approach: its far contacts include this and join the contacts of the grid.
 TEST(SideFace, FarContactsJoinThoseOfTheGrid) {
   Cup cup{1, 35, 90};
   const SeatZone zone = with_corner(cup.zone(), cup.corner);

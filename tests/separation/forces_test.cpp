@@ -1,5 +1,5 @@
-// Forces of a case: what each kind does against figures worked out by hand, and
-// what all kinds have in common.
+// Forces of a case: each kind against hand calculations, and the properties
+// common to all kinds.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -185,7 +185,7 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
-  // Beyond them that of the nearest one.
+  // Beyond the tables the nearest table applies.
   for (const auto& [pressure, normal] : {std::pair(2, 1.0), {20, 2.0}}) {
     const Forces beyond = forces_of(
         air + "table_pressure_Pa = [4, 12]\nnormal = [[0, 2], [0, 4]]\n" +
@@ -282,7 +282,7 @@ carrier_point_m = [0.7, 0, 0]; direction = [1, 0, 0]; first_force_N = 40
   }
 }
 
-// A thousandth of the stroke is what figures of some digits leave.
+// A thousandth of the stroke is the rounding of figures with a few digits.
 TEST(Pusher, IsBehindByMoreThanAThousandthOfItsStroke) {
   for (const auto& [behind, fault] : {std::pair(0.9e-3, 0), {1.1e-3, 1}}) {
     const Simulated run(ball_text("a", 2, 1, 0) + R"(

@@ -84,7 +84,7 @@ class ForceModel {
                           std::span<BodyForce> forces) const = 0;
 
   /// Appends the masses at a time of the bodies with Carrier::flows or
-  /// Body::flows. The accelerations are those of a rigid body with this mass;
+  /// Body::flows. The accelerations follow from a rigid body with this mass;
   /// add_forces() accounts for the escaping mass.
   virtual void add_masses([[maybe_unused]] double time,
                           [[maybe_unused]] std::vector<BodyMass>& to) const {}

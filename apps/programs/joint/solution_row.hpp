@@ -74,7 +74,7 @@ struct AnswerColumn {
   double operator()(const Answer& a) const;
 };
 
-/// Columns in addition to those of every solution.
+/// Columns in addition to the columns of every solution.
 struct ColumnSets {
   bool rest = false;      ///< columns of Question::rest
   bool approach = false;  ///< approach by the half-angle law exact

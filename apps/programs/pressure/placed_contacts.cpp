@@ -81,8 +81,8 @@ void write_pin(const Joint& joint, const JointSolution& s, int points,
   }
 }
 
-// Polar angles from rim to rim; their distance from the rims is that of the
-// search for the largest pressure.
+// Polar angles between the rims, as near to them as peak pressures are
+// searched.
 std::pair<double, double> reported_angles(const Joint& joint) {
   const contact::SeatZone& zone = *joint.contact().geometry().drawn_seat();
   const double near = zone.edge().report_distance;

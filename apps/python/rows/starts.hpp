@@ -50,7 +50,7 @@ struct Lies {
   std::optional<Numbers> place = {};
   std::optional<Numbers> axial_velocity = {};
 
-  /// Appends those of these arguments that are given to `others`.
+  /// Appends the given ones of these arguments to `others`.
   /// @throws contact::Error for a tilt together with a place, and for any
   ///   position of a ball
   std::vector<Argument> behind(const JointSet& joints,

@@ -76,7 +76,7 @@ struct Plan {
   contact::TomlTable file;
 };
 
-/// Settings of the command line that replace those of the file.
+/// Settings of the command line that replace settings of the file.
 struct PlanChanges {
   std::optional<std::uint64_t> runs = {};
   std::optional<std::uint64_t> seed = {};

@@ -263,8 +263,8 @@ TEST(Checkpoint, KilledRunsGoOn) {
   }
 }
 
-// A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction
-// in which it does follows that of the moment, also from a checkpoint on.
+// A station of 1e9 kg m^2 that begins to turn on its ball joint: its direction
+// of sliding follows the direction of the moment, also after a checkpoint.
 TEST(Checkpoint, GoesOnInTheMiddleOfASlowOnset) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
@@ -315,7 +315,7 @@ damping_N_s_per_m = 1e8; starts_at_s = 0.5
                   exchanged(text, "end_time_s = 2",
                             "end_time_s = 1000\noutput_step_s = 0.25"));
   }
-  // Its results are those of a run that was stopped, and whole.
+  // Its results equal the results of a stopped run, and are complete.
   void expect_results(const ProgramResult& result, int status,
                       const std::string& why) {
     EXPECT_EQ(result.status, status) << result.err;
@@ -392,7 +392,7 @@ TEST(Checkpoint, HasOneWriterAtATime) {
                        "checkpoint\n");
   };
   expect_locked_out("c.db");
-  // Remains of a program that was killed at its beginning lock nobody out.
+  // Remains of a program killed at its start do not lock the file.
   EXPECT_EQ(folder.read("c.db"), "");
   folder.run_well(run + "c.db && ln -s c.db link.db");
   expect_locked_out("link.db");

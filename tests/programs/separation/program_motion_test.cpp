@@ -97,8 +97,8 @@ breaks = "hinge"
   EXPECT_NEAR(both["bodies"][0]["at_release"]["angle_deg"], 60, 1e-5);
 }
 
-// A pendulum whose reaction is above the limit for some milliseconds: whether
-// it breaks does not depend on who looks.
+// A pendulum whose reaction exceeds the limit for some milliseconds: whether it
+// breaks must not depend on the output times.
 TEST(SeparationMotion, OutputTimesDoNotChangeTheMotion) {
   const ProgramFolder folder;
   for (const char* limit : {"58.5", "58.8", "58.84", "58.85", "58.855"}) {
@@ -218,9 +218,9 @@ friction = { adhesion_MPa = 20, coefficient = 0.1 }
 }
 
 // A balanced wheel on a viscous pin under its weight. Friction is so weak that
-// the contact does not change with it: tan g = 3e-4, and a square of that of
-// R_n. The rate falls as exp(-c t), c from the area and the pressure (cosine)
-// over the contact, whose half-angle the table has.
+// the contact does not depend on it: tan g = 3e-4, with an effect on R_n of its
+// square. The rate falls as exp(-c t), with c from the area and the pressure
+// (cosine) over the contact; the table gives the half-angle.
 TEST(SeparationMotion, ViscousWheelSlowsDownExponentially) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
@@ -454,8 +454,8 @@ TEST(SeparationMotion, DoorStopsAsItsWasherAndPinsSay) {
   EXPECT_EQ(door["bodies"][0]["mode_at_end"], "resting");
 }
 
-// Every peak of joints that slide and turn against those of a run whose steps
-// are some 12 times as short.
+// Every peak of joints that slide and turn, against a run with steps about 12
+// times shorter.
 TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
   const ProgramFolder folder;
   folder.write("short.toml", exchanged(sample_case("platform"), "[run]\n",

@@ -50,7 +50,7 @@ inline json run_json(const ProgramFolder& folder,
   return json::parse(folder.run_well("hinge-separation " + arguments).out);
 }
 
-/// A text with another one in the place of what is found first.
+/// Replaces the first occurrence of a text.
 inline std::string exchanged(std::string text, const std::string& from,
                              const std::string& to) {
   const auto at = text.find(from);
@@ -102,7 +102,7 @@ stiffness_N_per_m = 300; free_length_m = 0.9; damping_N_s_per_m = 5
 )"_toml;
 
 /// A pusher of 100 to 40 N over 0.1 m between bodies of 10 and 5 kg, with the
-/// part of its stroke that is used at the start and what else its table says.
+/// used part of its stroke at the start, and further keys.
 inline std::string pushed_case(double used, double speed,
                                const std::string& more) {
   return R"(

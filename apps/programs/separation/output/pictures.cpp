@@ -100,7 +100,7 @@ cli::LinePlot clearances(const Case& c, const Rows& rows) {
                           c.rigid_body(pair.b).name),
               clearance_column(c, pair) + "_m"));
   }
-  // The logarithmic scale shows small distances beside those of bodies that
+  // The logarithmic scale shows small distances beside distances of bodies that
   // drift far apart.
   plot.y.logarithmic = cli::is_wide(plot.curves);
   return plot;

@@ -13,7 +13,7 @@ class PageParts {
   /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
   /// (else /usr/local/share and /usr/share).
   /// @param wanted  the option that needs them: "--replay FILE"
-  /// @throws contact::Error "WANTED requires ..." and what to install
+  /// @throws contact::Error "WANTED requires ..." naming the packages
   explicit PageParts(const std::string& wanted);
 
   /// The template with scripts, styles and this data.
