@@ -183,8 +183,8 @@ void refuse_cut_numbers(const CLI::App& app) {
     for (const std::string& text : option->results()) {
       if (!has_cut_number(text)) continue;
       refuse(option->get_name(), text,
-             "a list of numbers without zeros in front: thousands are written "
-             "without commas, decimals with a point");
+             "a list of numbers without leading zeros: write thousands without "
+             "commas, decimals with a point");
     }
   }
 }
@@ -194,10 +194,9 @@ void note_thousands(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!looks_like_thousands(text)) continue;
-      note(app.get_name(),
-           given(option->get_name(), text) +
-               " is a list of numbers: thousands are written without commas, "
-               "decimals with a point");
+      note(app.get_name(), given(option->get_name(), text) +
+                               " is read as a list of numbers: write thousands "
+                               "without commas, decimals with a point");
     }
   }
 }
@@ -307,18 +306,18 @@ void Program::add_output(OutputOptions& options) {
        {"--format", word("--format", options.format, formats), "NAME",
         "csv (default), json, markdown, latex, or report, the default on a "
         "terminal"},
-       {"--all", &options.report.all, "", "everything in the report"},
+       {"--all", &options.report.all, "", "print all columns in the report"},
        {"--quiet", &quiet, "", "leave notes out"},
        {"--color", word("--color", options.colour, colours), "WHEN",
         "colours of the report: auto (default), always, never"},
        {"--columns", List{&options.columns}, "NAMES",
-        "columns of the table, only these and in this order"},
+        "print only these columns, in this order"},
        {"--separator", separator, "CHAR",
-        "separator of CSV: ; | tab or a comma (default); of what is read "
-        "it is found"},
+        "separator of CSV: comma (default), ; | or tab; in input it is "
+        "detected"},
        {"--decimal-comma", &options.decimal_comma, "",
-        "0,5 for 0.5 in CSV, and ; for the separator; 1,250 that is read "
-        "is 1.25"}});
+        "decimal comma in CSV (0,5) and ; as the separator; in input 1,250 is "
+        "then 1.25"}});
   app_->get_option("--columns")->allow_extra_args(false);
 }
 

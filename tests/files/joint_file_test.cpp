@@ -1006,8 +1006,8 @@ TEST(JointFile, LinersWithoutAWall) {
     const auto said = notes(joint);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(said[0].starts_with(
-        "the outer body, woven PTFE liner, is taken without end, and is a "
-        "liner: "));
+        "the outer body, woven PTFE liner, is a liner, but modelled as "
+        "unbounded: "));
     EXPECT_EQ(joint.contact().limits().passed({.half_angle = 0.1}), said);
     EXPECT_TRUE(joint.contact().limits().notes({}).empty());
     // The text of the joint is the joint.

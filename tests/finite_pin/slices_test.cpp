@@ -461,7 +461,7 @@ TEST(Slices, AreLeftOutWhereTheyCannotBe) {
     EXPECT_EQ(joint.solve({r, z}).friction_moment,
               Joint(c.spec).solve({r, z}).friction_moment);
     const std::vector<std::string> notes = joint.contact().validity_notes();
-    const std::string said = "the relief of the ends is left out: " + c.why;
+    const std::string said = "the relief of the ends is ignored: " + c.why;
     EXPECT_EQ(std::count(notes.begin(), notes.end(), said), 1) << c.why;
     for (const std::string& note : notes) {
       EXPECT_TRUE(note == said || note.find("relief") == note.npos) << note;

@@ -181,8 +181,8 @@ TEST(JointGeometry, NotesAClearanceThatIsNotSmall) {
       JointGeometry::pin(1, std::nextafter(1e-5, 0.0), 1).validity_notes();
   ASSERT_EQ(small.size(), 1u);
   EXPECT_EQ(small[0],
-            "relative clearance 1e-05 is below 1e-05: errors of form and "
-            "warmth change clearances as small as this");
+            "relative clearance 1e-05 is below 1e-05: form errors and "
+            "temperature change such small clearances");
 }
 
 TEST(JointGeometry, NominalPressureIsThatOfTheProjectedArea) {

@@ -213,7 +213,7 @@ TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
   for (const auto& [command, is_said] : left_out) {
     const ProgramResult made = folder_.run(command);
     EXPECT_EQ(made.status, 0) << made.err;
-    EXPECT_EQ(has_text(made.err, "the relief of the ends is left out"), is_said)
+    EXPECT_EQ(has_text(made.err, "the relief of the ends is ignored"), is_said)
         << made.err;
     EXPECT_FALSE(has_text(made.err, "[seat] is left out")) << made.err;
   }

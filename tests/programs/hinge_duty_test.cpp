@@ -273,8 +273,8 @@ TEST_F(HingeDuty, InterferenceKeepsItsDebris) {
       "cycle.csv");
   EXPECT_EQ(result.status, 0);
   EXPECT_TRUE(has_text(result.err,
-                       "the contact is closed all round under 2838 N and less: "
-                       "wear debris cannot leave it"))
+                       "the contact is closed all round up to 2838 N: wear "
+                       "debris cannot leave"))
       << result.err;
   // All friction is f0 p.
   EXPECT_NEAR(value(result.out, "energy_J") /
@@ -322,8 +322,8 @@ TEST_F(HingeDuty, LastRowThatRepeatsTheFirst) {
   EXPECT_EQ(twice.out, once);
   EXPECT_EQ(twice.err,
             "hinge-duty: warning: cycle.csv: the last row repeats the first "
-            "and is left out: the period is 2 s; state a longer one if it is a "
-            "row of its own\n");
+            "and is left out: the period is 2 s; give a longer period if it is "
+            "a separate row\n");
   EXPECT_EQ(folder_.run(run + "cycle.csv --period 2s").out, once);
   const ProgramResult longer = folder_.run(run + "cycle.csv --period 2.025s");
   EXPECT_EQ(longer.err, "");
@@ -553,8 +553,8 @@ TEST_F(HingeDuty, OpenSim) {
                   value(expected, "energy_J"),
               1, 1e-14);
   EXPECT_THAT(folder_.read("said"),
-              HasSubstr("radians.mot: no inDegrees in its head: angles are "
-                        "taken for radians"));
+              HasSubstr("radians.mot: no inDegrees in its header: angles are "
+                        "read as radians"));
 }
 
 // Keys of OpenSim's heads in any case; degrees without the key are noted.
@@ -574,9 +574,9 @@ TEST_F(HingeDuty, OpenSimKeysInAnyCase) {
   }
   out("grep -v '^inDegrees' data/duty/hip_cycle.sto > none.sto");
   out(run + "none.sto 2> said");
-  EXPECT_THAT(folder_.read("said"), HasSubstr("no inDegrees in its head"));
+  EXPECT_THAT(folder_.read("said"), HasSubstr("no inDegrees in its header"));
   EXPECT_THAT(folder_.read("said"),
-              HasSubstr("are they degrees that were taken for radians"));
+              HasSubstr("are these degrees read as radians"));
 }
 
 TEST_F(HingeDuty, Picture) {

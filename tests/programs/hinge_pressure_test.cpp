@@ -386,8 +386,8 @@ TEST(HingePressure, WarnsOfALinerWithoutAWall) {
       "--diameter 20mm --clearance 20um --length 20mm --load 10kN "
       "--summary --pressure exact --law exact";
   const std::string warning =
-      "the outer body, woven PTFE liner, is taken without end, and is a "
-      "liner: ";
+      "the outer body, woven PTFE liner, is a liner, but modelled as "
+      "unbounded: ";
   EXPECT_TRUE(has_text(folder.run_well(bush).err, warning));
   const std::string wall =
       " --wall 0.3mm --backing data/backings/carbon_steel.toml";

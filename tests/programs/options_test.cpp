@@ -81,20 +81,18 @@ TEST(NumberOptions, ThousandsThatAreLists) {
   for (const char* loads : {"2,500", "1,500", "12,500"}) {
     EXPECT_TRUE(has_text(said(angle, loads),
                          std::string("hinge-angle: note: --load ") + loads +
-                             " is a list of numbers: "
-                             "thousands are written without commas, "
-                             "decimals with a point\n"));
+                             " is read as a list of numbers: write thousands "
+                             "without commas, decimals with a point\n"));
   }
   EXPECT_TRUE(has_text(said(joint, "2,500"), "note: --reaction 2,500 is"));
   EXPECT_TRUE(has_text(said(joint, "0,5kN"), "note: --reaction 0,5kN is"));
   for (const char* loads :
        {"100,000", "1,000,000", "2,000", "0,05", "0,05kN"}) {
-    folder.run_ill(angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml",
-                   2,
-                   std::string("hinge-angle: --load ") + loads +
-                       " must be a list of numbers without zeros in front: "
-                       "thousands are written without commas, decimals with a "
-                       "point\n");
+    folder.run_ill(
+        angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml", 2,
+        std::string("hinge-angle: --load ") + loads +
+            " must be a list of numbers without leading zeros: write thousands "
+            "without commas, decimals with a point\n");
   }
   for (const char* loads :
        {"500,2000", "100,200,300", "100,200", "2,5", "1,20,300", "0,500"}) {

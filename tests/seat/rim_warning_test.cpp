@@ -32,7 +32,7 @@ std::string said_of(const SeatContact& contact, const SeatState& state) {
 // 0.3 and 0.1 % on both sides.
 TEST(RimWarning, HoldsWhatFiniteElementsFind) {
   const std::regex band(
-      R"(larger by (up|-1\.2) to ([0-9.]+) %, the approach by up to ([0-9.]+) %)");
+      R"(larger by (up|-1\.2) to ([0-9.]+) %, an approach larger by up to ([0-9.]+) %)");
   int warned = 0, with_numbers = 0, not_known = 0;
   for (const auto row : ReferenceTable("side_face/cups.csv")) {
     const Cup cup = cup_of(row);
@@ -194,7 +194,7 @@ TEST(RimWarning, IsSaidEarlierWhereSeatsYieldMore) {
                        "are smaller"));
   const Cup sharp{.corner = 65};
   EXPECT_TRUE(has_text(warning(sharp, sharp.zone()).sentence(1, true, 0, 1),
-                       "the largest is not there"));
+                       "the peak is elsewhere"));
 }
 
 }  // namespace

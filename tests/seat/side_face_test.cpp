@@ -350,22 +350,21 @@ TEST(SideFace, IsInTheJoint) {
 TEST(SideFace, SaysWhichCornerWasTaken) {
   const SeatContact seat(ring_joint(),
                          with_side_face(ring(25), SideFace::free));
-  EXPECT_TRUE(is_said(seat, seat.under({300, 0, 0}),
-                      "at its upper rim, a corner of 65 deg, of a side face "
-                      "that is taken to be flat"));
+  EXPECT_TRUE(is_said(
+      seat, seat.under({300, 0, 0}),
+      "at its upper rim, a corner of 65 deg, assuming a flat side face"));
   double load = 0.1;
   while (seat.under({load, 0, 0}).is_free) load *= 1.5;
   const SeatState beside = seat.under({3 * load, 0, 0});
   ASSERT_FALSE(beside.is_free || beside.is_at_rim());
-  EXPECT_TRUE(is_said(seat, beside, "beside its upper rim, whose side face"));
+  EXPECT_TRUE(is_said(seat, beside, "beside its upper rim, and its side face"));
   const SeatContact known(ring_joint(), with_corner(ring(25), 65));
-  EXPECT_FALSE(is_said(known, known.under(beside.force), "taken"));
+  EXPECT_FALSE(is_said(known, known.under(beside.force), "assuming"));
   const SeatContact socket(
       ring_joint(),
       with_side_face({62 * degree, 158 * degree}, SideFace::free));
   EXPECT_TRUE(is_said(socket, socket.under({0, 0, -300}),
-                      "upper rim, a corner of 112 deg, of a side face that is "
-                      "taken to be a bore"));
+                      "upper rim, a corner of 112 deg, assuming a bore"));
 }
 
 TEST(SideFace, TheWarningSaysWhyItCannotBeFree) {

@@ -74,7 +74,7 @@ TEST(ReliefOfCases, IsLeftOutAndSaysSo) {
   EXPECT_TRUE(joint.model.is_endless());
   EXPECT_TRUE(std::ranges::any_of(
       joint.contact().validity_notes(), [](const std::string& note) {
-        return note.starts_with("the relief of the ends is left out");
+        return note.starts_with("the relief of the ends is ignored");
       }));
   EXPECT_EQ(run_case(c, {}).failure, "");
 }

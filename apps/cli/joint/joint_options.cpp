@@ -54,7 +54,7 @@ constexpr KeyOption key_options[] = {
      "--pair; --clearance, --diametral-clearance or --interference",
      "--diameter --hole"},
     {"--diameter", "geometry.diameter", as_length, 2, JointUse::contact,
-     "LENGTH", "diameter, in place of --radius; nominal size of a fit",
+     "LENGTH", "diameter instead of --radius; nominal size of a fit",
      "--pair; --clearance, --diametral-clearance, --interference, or --hole "
      "and "
      "--shaft"},
@@ -67,19 +67,20 @@ constexpr KeyOption key_options[] = {
      "--pair; --radius or --diameter", "--hole --interference"},
     {"--interference", "geometry.radial_interference", as_length, 1,
      JointUse::contact, "LENGTH",
-     "in place of a clearance: overlap of the radii, positive",
+     "instead of a clearance: overlap of the radii, positive",
      "--pair; --radius or --diameter", "--hole"},
     {"--hole", "geometry.hole", as_text, 0, JointUse::contact, "NAME",
-     "in place of a clearance: a fit by ISO 286, such as H7",
+     "instead of a clearance: hole of a fit by ISO 286, such as H7",
      "--pair; --shaft; --diameter"},
     {"--shaft", "geometry.shaft", as_text, 0, JointUse::contact, "NAME",
-     "the ball or pin in that hole, such as g6", "--pair; --hole"},
+     "the ball or pin in this hole, such as g6", "--pair; --hole"},
     {"--fit-clearance", "geometry.clearance", as_text, 0, JointUse::contact,
      "NAME",
      "of a fit or bearing: minimum, mean (default) or maximum clearance",
      "--pair; --hole or --bearing"},
     {"--bearing", "geometry.designation", as_text, 0, JointUse::contact, "NAME",
-     "in place of size and clearance: a spherical plain bearing, as GE50ES", "",
+     "instead of size and clearance: a spherical plain bearing, such as GE50ES",
+     "",
      "--radius --diameter --clearance --diametral-clearance --interference "
      "--hole"},
     {"--group", "geometry.clearance_group", as_text, 0, JointUse::contact,
@@ -102,9 +103,9 @@ constexpr KeyOption key_options[] = {
     {"--inner-body", "inner_body", as_text, 0, JointUse::friction, "NAME",
      "body with the ball or pin: carrier (default) or body"},
     {"--wall", wall_key, as_length, 2, JointUse::pressure, "LENGTH",
-     "thickness of the seat or hole; default: no end", "--backing"},
+     "thickness of the seat or hole; default: unbounded", "--backing"},
     {"--backing", "wall.backing", as_text, 0, JointUse::pressure, "NAME|FILE",
-     "the body behind the wall: rigid, held or a material", "--wall"}};
+     "body behind the wall: rigid, held or a material", "--wall"}};
 
 // The key of a joint file that corresponds to an option.
 contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
@@ -377,11 +378,11 @@ void add_joint_options(Program& program, JointOptions& o) {
   program.add(
       "Joint",
       {pressure ? Option{"--joint", one, "KIND|FILE",
-                         "ball (default) or a ball joint's file;\n"
-                         "before a .toml the flag may be left out"}
+                         "ball (default) or a ball joint's file;\nthe flag may "
+                         "be omitted before a .toml file"}
                 : Option{"--joint", &o.joints, "KIND|FILE",
-                         "ball, pin, or a joint file; files more than once;\n"
-                         "before a .toml the flag may be left out"},
+                         "ball, pin, or a joint file; files more than "
+                         "once;\nthe flag may be omitted before a .toml file"},
        {"--loading", &o.loading, "NAME",
         "force on the ball or pin: centre (default) or back:PSI"}});
   program.add_check([&program, &o] { settle_joint(program, o); });
@@ -437,20 +438,20 @@ void add_law_options(Program& program, JointOptions& o, Laws half_angle,
     program.add(
         "Law",
         {{"--law", names(half_angle, o.laws), kind(o.one_law),
-          o.one_law ? "half-angle law; default the joint's, or fitted"
-                    : "a comma list or all; default the joint's, or fitted"},
+          o.one_law ? "half-angle law; default: the joint's law, or fitted"
+                    : "a comma-separated list or all; default: the joint's "
+                      "law, or fitted"},
          {"--limit-angle", &o.limit_angle, "NAME|ANGLE",
           "formula, linear, or degrees; default formula"}});
   }
   program.add(
       "Law",
       {{"--pressure", names(pressure, o.pressures), kind(o.one_pressure),
-        o.use == JointUse::pressure
-            ? "pressure law; default the joint's, or exact; cosine without "
-              "materials"
-        : o.one_pressure
-            ? "pressure law; default the joint's, or exact"
-            : "a comma list or all; default the joint's, or exact"}});
+        o.use == JointUse::pressure ? "pressure law; default: the joint's law, "
+                                      "or exact; cosine without materials"
+        : o.one_pressure ? "pressure law; default: the joint's law, or exact"
+                         : "a comma-separated list or all; default: the "
+                           "joint's law, or exact"}});
 }
 
 contact::JointContact Joint::contact(contact::FrictionModel friction,

@@ -181,15 +181,15 @@ void write_comparison(const cli::Joint& joint, const ForceLaw& law,
                   100 * (is.penetration / delta - 1), is.outside);
             if (!is.outside) continue;
             notes.insert(fmt::format(
-                "law {}: outside at some loads, where it turns round or was "
-                "not fitted{}{}",
+                "law {}: outside its range at some loads, where its force "
+                "decreases or it was not fitted{}{}",
                 other.name, other.note.empty() ? "" : ": ", other.note));
           }
         }
       });
   for (const std::string& note : notes) cli::warn("hinge-angle", note);
   if (!joint.spec.outer.layers.empty()) {
-    cli::note("hinge-angle", "published laws do not know a wall");
+    cli::note("hinge-angle", "published laws ignore walls");
   }
 }
 

@@ -153,9 +153,9 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
   if (is_sto(options.cycle)) {
     columns.sto = read_sto_header(reader);
     if (!columns.sto->in_degrees) {
-      cli::warn("hinge-duty", reader.name() +
-                                  ": no inDegrees in its head: angles are "
-                                  "taken for radians");
+      cli::warn("hinge-duty",
+                reader.name() +
+                    ": no inDegrees in its header: angles are read as radians");
     }
     columns.header = columns.sto->columns;
     name_sto_columns(options, is_pin, columns);

@@ -163,8 +163,8 @@ void warn_of_walls(const JointDuty& duty) {
   const double penetration = duty.worn.back().penetration;
   if (penetration < thickness / 2) return;
   warn_of(duty.joint,
-          fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are worn "
-                      "off; the contact is computed with the whole layer",
+          fmt::format("--cycles: {:.3g} mm of a {:.3g} mm layer are worn off; "
+                      "the contact is computed with the full thickness",
                       penetration * 1e3, thickness * 1e3));
 }
 
@@ -215,11 +215,10 @@ void warn_of_contact(const JointDuty& duty) {
         return row.solution.contact_state == contact::ContactState::closed;
       });
   if (!closed) return;
-  warn_of(
-      duty.joint,
-      fmt::format("the contact is closed all round under {:.4g} N and less: "
-                  "wear debris cannot leave it, nor lubricant come in",
-                  contact.lift_off_force()));
+  warn_of(duty.joint,
+          fmt::format("the contact is closed all round up to {:.4g} N: wear "
+                      "debris cannot leave it and lubricant cannot enter",
+                      contact.lift_off_force()));
 }
 
 void check_one_joint(const Options& options, std::size_t joints) {

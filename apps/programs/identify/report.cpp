@@ -169,22 +169,24 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   constexpr double well_told = 30;
   if (fit.condition > well_told) {
     std::string text = fmt::format(
-        "the data cannot tell the parameters apart: condition {:.3g}, largest "
+        "the data do not determine the parameters: condition {:.3g}, largest "
         "over smallest load {:.3g}",
         fit.condition, load_ratio(data));
     if (fit.parameters.size() == 2) {
       text += fmt::format(", correlation {:.4f}", fit.correlation(0, 1));
     }
-    all.push_back(text + "; vary the load more, or take f0_effective");
+    all.push_back(text + "; vary the load more, or use f0_effective");
   }
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     if (!fit.estimates[i].at_bound) continue;
     std::string text =
-        fmt::format("{} is held at 0: the data ask for a negative value",
+        fmt::format("{} is held at 0: the data would give a negative value",
                     of(fit.parameters[i]).name);
     if (fit.parameters.size() > 1) {
-      text += "; intervals of the others take it for known and are too short";
-      if (!options.huber) text += ", those of --profile are not";
+      text +=
+          "; intervals of the other parameters treat it as known and are too "
+          "short";
+      if (!options.huber) text += ", intervals of --profile are not";
     }
     all.push_back(std::move(text));
   }
@@ -196,8 +198,8 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   // A plateau up to lift-off determines it well.
   if (clearance && fit.joint->geometry().radial_clearance() > 0) {
     all.emplace_back(
-        "a fitted clearance is badly known and its interval is skew: take "
-        "that of --profile, or measure it");
+        "a fitted clearance is poorly determined and its interval is skewed: "
+        "use the interval of --profile, or measure the clearance");
   }
   if (const auto count = outliers(fit); count > 0 && !options.huber) {
     all.push_back(

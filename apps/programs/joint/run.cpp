@@ -37,10 +37,9 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   const double axial = std::abs(force.dot(turn.stableNormalized()));
   // A force normal to the axis has an axial part of this size by rounding.
   if (axial <= 1e-12 * contact::magnitude(force)) return;
-  cli::warn("hinge-joint",
-            fmt::format("a pin takes no force along its axis: {:.4g} N "
-                        "of the reaction are left out",
-                        axial));
+  cli::warn("hinge-joint", fmt::format("a pin carries no force along its axis: "
+                                       "{:.4g} N of the reaction are ignored",
+                                       axial));
 }
 
 // Warns before the work, after all options are accepted.
@@ -99,8 +98,8 @@ cli::ExitStatus report(const Problems& problems, const Setup& setup) {
   // Messages for bad lines were printed before.
   if (problems.out_of_range > 0) {
     cli::warn("hinge-joint",
-              fmt::format("rows without a value: {}; the half-angle law or "
-                          "the pressure law has none there",
+              fmt::format("rows without a value: {}; the half-angle law or the "
+                          "pressure law is undefined there",
                           problems.out_of_range));
   }
   if (problems.not_converged > 0) {

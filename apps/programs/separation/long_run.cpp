@@ -73,7 +73,7 @@ class Keeper {
     // rows after a truncated row could not be found.
     try {
       writer_->write(state, run.memory());
-      way_on_ = fmt::format("; --resume {} goes on from t = {:.6g} s", file_,
+      way_on_ = fmt::format("; --resume {} continues from t = {:.6g} s", file_,
                             state.motion.time);
     } catch (const contact::Error& error) {
       failure_ = fmt::format("no checkpoints from t = {:.6g} s on: {}",

@@ -62,7 +62,7 @@ std::string Replays::page(const Replay& replay, const std::string& name) const {
   Page page = replay_page(replay, *parts_);
   if (page.every > 1) {
     cli::note(program_name,
-              fmt::format("{} has one of {} rows, to stay below {} MB", name,
+              fmt::format("{} shows one of {} rows, to stay below {} MB", name,
                           page.every, most_page / 1'000'000));
   }
   return std::move(page.text);

@@ -192,9 +192,10 @@ cli::ExitStatus compute_missing(const Options& o, const Study& study,
       [&] { return interrupts.signal() == 0 ? "" : "a signal"; },
       [&] { pace.add(); });
   if (interrupts.signal() == 0) return cli::all_good;
-  cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
-                                 "command goes on",
-                                 journal.size(), journal_of(o)));
+  cli::warn(
+      program,
+      fmt::format("stopped: {} rows are in {}; repeat the command to continue",
+                  journal.size(), journal_of(o)));
   return interrupts.status(cli::all_good);
 }
 

@@ -245,15 +245,16 @@ cli::ExitStatus report(const Problems& problems, const Method& method) {
                           method.largest_half_angle / contact::degree));
   }
   if (problems.failed > 0) {
-    cli::warn("hinge-table",
-              fmt::format("points whose numbers are not finite: {}; ERROR "
-                          "stands in their place",
-                          problems.failed));
+    cli::warn(
+        "hinge-table",
+        fmt::format(
+            "points whose numbers are not finite: {}; the table shows ERROR",
+            problems.failed));
   }
   if (problems.inaccurate > 0) {
     cli::warn("hinge-table",
-              fmt::format("points that missed the tolerance: {}; their "
-                          "rows have the best values found",
+              fmt::format("points that missed the tolerance: {}; their rows "
+                          "contain the best values found",
                           problems.inaccurate));
   }
   const std::size_t all = problems.bad_lines + problems.inaccurate +

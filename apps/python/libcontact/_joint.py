@@ -411,7 +411,7 @@ def identify(
     parameters: of "coefficient", "adhesion" (Pa), "clearance" (m), "drag" (N m,
         whatever the load is), "offset" (N m, does not turn round with Dw).
     huber: Huber's loss: a few wrong data do no harm.
-    profile: intervals by refitting too.
+    profile: add intervals by refitting.
     level: probability of the intervals.
     """
     names = [parameters] if isinstance(parameters, str) else list(parameters)

@@ -373,7 +373,7 @@ TEST_F(RunsThatCannotGetOn, StopAtSignals) {
                     name + " $program; wait $program");
     expect_results(result, status, std::string("SIG") + name);
     EXPECT_TRUE(
-        has_text(result.err, "; --resume c.db goes on from t = 0.5 s\n"));
+        has_text(result.err, "; --resume c.db continues from t = 0.5 s\n"));
     expect_results(folder_.run(run_ + "--resume c.db --step-limit 3000"), 1,
                    "--step-limit 3000");
   }

@@ -193,8 +193,7 @@ std::string input_histograms(const Study& study, const Journal& journal,
       "set style fill solid 0.5\nset lmargin 3\nset rmargin 4\n"
       "set multiplot layout {},{} title {}\n",
       (places + columns - 1) / columns, columns,
-      cli::gnuplot_text(
-          fmt::format("What was drawn in {} runs", study.runs())));
+      cli::gnuplot_text(fmt::format("Inputs drawn in {} runs", study.runs())));
   for (std::size_t i = first; i < end; ++i) {
     script += panel(study, journal, i);
   }

@@ -116,9 +116,8 @@ void add_requirements(const Study& study, const Findings& findings,
   parts.push_back(std::move(verdicts));
   parts.push_back(std::move(percentiles));
   if (study.plan().sampling == Sampling::random) return;
-  parts.push_back(
-      {.text = "No verdict: only random runs are independent of each other, "
-               "so that misses can be counted."});
+  parts.push_back({.text = "No verdict: counting misses requires independent "
+                           "runs, which only random sampling gives."});
 }
 
 Part quantities_part(const Study& study, const Findings& findings,
