@@ -6,8 +6,8 @@
     ...     friction.step(data)  # in place of mujoco.mj_step(model, data)
 
 The adapter of apps/hosts/mujoco in Python, with its limits: Euler's step, and
-reactions of the step before. A hinge that friction holds has a rate of exactly
-0, and its angles do not change by a bit.
+reactions of the previous step. A hinge held by friction has a rate of exactly
+0, and its angles stay bit-identical.
 """
 
 from os import PathLike
@@ -65,7 +65,7 @@ class HingeFriction:
         return dofs[first : first + _sizes[int(self._model.jnt_type[i])][1]]
 
     def step(self, data: Any) -> None:
-        """In the place of mujoco.mj_step()."""
+        """Replaces mujoco.mj_step()."""
         model = self._model
         if model.opt.integrator != 0:
             raise ValueError("the integrator must be Euler")
