@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
-# What the pressure laws make of contacts, and of the paper's examples: tables
-# of libcontact/docs/explanation/pressure.md and reference/accuracy.md:
+# Prints the tables of libcontact/docs/explanation/pressure.md and
+# reference/accuracy.md, which compare the pressure laws on contacts and on the
+# paper's examples:
 #   scripts/pressure_tables.sh BUILD_DIR
-# prints them. Docs.PressureTables checks that they are those of the pages.
+# Docs.PressureTables compares them with the pages.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then
