@@ -7,7 +7,7 @@
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 bin=$(cd "$1" && pwd)/bin
