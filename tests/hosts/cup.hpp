@@ -9,11 +9,11 @@
 
 #include "hosts/joint_handle.hpp"
 
-/// A ball in a cup, in a host whose bodies are turned.
+/// A ball in a cup, in a host with rotated bodies.
 namespace contact::test {
 
-/// File of a cup about the x axis of the half that has it, the body or its
-/// parent.
+/// Writes the file of a cup about the x axis of the half with the cup, the body
+/// or its parent.
 inline std::string cup(bool on_parent) {
   std::string path =
       testing::TempDir() + "/contact_cup_" +
