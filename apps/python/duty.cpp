@@ -289,8 +289,8 @@ void bind_worn_seat(py::module_& m) {
   py::class_<WornSeat> type(m, "WornSeat", R"(WornSeat()
 --
 
-What is worn off a seat or hole, in the axes of its body: Cycle.wear_in() goes on
-from it (libcontact's docs/explanation/wear.md).)");
+Wear of a seat or hole, in the axes of its body; Cycle.wear_in() continues from it
+(libcontact's docs/explanation/wear.md).)");
   type.def(py::init<>())
       .def_static(
           "from_file",
@@ -302,12 +302,12 @@ from it (libcontact's docs/explanation/wear.md).)");
           R"(from_file(path, joint)
 --
 
-Of hinge-duty --worn-out, or to_toml(), of a joint of this kind, radius and
-clearance.)")
+Reads a file of hinge-duty --worn-out or to_toml(), for a joint of this kind,
+radius and clearance.)")
       .def("to_toml", &WornSeat::toml, R"(to_toml(self)
 --
 
-The text of such a file, with all digits.)")
+The text of such a file with all digits.)")
       .def_property_readonly(
           "depths",
           [](const WornSeat& s) {
@@ -381,11 +381,12 @@ void bind_duty(py::module_& m) {
            R"(largest(self, quantity)
 --
 
-The largest value in the cycle and its time, s; to 1e-8. At rims it is that of
-the rows, and NaN where a row has none: half-angles and heat fluxes. Of a pin
-that ends the half-angle is the largest along it.
+The largest value in the cycle and its time, s; accurate to 1e-8. If the cycle
+reaches a rim, it is the largest of the rows, and NaN if it is undefined in a row:
+half-angles and heat fluxes. The half-angle of a finite-length pin is the largest
+along it.
 
-quantity: an attribute of Solution or Rating; of a vector its length.)");
+quantity: an attribute of Solution or Rating; for a vector its length.)");
   bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
@@ -394,21 +395,20 @@ quantity: an attribute of Solution or Rating; of a vector its length.)");
            R"(wear_in(self, coefficient, cycles, *, inner=0, seat=None)
 --
 
-The joint in the course of many cycles, whose wear of the seat or hole widens
-the contact (libcontact's docs/how-to/duty.md): a WearIn of blocks, (n,). The first is
-without wear, the last after all cycles; between them the worn volume grows by
-at most 10 % of what the bodies overlap.
+The joint over many cycles in which wear of the seat or hole widens the contact
+(libcontact's docs/how-to/duty.md): a WearIn of blocks, (n,). The first block is
+without wear, the last after all cycles; in a block the worn volume grows by at
+most 10 % of the overlap of the bodies.
 
-Where contact_spread is above 0.1 of the half-angle, or a pin has no clearance,
-the depth is one more gap at points of the seat, and the contact is solved by
-elasticity alone: a RuntimeWarning if the joint has other laws.
+If contact_spread is above 0.1 of the half-angle, or a pin has no clearance, the
+depth of wear adds to the gap at points of the seat, and the contact is solved by
+elasticity alone, with a RuntimeWarning if the joint has other laws.
 
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
-cycles: how many.
-inner: k of the ball or pin; counts for a pin without clearance or with
-    interference only (docs/explanation/wear.md).
-seat: a WornSeat, which is worn further: with it the depth is at points whatever
-    the load does.)");
+cycles: number of cycles.
+inner: k of the ball or pin; only for a pin without clearance or with
+    interference (docs/explanation/wear.md).
+seat: a WornSeat to continue from; the seat then wears at points for any load.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

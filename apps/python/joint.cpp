@@ -128,15 +128,15 @@ constexpr const char* kernel_doc =
     R"(kernel(self, language="c", *, name="friction", error=1e-4, reaction=None)
 --
 
-The friction that depends on the load as a function in another language, as
-hinge-joint --kernel prints it: a text.
+Friction over load as the source text of a function in another language, as
+hinge-joint --kernel prints it.
 
 language: "c", "cuda", "glsl", "jax", "js", "numpy" or "st".
 name: of the function.
-error: the largest relative error of the moment, which is measured.
+error: largest relative error of the moment, which is measured.
 reaction: least and largest load, N, of a ball, and of a pin with adhesion;
     None: load parameters of 1e-3 to 10.
-Raises Error for joints that have no such law, and an error out of reach.)";
+Raises Error for joints without such a law, and for an unattainable error.)";
 
 // Table of contacts at rims between two loads, in bytes.
 py::bytes make_table(const FileJoint& self, double least, double most) {

@@ -90,8 +90,8 @@ constexpr const char* prox_doc =
     R"(prox(self, inertia, free, *, fields=None, out=None, threads=1)
 --
 
-The motion that friction leaves of a free one: W (alpha - free) = M_t(alpha),
-alpha exactly 0 where the set holds W free.
+The motion with friction: W (alpha - free) = M_t(alpha), with alpha exactly 0 if
+the set holds W free.
 
 inertia: W, inertia about the joint (of velocities: over the time step),
     symmetric and positive definite, (..., 3, 3).
@@ -141,10 +141,11 @@ void bind_moment_set(py::module_& m, py::class_<JointSet>& joints) {
       R"(moment_set(self, solution)
 --
 
-What the contact of a ball holds at fixed n, R_n and theta0: what a solver of
-several bodies iterates on. A contact at a rim of a seat is found anew, 30 ms.
+Moments that the contact of a ball can hold at fixed n, R_n and theta0, for
+iterative solvers of several bodies. A contact at a rim of a seat is solved again,
+30 ms.
 
-solution: what solve() has returned.
+solution: a result of solve().
 
 Returns a MomentSet, whose functions broadcast against the solution's rows.)");
 }

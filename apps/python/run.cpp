@@ -249,21 +249,21 @@ void bind_run(py::module_& m) {
       R"(values(self)
 --
 
-Of all columns where the run is, (n,). A mode is its number: 0 sliding,
+The present values of all columns, (n,). A mode is its number: 0 sliding,
 1 resting, 2 locked, 3 released.)");
   type.def("save", &CaseRun::save, R"(save(self)
 --
 
-All that a run of the same case needs to go on from here, as bytes, with its
-history. This begins the steps anew: this run and restored ones then go on the
-same to the last bit, and differ from one that was never saved by the
+The state from which a run of the same case can continue, as bytes, with its
+history. Saving restarts the steps: this run and restored ones then continue
+bit-identically, and differ from a run that was never saved within the
 tolerances.)");
   type.def("restore", &CaseRun::restore, py::arg("saved"),
            R"(restore(self, saved)
 --
 
-Goes to where a run of the same case and clearance was saved, forwards or back,
-also from a failure. What is refused changes nothing.)");
+Moves to the state of a saved run of the same case and clearance, forwards or
+back, also after a failure. A rejected state changes nothing.)");
   m.def(
       "_run",
       [](const FileCase& file, bool clearance, py::object progress) {

@@ -38,8 +38,7 @@ struct DenseBody {
   V r, r0, w, friction, force, moment;
   Rows body_rows;     ///< conditions on the body's accelerations
   Rows carrier_rows;  ///< and on the carrier's
-  Multipliers
-      bias;  ///< bias of the conditions: rows * accelerations + bias = 0
+  Multipliers bias;   ///< bias: rows * accelerations + bias = 0
 
   DenseBody(const BodyInstant& body, const V& w0)
       : mass(body.body.mass),
