@@ -89,7 +89,7 @@ TEST(CycleRows, UnevenSteps) {
   EXPECT_EQ(open.times.size(), 21u);
 }
 
-// Steps are even if a thousandth of one is all that they differ by.
+// Steps that differ by a thousandth count as even.
 TEST(CycleRows, NearlyEvenSteps) {
   for (const auto& [difference, is_even] :
        {std::pair{0.9e-3, true}, {1.1e-3, false}, {0.1, false}}) {
@@ -150,7 +150,8 @@ TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
   EXPECT_TRUE(DutyCycle(rates, {}).notes(false).empty());
 }
 
-// One row, or two alike, are a steady turn: Q = exp(w t), whatever the period.
+// One row, or two equal rows, are a steady rotation: Q = exp(w t) for any
+// period.
 TEST(CycleRows, SteadyTurn) {
   const Vector3d rate(0.3, -4, 1);
   for (const int count : {1, 2}) {

@@ -1,4 +1,4 @@
-// FMUs of joints and cases, by an importer that knows nothing of libcontact.
+// FMUs of joints and cases, tested by an importer independent of libcontact.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -86,7 +86,7 @@ TEST_P(Versions, AreNamedAfterTheirFile) {
   EXPECT_TRUE(bytes() == first);
 }
 
-// A contact that no ball has is said when the simulation ends.
+// A contact outside the limits is reported at the end of the simulation.
 TEST_P(Versions, SayWhereTheyLeaveTheModel) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());
   const FmuInstance it(*fmu);
@@ -248,7 +248,7 @@ TEST_P(Versions, SaveAndGoOn) {
   ASSERT_EQ(first.call("SerializeFMUstate", state, bytes.data(), size), 0);
   const Vector3d moment = first.vector("moment");
 
-  // Another instance, which has other parameters, goes on in its place.
+  // Another instance, with other parameters, continues in its place.
   const FmuInstance second(*fmu);
   void* read = nullptr;
   ASSERT_EQ(second.call("DeSerializeFMUstate", bytes.data(), size, &read), 0);
@@ -342,7 +342,7 @@ TEST_P(Versions, RunATree) {
   contact_run_free(run);
 }
 
-// Neither traps nor a rounding mode of the host get in, and none gets lost.
+// Traps and rounding modes of the host have no effect, and are preserved.
 TEST_P(Versions, KeepTheFloatEnvironmentOfTheirHost) {
   for (const auto& [file, output] :
        {std::pair{folder + "ball.toml", "peak_pressure"},

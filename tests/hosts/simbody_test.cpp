@@ -1,4 +1,4 @@
-// Hinges of Simbody with friction: they slide, stop, hold and let go.
+// Hinges of Simbody with friction slide, stop, hold and are released.
 #include "hosts/simbody/hinge_friction.hpp"
 
 #include <gtest/gtest.h>

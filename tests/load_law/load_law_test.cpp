@@ -350,7 +350,7 @@ TEST(LoadLaw, SaysWhatItIs) {
   EXPECT_TRUE(has_text(text(Joint(thick), {}), "// Warning: "));
 }
 
-// Values have no slopes beside them, and slopes are evaluated with theirs.
+// Values are evaluated without slopes, slopes together with their values.
 TEST(LoadLaw, EvaluatesEachPolynomialOnce) {
   const std::string c =
       load_law_text(ball_on(JointBody::body), {.error = 1e-2}).text;

@@ -81,7 +81,7 @@ TEST(MultibodyEval, EveryMisspeltKeyIsRefused) {
        {"", "/carrier", "/loads/0", "/loads/1", "/loads/2"}) {
     const json file = good();
     for (const auto& [key, value] : file[json::json_pointer(place)].items()) {
-      // The kind of the body is asked for first.
+      // The kind of the body is checked first.
       if (key == "kind" && place != "") continue;
       json misspelt = file;
       json& object = misspelt[json::json_pointer(place)];

@@ -277,7 +277,7 @@ struct Ours {
   }
 };
 
-// The library finds all of them, and none of two is said to be the only one.
+// The library finds all solutions, and never calls one of two the only one.
 TEST(Uniqueness, TwoPinsInAChain) {
   std::vector<int> counts(3);
   int proven = 0;

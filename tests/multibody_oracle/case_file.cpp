@@ -230,7 +230,7 @@ ordered_json to_json(const BodyInstant& body, const BodyResult& result,
 }
 
 const Format& format_of(const json& file) {
-  // A file without one is a star, whose keys are looked at next.
+  // A file without a schema is a star; its keys are read next.
   const std::string schema = file.value("schema", star.schema);
   if (schema == star.schema) return star;
   if (schema == tree.schema) return tree;

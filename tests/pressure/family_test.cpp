@@ -737,7 +737,7 @@ TEST(ContactNotes, SayWhereTheSeatEnds) {
   EXPECT_TRUE(notes(whole.with_seat(SeatZone::cup(1)), 0.99).empty());
   EXPECT_EQ(notes(whole.with_seat(SeatZone::cup(1)), 1.01).size(), 1u);
   EXPECT_TRUE(notes(whole.with_seat(SeatZone(0, std::numbers::pi)), 1).empty());
-  // Other clearances leave the seat as it is.
+  // Other clearances leave the seat unchanged.
   EXPECT_EQ(ring.with_clearance(2e-5).seat(), ring.seat());
   // A joint that leaves the seat out says the same.
   const auto endless = ring.without_seat().with_clearance(2e-5);

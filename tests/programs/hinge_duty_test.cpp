@@ -183,7 +183,7 @@ TEST_F(HingeDuty, Cycles) {
   const CsvTable blocks(folder_.read("blocks.csv"));
   ASSERT_GE(blocks.size(), 20u);
   for (const std::string& name : blocks.names()) {
-    // For pins, and for loads that stand still.
+    // For pins, and for stationary loads.
     if (name == "clearance_mm" || name == "worn_share") {
       EXPECT_EQ(blocks.text(blocks.size(), name), "");
       continue;
@@ -200,8 +200,8 @@ TEST_F(HingeDuty, Cycles) {
 }
 
 // A pin that swings by 10 deg to each side: four times 10 deg of the rim, in
-// rows enough. The moment about Z lies between the rows; the contact stays
-// where it is in the seat but for friction.
+// enough rows. The moment about Z lies between the rows; except for friction
+// the contact stays at its place in the seat.
 TEST_F(HingeDuty, PathAndSpread) {
   std::string rows = "time_s,R_x_N,R_y_N,R_z_N,angle_deg\n";
   for (int i = 0; i < 200; ++i) {

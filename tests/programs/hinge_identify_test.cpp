@@ -73,8 +73,8 @@ TEST(HingeIdentify, ReadsWhatHingeJointPrints) {
   }
 }
 
-// Fits are of the joint without its seat: how far a load reaches beyond a rim
-// is said where its direction in the seat is known.
+// Fits use the joint without its seat: a note reports how far a load reaches
+// beyond a rim if its direction in the seat is known.
 TEST(HingeIdentify, SaysWhereALoadReachesARim) {
   const ProgramFolder folder;
   const std::string vectors =
@@ -115,8 +115,8 @@ TEST(HingeIdentify, ErrorsOfTheData) {
   EXPECT_NEAR(residuals.at(3, "sigma_N_m"), std::hypot(3, 3.1), 1e-14);
 }
 
-// A seal's 0.65 N m on top of the torques of the rig: said, and found if it is
-// asked for, to two of its standard errors.
+// A seal's 0.65 N m in addition to the torques of the rig: a note reports it,
+// and a fit of the drag finds it to two standard errors.
 TEST(HingeIdentify, FindsADrag) {
   const ProgramFolder folder;
   const std::string seal =

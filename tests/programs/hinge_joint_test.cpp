@@ -629,8 +629,8 @@ TEST(PaperExamples, TwoOuterLoop) {
                 {{1, "M_traditional_N_m", 2.26e5 / 2, 0.25e3}});
 }
 
-// The paper's printed numbers: beside the computed ones, and within the
-// tolerance that the file gives each.
+// The paper's printed numbers appear beside the computed ones, and agree within
+// the tolerance that the file gives for each.
 TEST(PaperExamples, BesidePrintedNumbers) {
   const ProgramFolder folder;
   const std::map<std::string, std::string> commands = {
@@ -672,7 +672,7 @@ TEST(HingeJoint, LoopsThatFailSaySo) {
   EXPECT_EQ(fails.status, 1);
   EXPECT_TRUE(has_text(fails.err, "g is above b"));
   folder.run_well(example_1 + "--friction 3 --reaction 1e5 --beta 50");
-  // Reaction that grows with the moment without end: no fixed point.
+  // The reaction grows with the moment without bound: there is no fixed point.
   const ProgramResult runs_away =
       folder.run(example_2 + "--outer 100,0,0 --joints 20");
   EXPECT_EQ(runs_away.status, 1);

@@ -377,8 +377,8 @@ TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
   }
 }
 
-// A liner has a peak of 56 MPa with the 0.3 mm that it is; taken without
-// end, 32.
+// A liner has a peak of 56 MPa with its true 0.3 mm; as an unbounded body 32
+// MPa.
 TEST(HingePressure, WarnsOfALinerWithoutAWall) {
   const ProgramFolder folder;
   const std::string bush =

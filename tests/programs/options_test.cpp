@@ -49,7 +49,7 @@ TEST(InstructionSet, IsThatOfTheProcess) {
   }
 }
 
-// All three in mm, as one may slip: a ball of 28 m, which is said.
+// All three in mm by mistake: a ball of 28 m, with a note.
 TEST(LengthOptions, MetresThatAreHardlyMeant) {
   const ProgramFolder folder;
   const std::string angle =
@@ -213,7 +213,7 @@ TEST_P(TableOptions, ColumnsAsTheyAreAskedFor) {
   }
 }
 
-// The same characters but for these two: no cell of these has a comma.
+// The same characters except these two; none of the cells has a comma.
 TEST_P(TableOptions, DecimalCommas) {
   std::string expected = out("");
   std::ranges::replace(expected, ',', ';');
@@ -265,7 +265,7 @@ TEST(Help, HasAShortName) {
   }
 }
 
-// A column of a history in HDF5 that is not asked for is not there.
+// A column of an HDF5 history that is not requested is not written.
 TEST(Columns, OfAHistoryInHdf5) {
   const ProgramFolder folder;
   const std::string run =

@@ -176,7 +176,7 @@ TEST(JointInSeat, ReachesTheRimWithoutAJump) {
     const auto at = [&](double more) {
       const double v = 60 * degree - theta0 + more;
       const Vector3d w(0.02, -0.01, 0.03);
-      // R for which F has this direction, by the joint without end.
+      // R for which F has this direction, by the joint without rims.
       const Vector3d force = load * Vector3d(std::sin(v), 0, std::cos(v));
       JointSpec endless = spec.without_seat();
       endless.half_angle_law = "exact";
@@ -618,7 +618,7 @@ TEST(SeatTable, AnswersAsTheContact) {
       const RimContact of_exact = *without.rims(exact);
       const RimContact of_read = *with.rims(read);
       ASSERT_FALSE(of_exact.is_free);
-      // Not found anew.
+      // Not solved again.
       EXPECT_NE(of_read.shift, of_exact.shift);
       EXPECT_LT((read.friction_moment - exact.friction_moment).norm() /
                     exact.friction_moment.norm(),

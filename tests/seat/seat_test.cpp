@@ -26,15 +26,14 @@ double value_or(const ReferenceTable::Row& row, const char* name,
   return row.given(name) ? row.value(name) : other;
 }
 
-// The contact does not lie about the load, but at a rim beside it.
+// The contact is not centred on the load, but at a rim beside it.
 bool is_on_rim_alone(const ReferenceTable::Row& row) {
   const double direction = row.value("dir_deg");
   const double v1 = row.value("v1_deg"), v2 = row.value("v2_deg");
   return direction < v1 || direction > v2 || v2 - direction < 3;
 }
 
-// Errors over what is asked for: the row's own accuracy, or the bar if that is
-// more.
+// Errors over their limits: the row's own accuracy, or the bar if it is larger.
 struct Limits {
   double load = 1, pressure = 1, rim = 1, sum = 1, area = 1, stiffness = 1,
          ends = 1, arcs = 1;

@@ -97,7 +97,7 @@ TEST(CaseForces, AppliedInBothAxes) {
 }
 
 // At a jump a table has its second value, and just before it its first,
-// whatever rounding makes of the time since the force began.
+// independent of rounding of the time since the force began.
 TEST(CaseForces, JumpsOfTablesOverTime) {
   for (const double begin : {0.0, 0.1, 1 / 3.0, 0.7, 12.3}) {
     for (const double jump : {0.1, 0.2, 0.3, 0.7, 1 / 3.0}) {
@@ -325,7 +325,7 @@ other_body = "b"; other_point_m = [0.25, 0, 0]; damping_N_s_per_m = 1.5
     const double left = std::exp(-c * t / mu);
     const BodyMotion& a = sample.body(0);
     const BodyMotion& b = sample.body(1);
-    // Tolerances of the steps: 1e-9 of a number and 1e-8 beside it.
+    // Tolerances of the steps: 1e-9 of a number plus 1e-8.
     EXPECT_NEAR(a.velocity.x() - b.velocity.x(), u0 * left, 2e-8) << t;
     EXPECT_NEAR(a.position.x() - b.position.x(), 1 + u0 * mu / c * (1 - left),
                 2e-8);

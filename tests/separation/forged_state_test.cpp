@@ -66,7 +66,7 @@ class Forgery {
   const json& good() const { return good_; }
   double end_time() const { return case_.end_time; }
 
-  // The message; "" if the run takes the state, goes on and can be told of.
+  // The message; "" if the run accepts the state, continues and can be saved.
   std::string said(const json& forged) {
     return said_of_bytes(separation::packed(forged));
   }

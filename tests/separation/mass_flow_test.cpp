@@ -210,7 +210,8 @@ time_s = [0, 1, 1, 3]; thrust_N = [0, 20, 40, 80]
   EXPECT_EQ(run("propellant_kg = 9.5\n" + cut).memory.notes.size(), 0u);
 }
 
-// A saved run goes on to the last bit, before and after the end of the engine.
+// A saved run continues bit-identically, before and after the end of the
+// engine.
 TEST(MassFlow, SavedRunsGoOnTheSame) {
   const Case c = parse_case(run_for(8, 1) + stage +
                                 R"(

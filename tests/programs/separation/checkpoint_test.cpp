@@ -1,4 +1,4 @@
-// Runs of hinge-separation that are stopped, and go on.
+// Runs of hinge-separation that are stopped and resumed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -203,7 +203,7 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   EXPECT_LT(ask("c.db", "sum(length(block)) FROM blocks"),
             10.0 * static_cast<double>(rows * columns));
 
-  // Gone on from as often as before without being told; into the same file.
+  // Resumed with the same interval by default, and into the same file.
   const auto resumed = [&](const std::string& more) {
     return folder.run(run + "--output r.json --history r.csv --resume " + more);
   };

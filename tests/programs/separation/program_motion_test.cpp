@@ -154,8 +154,8 @@ angle_deg = [0, 1440]; moment_N_m = [10, 2]; ends_at_event = "off"
               800 + std::remainder(rate * (3 - time), 360), 1e-3);
 }
 
-// A ball joint that begins to slide where little more than its limit is asked
-// of it: friction follows a velocity of next to nothing, which is stiff.
+// A ball joint that begins to slide slightly above its limit: friction follows
+// a tiny velocity, which is stiff.
 TEST(SeparationMotion, OnsetsOfSlidingDoNotStall) {
   std::string text = R"(
 name = "two arms on a tumbling body"; gravity_m_per_s2 = [0, 0, -10]
@@ -253,7 +253,7 @@ friction = { viscous_constant_kPa_s_per_m = 2, viscous_pressure_slope_s_per_m = 
     EXPECT_NEAR(h["wheel.rate_deg_per_s"][i] * degree,
                 6 * std::exp(-c * h["time_s"][i]), 1e-6);
   }
-  // It does not come to rest, and its energy goes into friction.
+  // It does not come to rest; friction dissipates its energy.
   EXPECT_TRUE(j["events"].empty());
   EXPECT_EQ(j["bodies"][0]["mode_at_end"], "sliding");
   EXPECT_NEAR(j["bodies"][0]["work_of_friction_J"],
@@ -269,7 +269,7 @@ TEST(SeparationMotion, PusherPushesOnceAndOnlyInItsTime) {
     return std::pair(h["s.vx_m_per_s"].back(), h["c.vx_m_per_s"].back());
   };
   const std::pair still(0.0, 0.0);
-  // Used up when it starts, at its end or past it, whatever starts it.
+  // Used up when it starts, at its end or beyond, for any kind of start.
   for (const double used : {0.125, 0.25}) {
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "")), still);
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "starts_at_s = 0.35")), still);

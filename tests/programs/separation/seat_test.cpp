@@ -42,7 +42,7 @@ json joint_of(const ProgramResult& run) {
   return json::parse(run.out)["bodies"][0]["joints"][0];
 }
 
-// A ball on a ball hinge is in its seat without being told.
+// A ball on a ball hinge is in its seat by default.
 TEST(SeparationSeat, SaysHowNearTheRimsContactsCome) {
   const ProgramFolder folder;
   folder.write("in.toml", swinging(""));
@@ -160,7 +160,7 @@ TEST(SeparationSeat, HiddenPeaksAreNoNumber) {
   EXPECT_TRUE(std::isnan(history["load.peak_pressure_Pa"][0]));
 }
 
-// Both look for their contacts anew where the run was saved.
+// Both solve their contacts again where the run was saved.
 TEST(SeparationSeat, GoesOnFromACheckpointAtARim) {
   const ProgramFolder folder;
   folder.write("c.toml", swinging(""));
