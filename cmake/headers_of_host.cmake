@@ -1,6 +1,5 @@
-# Provides find_package() with the libraries that are headers alone when the
-# compiler is for another machine: those of this one, by links, since its other
-# headers must not come in.
+# For cross compilers: provides find_package() with the header-only libraries of
+# this machine by links, so that none of its other headers is found.
 set(CONTACT_HEADERS_OF_HOST /usr/include CACHE PATH "Where this machine has them")
 set(CONTACT_HEADERS ${CMAKE_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${CONTACT_HEADERS})

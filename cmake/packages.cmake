@@ -1,6 +1,6 @@
-# cpack -G DEB: Debian packages of what is installed, a package for each
-# component: programs with the examples, the shared C libraries, what developers
-# need, and the Python package.
+# cpack -G DEB: a Debian package for each installed component: programs with the
+# examples, the shared C libraries, the development files, and the Python
+# package.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_CONTACT "the authors of libcontact")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

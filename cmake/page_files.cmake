@@ -1,4 +1,4 @@
-# contact_read_files(VARIABLE FILES...): their texts one after the other, read
+# contact_read_files(VARIABLE FILES...): concatenates texts, and reads them
 # again when one of them changes.
 function(contact_read_files variable)
   foreach(name ${ARGN})

@@ -1,5 +1,5 @@
-# The python3 of the PATH may be one without NumPy; the first one that has it is
-# taken, unless Python_EXECUTABLE says which.
+# The first python3 on the PATH may lack NumPy; this takes the first one with
+# NumPy unless Python_EXECUTABLE is set.
 if(NOT Python_EXECUTABLE)
   foreach(candidate python3 /usr/bin/python3)
     execute_process(COMMAND ${candidate} -c "import numpy, tomllib, sys
@@ -13,7 +13,7 @@ print(sys.executable)" OUTPUT_VARIABLE found ERROR_QUIET
 endif()
 find_package(Python 3.11 REQUIRED COMPONENTS Interpreter Development.Module
   NumPy)
-# Of pip's pybind11, where this Python has it: newer than the system's.
+# Prefers pip's pybind11, which is newer than the system's.
 execute_process(COMMAND ${Python_EXECUTABLE} -P -m pybind11 --cmakedir
   OUTPUT_VARIABLE folder ERROR_QUIET OUTPUT_STRIP_TRAILING_WHITESPACE
   RESULT_VARIABLE failed)

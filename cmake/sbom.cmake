@@ -1,5 +1,5 @@
-# libcontact.spdx: what the packages are made of, SPDX 2.3 as tags and values, in
-# each package.
+# libcontact.spdx in each package: its components in SPDX 2.3, as tags and
+# values.
 string(TIMESTAMP now %Y-%m-%dT%H:%M:%SZ UTC)  # or SOURCE_DATE_EPOCH
 string(UUID sbom NAMESPACE 6ba7b811-9dad-11d1-80b4-00c04fd430c8 TYPE SHA1
   NAME "libcontact ${PROJECT_VERSION} ${now} ${CMAKE_SYSTEM_NAME}")
@@ -22,8 +22,9 @@ PackageLicenseDeclared: MIT
 PackageCopyrightText: NOASSERTION
 Relationship: SPDXRef-DOCUMENT DESCRIBES SPDXRef-libcontact
 ")
-# part(FOLDER NAME VERSION LICENSE RELATIONSHIP): of the find_package() in FOLDER,
-# where it is built, with the variable that has its version.
+# part(FOLDER NAME VERSION LICENSE RELATIONSHIP): a component found by
+# find_package() in FOLDER if FOLDER is built; VERSION is the variable with its
+# version.
 function(part folder name version license relationship)
   get_directory_property(version DIRECTORY ${folder} DEFINITION ${version})
   if(NOT version)

@@ -1,6 +1,6 @@
-# Toolchain: WebAssembly by Debian's emscripten 3.1.6, with its vectors and
-# exceptions; programs run in node. Of an emsdk, if its environment was set when
-# the build tree was made.
+# Toolchain: WebAssembly by Debian's emscripten 3.1.6, or by an emsdk if its
+# environment is set when the build tree is made, with vectors and exceptions;
+# programs run in node.
 set(emscripten /usr/share/emscripten)
 if(DEFINED ENV{EMSDK})
   set(emscripten $ENV{EMSDK}/upstream/emscripten)
@@ -10,5 +10,5 @@ list(APPEND CMAKE_TRY_COMPILE_PLATFORM_VARIABLES CONTACT_EMSCRIPTEN)
 include(${CONTACT_EMSCRIPTEN}/cmake/Modules/Platform/Emscripten.cmake)
 set(CMAKE_CXX_FLAGS_INIT "-msimd128 -fwasm-exceptions \
 -include ${CMAKE_CURRENT_LIST_DIR}/libcxx13.hpp")
-# Node and pages opened from a disk fetch no second file.
+# Node, and pages opened from disk, cannot fetch a second file.
 set(CMAKE_EXE_LINKER_FLAGS_INIT "-s SINGLE_FILE=1")

@@ -7,8 +7,8 @@
 /// and throw contact::Error. Const functions do neither, unless they return a
 /// container or text; what they cannot compute is NaN, or has a status. Any
 /// number of threads may call const functions of one object at a time, and
-/// those of different objects without a thought. Tables of the exact laws are
-/// made once, at their first use.
+/// non-const functions of different objects. Tables of the exact laws are built
+/// once, on first use.
 // clang-format off
 #include "libcontact/version.hpp"
 #include "libcontact/base/error.hpp"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# The checks beside the tests:
+# Checks in addition to the tests:
 #   scripts/check.sh CHECK...
 # with any of
 #   format    every source file is as clang-format 14 leaves it

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# Code lines of every room and its tests, without blanks and comments, to 50:
-# so that growth is seen in the diff of the commit that makes it.
-#   scripts/code_lines.sh >tests/rooms/code_lines.txt   writes them anew
+# Code lines of every module and its tests, without blanks and comments, rounded
+# to 50. Growth shows in the diff of the commit that causes it.
+#   scripts/code_lines.sh >tests/rooms/code_lines.txt   renews the list
 #   scripts/code_lines.sh --check                       compares
 set -euo pipefail
 unset CDPATH

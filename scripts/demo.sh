@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# Set-up, build, and the main job: friction-coefficient tables, half-angle
-# curves of real joints, a separation of stages, once and 1,705 times with
-# scatter, and the paper's figures, in demo-output/.
+# Installs packages, builds, and runs the demonstration into demo-output/:
+# tables of friction coefficients, half-angle curves of real joints, a stage
+# separation, once and 1,705 times with scatter, and the paper's figures.
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."
 scripts/setup.sh
 cmake --preset release
-# Of the nine programs those that run below.
+# Builds only the programs that run below.
 cmake --build --preset release --target hinge-table hinge-angle \
   hinge-pressure hinge-joint hinge-separation hinge-study
 

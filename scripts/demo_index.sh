@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
-# scripts/demo_index.sh FOLDER COMMANDS: FOLDER/index.html, a page of what the
-# commands have left in the folder, pictures first, each with its command. A line
-# of COMMANDS is "# title" or a command; what it has written are its words in
-# FOLDER.
+# scripts/demo_index.sh FOLDER COMMANDS writes FOLDER/index.html: a page with
+# the files that the commands wrote into the folder, pictures first, each with
+# its command. A line of COMMANDS is "# title" or a command; words that name
+# files in FOLDER are its outputs.
 set -euo pipefail
 out=$1 commands=$2
 
 escaped() { sed 's/&/\&amp;/g; s/</\&lt;/g; s/>/\&gt;/g; s/"/\&quot;/g'; }
 
-# The files of a command, one a line: words in the folder, what lies in folders
-# that it was given, and pictures that it has numbered.
+# Lists the files of a command, one per line: words in the folder, files in
+# folders it was given, and pictures it numbered.
 files() {
   local word
   for word in $1; do

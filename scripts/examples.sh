@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# The examples of the pages, commands after "$ " in a block with what they say
-# below them:
+# Runs the examples of the pages: commands after "$ " in a block, followed by
+# their output.
 #   scripts/examples.sh BUILD_DIR          runs all of them, rewrites the pages
-#   scripts/examples.sh BUILD_DIR --check  says what that would change, but for
-#       numbers that differ by 1e-9 or less, as on machines with other vectors
+#   scripts/examples.sh BUILD_DIR --check  prints what that would change, except
+#       numbers that differ by 1e-9 or less, as with other instruction sets
 # Commands of a block "console" run on a terminal, all others in a pipe.
 set -euo pipefail
 unset CDPATH

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Largest errors of the half-angle laws against the exact contact, as the
-# tables of libcontact/docs/explanation/half_angle.md:
+# Prints the tables of libcontact/docs/explanation/half_angle.md: the largest
+# errors of the half-angle laws against the exact contact.
 #   scripts/law_errors.sh BUILD_DIR
-# prints them. Loads from 1e-6 to 1e8 of the load parameter.
+# Load parameters range from 1e-6 to 1e8.
 set -euo pipefail
 if [ $# -ne 1 ]; then
   sed -n '2,5s/^# \{0,1\}//p' "$0" >&2

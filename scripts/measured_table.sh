@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# What others measured or computed beside ours: the tables of
-# libcontact/docs/explanation/measured.md:
+# Prints the tables of libcontact/docs/explanation/measured.md, which compare
+# published measurements and computations with libcontact:
 #   scripts/measured_table.sh BUILD_DIR [LEDGER]
-# prints them, and writes them to a CSV file (data/ledger.csv). Docs.MeasuredTable
-# checks that they are those of the page, Pages.LedgerIsThePages the CSV file.
+# It also writes them to a CSV file (data/ledger.csv). Docs.MeasuredTable
+# compares the tables with the page, Pages.LedgerIsThePages the CSV file.
 set -euo pipefail
 unset CDPATH
 if [ $# -lt 1 ] || [ $# -gt 2 ]; then

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Makes the npm package, build-wasm/libcontact-VERSION.tgz, by emscripten
-# (libcontact/docs/how-to/javascript.md). Some minutes at first.
+# Builds the npm package, build-wasm/libcontact-VERSION.tgz, by emscripten
+# (libcontact/docs/how-to/javascript.md). The first build takes some minutes.
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# Outputs of the programs, for changes that must not change them:
+# Writes outputs of the programs, to check that a change does not affect them:
 #   scripts/outputs.sh BUILD_DIR FOLDER
-# writes them; `diff -r` of two folders says what a change did. Both are made on
-# one machine, since the last digits are those of its instruction set. Examples
-# of pages and messages are compared by ctest.
+# Compare two folders by `diff -r`. Write both on one machine, because the last
+# digits depend on its instruction set. ctest compares the examples of pages and
+# the messages.
 set -euo pipefail
 unset CDPATH
 build=$(cd "$1" && pwd)

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Makes the page to calculate on, build-wasm/calculator.html: one file that opens
-# from a disk without a network (libcontact/docs/how-to/calculator.md). Some minutes at first.
+# Builds the calculator, build-wasm/calculator.html: one file that opens from
+# disk without a network (libcontact/docs/how-to/calculator.md). The first build
+# takes some minutes.
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."

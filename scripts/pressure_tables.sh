@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
-# What the pressure laws make of contacts, and of the paper's examples: tables
-# of libcontact/docs/explanation/pressure.md and reference/accuracy.md:
+# Prints the tables of libcontact/docs/explanation/pressure.md and
+# reference/accuracy.md, which compare the pressure laws on contacts and on the
+# paper's examples:
 #   scripts/pressure_tables.sh BUILD_DIR
-# prints them. Docs.PressureTables checks that they are those of the pages.
+# Docs.PressureTables compares them with the pages.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then
-  sed -n '2,5s/^# \{0,1\}//p' "$0" >&2
+  sed -n '2,6s/^# \{0,1\}//p' "$0" >&2
   exit 2
 fi
 bin=$(cd "$1" && pwd)/bin

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Published contacts beside ours: the tables of
-# libcontact/docs/explanation/against_the_world.md:
+# Prints the tables of libcontact/docs/explanation/against_the_world.md, which
+# compare published contacts with libcontact:
 #   scripts/published_tables.sh BUILD_DIR
-# prints them. Docs.PublishedTables checks that they are those of the page.
+# Docs.PublishedTables compares them with the page.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then

@@ -1,12 +1,12 @@
 #!/usr/bin/env bash
-# Installs what the project needs and the machine lacks (Debian, Ubuntu).
-# Says what it will install before it does; does nothing when all is there.
+# Installs missing packages (Debian, Ubuntu). Lists them first; does nothing if
+# none is missing.
 #   scripts/setup.sh [LIST...]
-# installs the packages of other lists than scripts/packages.txt, which has what
-# the build needs: packages-extra.txt (some tests; without them these are
-# skipped), packages-check.txt (scripts/check.sh), packages-hosts.txt (adapters
-# to simulators; without one it is left out), packages-page.txt (the hinge
-# calculator, the npm package), packages-site.txt (scripts/site.sh).
+# installs the packages of other lists than scripts/packages.txt, the list for
+# the build: packages-extra.txt (for some tests, which are skipped without
+# them), packages-check.txt (scripts/check.sh), packages-hosts.txt (adapters to
+# simulators, left out without them), packages-page.txt (the hinge calculator,
+# the npm package), packages-site.txt (scripts/site.sh).
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# The documentation as a site to be read from a disk or a server, without a
-# network: scripts/site.sh BUILD_DIR makes BUILD_DIR/site of all pages, with the
-# C++ and C reference in site/cpp. A warning is an error, and so is a formula
-# that KaTeX cannot parse. Needs a configured build and the packages of
+# scripts/site.sh BUILD_DIR builds the documentation as a site in
+# BUILD_DIR/site, with the C++ and C reference in site/cpp. The site works from
+# disk or a server, without a network. Warnings, and formulas that KaTeX cannot
+# parse, are errors. It needs a configured build and the packages of
 # scripts/packages-site.txt.
 set -euo pipefail
 unset CDPATH

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# Set-up, build, all tests; those whose package is missing are skipped, and it
-# says which (`scripts/setup.sh scripts/packages-extra.txt` installs them).
+# Installs packages, builds, and runs all tests. Tests whose package is missing
+# are skipped and listed (`scripts/setup.sh scripts/packages-extra.txt` installs
+# these packages).
 set -euo pipefail
 unset CDPATH
 cd "$(dirname "$0")/.."

@@ -3,9 +3,9 @@
 #   walled_joint FILE KIND RADIUS_mm CLEARANCE_um INNER OUTER [BACKING LAYER...]
 #
 # writes a joint file. INNER and OUTER are materials at the contact, "E_GPa nu"
-# (inf: rigid); without BACKING the outer body has no end, otherwise it is rigid,
-# held or a material; a LAYER is "thickness_mm" or "thickness_mm E_GPa nu". A pin
-# is 1 mm long. coating="thickness_mm E_GPa nu" puts one on the inner body.
+# (inf: rigid). BACKING is rigid, held or a material; without it the outer body
+# is unbounded. A LAYER is "thickness_mm" or "thickness_mm E_GPa nu". A pin is 1
+# mm long. coating="thickness_mm E_GPa nu" adds a coating to the inner body.
 material() { # "E_GPa nu" SEPARATOR
   printf "youngs_modulus_GPa = %s${2}poissons_ratio = %s\n" $1
 }

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Joints with the walls they have and with seats that have no end: the table of
-# libcontact/docs/how-to/walls_matter.md:
+# Prints the table of libcontact/docs/how-to/walls_matter.md, which compares
+# joints with their walls and with unbounded seats:
 #   scripts/walls_table.sh BUILD_DIR
-# prints it. Docs.WallsTable checks that it is that of the page.
+# Docs.WallsTable compares it with the page.
 set -euo pipefail
 unset CDPATH
 if [ $# -ne 1 ]; then

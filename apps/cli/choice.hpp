@@ -9,15 +9,15 @@
 
 namespace cli {
 
-/// One of the words that an option takes, and its value.
+/// A word that an option accepts, and its value.
 template <class T>
 struct Choice {
   std::string_view name;
   T value;
 };
 
-/// Value of `word`. Throws contact::Error with the words that are known:
-/// `unknown format "xml" (csv, json, markdown, latex)`, of --format.
+/// Value of `word`. Throws contact::Error with the accepted words: `unknown
+/// format "xml" (csv, json, markdown, latex)` for --format.
 template <class Choices>
 auto choice(std::string_view option, std::string_view word,
             const Choices& choices) {

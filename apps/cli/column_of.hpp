@@ -8,8 +8,8 @@
 
 namespace cli {
 
-/// The column of a number of the tables of quantities: "theta0_deg".
-/// @param of  which of several laws or bodies has it: "theta0_exact_deg"
+/// Column name of a quantity with its unit: "theta0_deg".
+/// @param of  the law or body, if there are several: "theta0_exact_deg"
 template <class T>
 std::string column_of(std::span<const contact::Quantity<T>> table,
                       std::string_view key, std::string_view of = "") {

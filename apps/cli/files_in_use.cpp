@@ -29,7 +29,7 @@ FilesInUse& files() {
   return all;
 }
 
-// The name of the same file among others; null if there is none.
+// Finds the same file among others; null if there is none.
 const std::string* find(const fs::path& file, const Names& others) {
   for (const auto& [path, name] : others) {
     std::error_code ignored;
@@ -60,7 +60,7 @@ void note_input(const fs::path& file) {
 
 fs::path destination(const fs::path& name) {
   std::error_code ignored;
-  // Relative names of files that are not there stay relative otherwise.
+  // Relative names of missing files would otherwise stay relative.
   const fs::path path =
       fs::weakly_canonical(fs::absolute(name, ignored), ignored);
   return path.empty() ? name : path;

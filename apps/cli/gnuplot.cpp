@@ -23,10 +23,9 @@
 namespace cli {
 namespace {
 
-// Kinds of pictures: gnuplot's terminal, what its size is multiplied by and
-// given in, its other options, and the end of a whole picture but for line
-// ends. Sizes and fonts keep text readable when the picture is shown at a third
-// of its width.
+// Kinds of pictures: gnuplot's terminal, factor and unit of its size, its other
+// options, and the last bytes of a complete picture except line ends. Sizes and
+// fonts keep text readable when the picture is shown at a third of its width.
 struct Kind {
   std::string_view suffix;
   std::string_view terminal;
@@ -43,7 +42,7 @@ struct Kind {
 constexpr std::array<Kind, 3> kinds = {{
     {".svg", "svg", 1, "",
      "font 'sans,19' rounded linewidth 1.2 background 'white'", "</svg>"},
-    // The chunk that ends a PNG: its name and check sum.
+    // The chunk that ends a PNG: name and checksum.
     {".png", "pngcairo", 1.5, "", "font 'sans,20' rounded linewidth 1.5",
      "IEND\xae\x42\x60\x82"},
     {".pdf", "pdfcairo", 1. / 120, "in", "font 'sans,14' rounded", "%%EOF"},
@@ -58,8 +57,8 @@ const Kind* kind_of(std::string_view file) {
   return nullptr;
 }
 
-// Whether a command that says nothing succeeds. std::system() would have SIGINT
-// ignored for that long.
+// Runs a command; true if it succeeds. std::system() would ignore SIGINT
+// meanwhile.
 bool shell(const std::string& command) {
   std::FILE* const pipe = ::popen(command.c_str(), "r");
   return pipe != nullptr && ::pclose(pipe) == 0;
@@ -77,11 +76,11 @@ std::string why_not(const Kind& kind) {
   return {};
 }
 
-// Around what gnuplot says.
+// Characters around gnuplot's messages.
 constexpr std::string_view gnuplot_blanks = " \t\r\n^";
 
-// A file in memory, which no full disk hinders; on a disk, without a name,
-// where the system has none.
+// A file in memory, which a full disk does not affect; where the system has
+// none, a file on disk without a name.
 int unnamed_file() {
 #ifdef __linux__
   return memfd_create("gnuplot", 0);
@@ -94,8 +93,8 @@ int unnamed_file() {
 #endif
 }
 
-// A file by which another program is given or gives a text: no name of the
-// user's is in the command that runs that program.
+// A file that passes text to or from another program, so that no name given by
+// the user is part of its command.
 class MemoryFile {
  public:
   MemoryFile() : descriptor_(unnamed_file()) {
@@ -121,7 +120,7 @@ class MemoryFile {
   int descriptor_;
 };
 
-// Throws contact::Error with gnuplot's last message, without the place in our
+// Throws contact::Error with gnuplot's last message, without its place in the
 // script, if gnuplot fails. Discards gnuplot's warnings.
 void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
   const std::string command =
@@ -143,7 +142,7 @@ void run_gnuplot(const MemoryFile& script, const MemoryFile& picture) {
   throw contact::Error("gnuplot: " + (last.empty() ? "failed" : last));
 }
 
-// Throws contact::Error why there is no picture.
+// Throws contact::Error with the reason if there is no picture.
 std::string drawn(std::string_view script, std::string_view file,
                   double stretch = 1) {
   const Kind& kind = *kind_of(file);

@@ -16,14 +16,15 @@ struct GoneOption {
 
 inline constexpr GoneOption gone_options[] = {
     {"hinge-joint", "--in-seat",
-     "a joint with a [seat] is in it; --without-seat for the endless one"},
+     "the [seat] of a joint file confines its contact by default; "
+     "--without-seat extends the contact beyond the rims"},
     {"hinge-duty", "--in-seat",
-     "a joint with a [seat] is in it, and its rows are in --states FILE; "
-     "--without-seat for the endless one"},
-    {"hinge-duty", "--pin-states", "--states FILE has how a pin lies"},
+     "the [seat] of a joint file confines its contact by default, and --states "
+     "FILE has its rows; --without-seat extends the contact beyond the rims"},
+    {"hinge-duty", "--pin-states", "--states FILE lists the position of a pin"},
 };
 
-/// "--in-seat is gone: ..."; "" of words that are none of them.
+/// "--in-seat is gone: ..."; "" if no word is a removed option.
 inline std::string gone_option(std::string_view program,
                                std::string_view word) {
   const std::string_view flag = word.substr(0, word.find('='));

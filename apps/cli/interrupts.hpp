@@ -8,10 +8,10 @@
 
 namespace cli {
 
-/// While it lives SIGINT and SIGTERM do not end the program but are
-/// remembered, so that it can finish what it has begun; a second one does what
-/// the first one would have done. Signals that are ignored stay so. One at a
-/// time; made after the first Output, which has handlers of its own.
+/// Defers SIGINT and SIGTERM while it lives, so that the program can finish its
+/// current work; a second signal has the usual effect. Ignored signals stay
+/// ignored. Only one object may exist at a time; make it after the first
+/// Output, which installs handlers of its own.
 class Interrupts {
  public:
   Interrupts();
@@ -19,9 +19,9 @@ class Interrupts {
   Interrupts(const Interrupts&) = delete;
   Interrupts& operator=(const Interrupts&) = delete;
 
-  /// SIGINT or SIGTERM if it has come, else 0.
+  /// The deferred SIGINT or SIGTERM, else 0.
   int signal() const;
-  /// `status`, or the status of a signal if one has come.
+  /// `status`, or the exit status of a deferred signal.
   ExitStatus status(ExitStatus status) const;
 
  private:

@@ -22,7 +22,7 @@ std::string Allowed::text() const {
 
 std::optional<double> take_number(std::string_view& text) {
   text.remove_prefix(std::min(text.find_first_not_of(blanks), text.size()));
-  // from_chars knows no plus sign; "+-1" stays wrong.
+  // from_chars accepts no plus sign; "+-1" stays wrong.
   if (text.size() > 1 && text[0] == '+' && text[1] != '-') {
     text.remove_prefix(1);
   }
@@ -53,7 +53,7 @@ std::string number_text(double value) {
 std::string rounded_text(double value, int digits) {
   if (std::isnan(value)) return "-";
   std::array<char, 64> buffer;
-  // printf's '#' keeps trailing zeros, and a point that ends the number.
+  // The flag '#' of printf keeps trailing zeros, but also a final point.
   const int length =
       std::snprintf(buffer.data(), buffer.size(), "%#.*g", digits, value);
   std::string text(buffer.data(), static_cast<std::size_t>(length));

@@ -11,33 +11,34 @@
 
 namespace cli {
 
-/// Takes the text of an option, or refuses it.
+/// Takes the text of an option, or rejects it.
 using Reader = std::function<void(const std::string&)>;
-/// Several texts, the option given once for each.
+/// Several texts; the option may be repeated.
 using Texts = std::vector<std::string>;
-/// The same of one option: with commas between them.
+/// Several texts in one option, separated by commas.
 struct List {
   Texts* texts;
-  char separator = ',';  ///< 0: arguments of their own
+  char separator = ',';  ///< 0: separate arguments
 };
 
 /// An option: a row of a table.
 struct Option {
-  /// "--radius"; without -- an argument, which has to be there.
+  /// "--radius"; without dashes a required argument.
   const char* flag;
-  /// Target of the option's text; true for a flag, which has none.
+  /// Receives the option's text; a bool is set to true by a flag without text.
   std::variant<std::string*, bool*, Texts*, List, Reader> target;
   const char* kind;  ///< kind of text, for --help: "LENGTH"; "" for none
   const char* meaning;
-  /// Options, at least one of them required too, in words: "--shaft", "--radius
-  /// or --diameter"; several such conditions have a ; between them.
+  /// Other options, at least one of which is also required, in words: "--shaft,
+  /// --radius or --diameter". Several such conditions are separated by
+  /// semicolons.
   std::string_view needs = {};
-  /// Options with which it conflicts, in words.
+  /// Conflicting options, in words.
   std::string_view excludes = {};
   bool required = false;
 };
 
-/// A number of a kind and an interval, in degrees or SI units.
+/// A number of one kind within an interval, in degrees or SI units.
 template <class Target>
 Reader number(const char* flag, Target& target, contact::Dimension dimension,
               const Allowed& allowed) {
@@ -54,7 +55,7 @@ Reader count(const char* flag, Target& target, int min, int max) {
   };
 }
 
-/// One of some words.
+/// One of a set of words.
 template <class Target, class Choices>
 Reader word(const char* flag, Target& target, const Choices& choices) {
   return [flag, &target, choices](const std::string& text) {

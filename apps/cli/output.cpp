@@ -22,8 +22,8 @@
 namespace cli {
 namespace {
 
-// Files to remove when a signal ends the program: more than any of them has
-// under way at once.
+// Files to remove when a signal ends the program; more than a program ever
+// writes at once.
 struct Unfinished {
   std::array<char, 4096> name;
   std::atomic<bool> used;
@@ -44,8 +44,8 @@ void remember(const std::string& name) {
     struct sigaction action = {};
     action.sa_handler = remove_unfinished;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_NODEFER);
-    // All that end a program from outside; schedulers send the last ones before
-    // its time is over.
+    // All signals by which others end a program; schedulers send the last ones
+    // before the time limit.
     for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE, SIGXFSZ,
                              SIGALRM, SIGXCPU, SIGUSR1, SIGUSR2}) {
       struct sigaction before = {};
@@ -74,7 +74,7 @@ mode_t new_file_mode() {
   return 0666 & ~mask;
 }
 
-// If not, errno says why.
+// errno gives the reason if not.
 bool can_write(int descriptor) {
   const int flags = fcntl(descriptor, F_GETFL);
   if (flags < 0) return false;
@@ -82,8 +82,8 @@ bool can_write(int descriptor) {
   return (flags & O_ACCMODE) != O_RDONLY;
 }
 
-// The descriptor of this process that a name stands for; -1 of other names. A
-// file behind it must not be replaced: others write there too.
+// The descriptor of this process that a name refers to; -1 for other names. A
+// file behind it must not be replaced, because others write to it too.
 int descriptor_of(std::string_view name) {
   if (name == "/dev/stdout") return STDOUT_FILENO;
   if (name == "/dev/stderr") return STDERR_FILENO;
@@ -134,19 +134,19 @@ Output::Output(const std::string& path) {
   if (descriptor_ < 0) fail("cannot create");
   temporary_ = name;
   remember(name);
-  // The mode of the file that is replaced, or a new file's.
+  // Keeps the mode of a replaced file, else the mode of a new file.
   fchmod(descriptor_, std::filesystem::exists(status)
                           ? static_cast<mode_t>(status.permissions())
                           : new_file_mode());
 }
 
-// A file gets its name by a renaming, for which the folder alone has to be
-// writable: as tools do that write in place, it refuses what these could not.
+// Renaming requires write permission only for the folder. Tools that write in
+// place would fail for a write-protected file, so this rejects it too.
 void Output::check_place(const std::filesystem::file_status& status) const {
   std::error_code ignored;
   if (std::filesystem::is_symlink(
           std::filesystem::symlink_status(path_, ignored))) {
-    errno = ENOENT;  // at the end of the link
+    errno = ENOENT;  // target of the link does not exist
     fail("cannot write");
   }
   constexpr auto any_write = std::filesystem::perms::owner_write |
@@ -165,7 +165,7 @@ Output::~Output() { discard(); }
 
 void Output::check(const std::string& path) {
   std::error_code ignored;
-  // Do not open pipes here: their reader would see the end.
+  // Do not open a pipe here: its reader would see the end.
   if (std::filesystem::is_fifo(path, ignored)) return;
   const Output possible(path);
 }
@@ -194,8 +194,8 @@ void Output::write_all(std::string_view text) {
 }
 
 void Output::commit() {
-  // Before it has its name, or after a power cut the file would be there
-  // without its text. File systems that do not know this say EINVAL.
+  // Sync before renaming; otherwise after a power failure the file could exist
+  // without its text. File systems that do not support it return EINVAL.
   if (!temporary_.empty() && fsync(descriptor_) != 0 && errno != EINVAL) {
     fail("cannot write");
   }

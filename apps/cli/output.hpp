@@ -6,24 +6,23 @@
 
 namespace cli {
 
-/// Destination of a program's result: standard output, or a file that appears
-/// under its name when it is complete and not at all otherwise. Until `commit`
-/// the text is in a file with a temporary name in the same folder, which is
-/// removed on errors, interrupts and termination. It is on the disk before it
-/// gets its name, so that a power cut leaves it whole or not there.
+/// Destination of a program's result: standard output, or a file. Until
+/// `commit` the text goes to a temporary file in the same folder, which is
+/// removed on errors, interrupts and termination. The file is synced before it
+/// is renamed, so after a power failure it is either complete or absent.
 ///
-/// On a terminal text is shown by terminal_text().
+/// Text for a terminal passes through terminal_text().
 ///
-/// Something that is there and is not a regular file (/dev/null, a pipe) is
-/// written directly.
+/// An existing file that is not regular (/dev/null, a pipe) is written
+/// directly.
 class Output {
  public:
   /// @param path  file name; empty or "-" for standard output
-  /// Throws contact::Error if the file cannot be made, is write-protected or a
-  /// link to none, or has been read.
+  /// Throws contact::Error if the file cannot be made, is write-protected, is a
+  /// dangling link, or has been read.
   explicit Output(const std::string& path);
-  /// Checks without a trace that the file could be made, for a program to ask
-  /// before its work. Throws contact::Error if not.
+  /// Checks that the file could be made, and leaves no trace. Programs call it
+  /// before they start to work. Throws contact::Error if not.
   static void check(const std::string& path);
   ~Output();
   Output(const Output&) = delete;
@@ -31,15 +30,15 @@ class Output {
 
   /// Throws contact::Error if the text could not be written.
   void write(std::string_view text);
-  /// The same of text whose parts of others are printable and that has escape
-  /// sequences of its own.
+  /// Writes printable text that contains escape sequences of the program
+  /// itself.
   void write_coloured(std::string_view text) { write_all(text); }
-  /// Gives the complete file its name. Throws contact::Error if it cannot, or
-  /// if what has that name has been read since.
+  /// Gives the complete file its name. Throws contact::Error if that fails, or
+  /// if a file with this name has been read meanwhile.
   void commit();
 
  private:
-  /// Whether the descriptor is to be closed.
+  /// True if the destructor closes the descriptor.
   bool is_own() const { return descriptor_ >= 0 && !path_.empty(); }
   void write_all(std::string_view text);
   void check_place(const std::filesystem::file_status& status) const;

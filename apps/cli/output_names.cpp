@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The place of a file, "" if it may have several writers.
+// Canonical path of a file; "" if it may have several writers.
 std::string place_of(const std::string& name) {
   std::error_code ignored;
   if (name == "-") {

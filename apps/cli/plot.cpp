@@ -16,7 +16,7 @@
 namespace cli {
 namespace {
 
-// In plots/style.gp.
+// As in plots/style.gp.
 constexpr std::size_t plain_colours = 7;
 // Longest label of a legend, in bytes.
 constexpr std::size_t longest_label = 60;
@@ -31,7 +31,7 @@ struct Stacked {
   std::string curves = {};        // arguments of `plot` for them
   std::vector<double> ends = {};  // values at the ends of labelled curves
 
-  // Heights of the ends, em from the top; none if all are equal, such as of
+  // Heights of the ends, em from the top; none if all are equal, such as
   // pressures, which end at 0.
   std::vector<double> heights_of_ends(const Box& box,
                                       const Ticks& ticks) const {
@@ -46,8 +46,8 @@ struct Stacked {
   }
 };
 
-// Whether two curves lie on one another wherever they look alike: over more
-// than half of their common range.
+// True if two curves are indistinguishable over more than half of their common
+// range.
 bool coincide(const Curve& a, const Curve& b, const Extent& y,
               bool logarithmic) {
   constexpr double near = 0.006;  // share of the axis, about a line's width
@@ -67,8 +67,8 @@ bool coincide(const Curve& a, const Curve& b, const Extent& y,
   return 2 * close > both;
 }
 
-// gnuplot's style of each curve. Those that lie on an earlier one are dashes
-// over it, which begin at once and leave it and each other a part.
+// gnuplot's style of each curve. A curve that lies on an earlier one is dashed;
+// the dashes begin at its start and leave gaps for all curves below it.
 std::vector<std::string> styles_of(const std::vector<Curve>& curves,
                                    bool family, const Extent& y,
                                    bool logarithmic) {
@@ -107,7 +107,7 @@ std::vector<std::string> styles_of(const std::vector<Curve>& curves,
   return styles;
 }
 
-// The data of the curves, added to the script, and their arguments of `plot`.
+// Adds the data of the curves to the script; returns their arguments of `plot`.
 std::string add_curves(std::string& script, const std::string& name,
                        const std::vector<Curve>& curves,
                        const std::vector<std::string>& styles, const Prefix& x,
@@ -136,7 +136,7 @@ Extent all_of(const std::vector<Curve>& curves,
   return all;
 }
 
-// The last value, NaN without any.
+// The last value that is a number, else NaN.
 double end_of(const Curve& curve) {
   const auto last = std::find_if(curve.y.rbegin(), curve.y.rend(),
                                  [](double y) { return std::isfinite(y); });
@@ -149,7 +149,7 @@ Extent scaled(const Extent& extent, const Prefix& prefix) {
 
 constexpr double gap = 0.9;  // between plots, em
 
-// Plots one above the other, x below the lowest.
+// Stacks plots; only the lowest one has labels on x.
 // @param data  blocks that the plots read
 std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
                          const Extent& x_extent, const std::string& x_label,
@@ -173,7 +173,7 @@ std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
     left = std::max(left, ticks.back().width() + beside_axis +
                               Canvas::upward_width(own + gap, labels[i]));
   }
-  // The last number of x may reach half of itself beyond its axis.
+  // Half of the last number of x may stand beyond the axis.
   const double right = room.right - 1.2;
   const Ticks across =
       ticks_of(x, x_extent, Run::across, right - room.left - left, false);
@@ -207,8 +207,8 @@ std::string stack_script(const Canvas& canvas, std::string data, const Axis& x,
   return script + "unset multiplot\n";
 }
 
-// Places of the values that a picture of some 1,000 dots across can show: all,
-// or of each stretch the lowest and the highest.
+// Indices of the values that a picture about 1,000 dots wide can show: all of
+// them, or the lowest and highest of each stretch.
 std::vector<std::size_t> shown(const std::vector<double>& y) {
   constexpr std::size_t stretches = 1000;
   const std::size_t length = std::max<std::size_t>(1, y.size() / stretches);

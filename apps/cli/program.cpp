@@ -40,7 +40,7 @@ constexpr std::array<Choice<Colour>, 3> colours = {{{"auto", Colour::automatic},
                                                     {"always", Colour::always},
                                                     {"never", Colour::never}}};
 
-// --quiet, which notes of all rooms ask for.
+// --quiet; notes of all modules check it.
 bool quiet = false;
 
 constexpr std::array<Choice<Format>, 5> formats = {
@@ -58,13 +58,13 @@ char parse_separator(const std::string& text) {
   return text[0];
 }
 
-// On one line, and nothing in it speaks to the terminal.
+// Prints on one line, without control characters.
 void complain(std::string_view program, std::string_view message) {
   say(fmt::format("{}: {}\n", program,
                   contact::detail::printable(message, message.npos)));
 }
 
-// The options that words name.
+// The options named in a sentence.
 std::vector<std::string_view> flags_in(std::string_view words) {
   std::vector<std::string_view> flags;
   for (const std::string_view word : split(words, " ,")) {
@@ -73,12 +73,12 @@ std::vector<std::string_view> flags_in(std::string_view words) {
   return flags;
 }
 
-// Synonyms of options, accepted if the program has no option of the name.
+// Synonyms of options, accepted if the program has no option with that name.
 constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
     {"--load", "--reaction"}, {"--reaction", "--load"}};
 
-// Names from other programs, which may mean another option here: suggestions
-// only.
+// Names from other programs, which may mean something else here: used only for
+// suggestions.
 constexpr std::pair<std::string_view, std::string_view> other_names[] = {
     {"--mu", "--friction"},        {"--f0", "--friction"},
     {"--force", "--reaction"},     {"--force", "--load"},
@@ -87,7 +87,7 @@ constexpr std::pair<std::string_view, std::string_view> other_names[] = {
     {"--thickness", "--wall"},     {"--speed", "--rate"},
     {"--designation", "--bearing"}};
 
-// The option that a word stands for.
+// The option that a word probably means.
 std::string meant_option(const CLI::App& app, const std::string& word) {
   const std::string flag = word.substr(0, word.find('='));
   if (!flag.starts_with("--") || app.get_option_no_throw(flag) != nullptr) {
@@ -101,7 +101,7 @@ std::string meant_option(const CLI::App& app, const std::string& word) {
   return word;
 }
 
-// ": did you mean "--load"?" of the first option that there is not.
+// ": did you mean "--load"?" for the first unknown option.
 std::string nearest_option(const CLI::App& app) {
   std::vector<std::string> names;
   for (const CLI::Option* option : app.get_options()) {
@@ -127,7 +127,7 @@ std::string nearest_option(const CLI::App& app) {
   return {};
 }
 
-// Messages on words that are no options, or no longer.
+// Message about words that are unknown or removed options.
 std::string stranger_message(const CLI::App& app, const std::string& program) {
   for (const std::string& word : app.remaining()) {
     const std::string gone = gone_option(program, word);
@@ -138,10 +138,10 @@ std::string stranger_message(const CLI::App& app, const std::string& program) {
                      program);
 }
 
-// The words of the command line from the last one, as CLI11 parses them, with
-// --joint before a joint's file, or the name of a shipped one, that is no
-// option's value. The first one may be an option without its dashes: what is
-// to be done.
+// The words of the command line, last first, as CLI11 parses them. Inserts
+// --joint before the file of a joint, or the name of a shipped one, that is not
+// the value of an option. The first word may be an option without dashes, the
+// task.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   const auto option = [&app](const std::string& word) {
     return app.get_option_no_throw(word);
@@ -166,8 +166,8 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   return words;
 }
 
-// An empty text, as scripts pass it for a variable that is not set, must not
-// count as an option that was left out.
+// Scripts pass an empty text for an unset variable; it must not count as a
+// missing option.
 void refuse_empty(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
@@ -177,14 +177,14 @@ void refuse_empty(const CLI::App& app) {
   }
 }
 
-// Lists that can only be one number.
+// Rejects lists that can only be one number.
 void refuse_cut_numbers(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!has_cut_number(text)) continue;
       refuse(option->get_name(), text,
-             "a list of numbers without zeros in front: thousands are written "
-             "without commas, decimals with a point");
+             "a list of numbers without leading zeros: write thousands without "
+             "commas, decimals with a point");
     }
   }
 }
@@ -194,15 +194,14 @@ void note_thousands(const CLI::App& app) {
   for (const CLI::Option* option : app.get_options()) {
     for (const std::string& text : option->results()) {
       if (!looks_like_thousands(text)) continue;
-      note(app.get_name(),
-           given(option->get_name(), text) +
-               " is a list of numbers: thousands are written without commas, "
-               "decimals with a point");
+      note(app.get_name(), given(option->get_name(), text) +
+                               " is read as a list of numbers: write thousands "
+                               "without commas, decimals with a point");
     }
   }
 }
 
-// Names of files and all other text are shown in messages, on one line.
+// Messages show names of files and all other text on one line.
 void refuse_control_characters(int argc, char** argv) {
   for (int i = 1; i < argc; ++i) {
     const std::string_view text = argv[i];
@@ -212,7 +211,7 @@ void refuse_control_characters(int argc, char** argv) {
   }
 }
 
-// To standard output, or as an error that it cannot be written.
+// Prints to standard output; reports an error if it cannot be written.
 ExitStatus say_text(std::string_view text) {
   Output output("");
   output.write(text);
@@ -228,7 +227,7 @@ ExitStatus say_requested(const CLI::App& app, const CLI::Success& request) {
 constexpr std::array<Choice<const char*>, 3> shells = {
     {{"bash", "bash"}, {"zsh", "zsh"}, {"fish", "fish"}}};
 
-// Checks table options among themselves; sets the separator beside commas.
+// Checks table options against each other, and sets the separator.
 void settle_table_options(bool separator, TableStyle& style) {
   if (style.format != Format::csv && (separator || style.decimal_comma)) {
     refuse_without(separator ? "--separator" : "--decimal-comma",
@@ -274,7 +273,7 @@ void Program::add(const std::string& group,
     if (const auto* text = std::get_if<std::string*>(&o.target)) {
       return app_->add_option(o.flag, **text, o.meaning);
     }
-    // An empty text is refused with all others.
+    // Empty texts are rejected for all options at once.
     const auto read = [reader = std::get<Reader>(o.target)](const auto& text) {
       if (!text.empty()) reader(text);
     };
@@ -307,22 +306,22 @@ void Program::add_output(OutputOptions& options) {
        {"--format", word("--format", options.format, formats), "NAME",
         "csv (default), json, markdown, latex, or report, the default on a "
         "terminal"},
-       {"--all", &options.report.all, "", "everything in the report"},
+       {"--all", &options.report.all, "", "print all columns in the report"},
        {"--quiet", &quiet, "", "leave notes out"},
        {"--color", word("--color", options.colour, colours), "WHEN",
         "colours of the report: auto (default), always, never"},
        {"--columns", List{&options.columns}, "NAMES",
-        "columns of the table, only these and in this order"},
+        "print only these columns, in this order"},
        {"--separator", separator, "CHAR",
-        "separator of CSV: ; | tab or a comma (default); of what is read "
-        "it is found"},
+        "separator of CSV: comma (default), ; | or tab; in input it is "
+        "detected"},
        {"--decimal-comma", &options.decimal_comma, "",
-        "0,5 for 0.5 in CSV, and ; for the separator; 1,250 that is read "
-        "is 1.25"}});
+        "decimal comma in CSV (0,5) and ; as the separator; in input 1,250 is "
+        "then 1.25"}});
   app_->get_option("--columns")->allow_extra_args(false);
 }
 
-// On a terminal a report, unless a form is asked for.
+// Prints a report on a terminal unless a format is given.
 void Program::settle_report() {
   OutputOptions& o = *output_;
   const bool on_terminal =
@@ -445,7 +444,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     check_rows();
     if (output_ != nullptr) {
       settle_report();
-      // Before anything is read, computed or said.
+      // Before the program reads, computes or prints anything.
       settle_table_options(has("--separator"), *output_);
       OutputNames names;
       names.add("--output", output_->output.empty() ? "-" : output_->output);
@@ -456,7 +455,7 @@ int Program::run(int argc, char** argv, std::string_view help,
     const ExitStatus status = body();
     note_thousands(*app_);
     return status;
-  } catch (const CLI::ExtrasError&) {  // its text has them backwards
+  } catch (const CLI::ExtrasError&) {  // its text lists them backwards
     complain(name(), stranger_message(*app_, name()));
   } catch (const CLI::ArgumentMismatch& error) {  // "--load: 1 required ..."
     const std::string_view text = error.what();

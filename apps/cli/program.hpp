@@ -17,11 +17,10 @@ class App;
 
 namespace cli {
 
-/// Exit statuses of every program. Wrong options, unreadable or wrong files
-/// and results that cannot be written end a program with `failed`: one
-/// message, and no output file. A run that SIGINT or SIGTERM has stopped, and
-/// whose results so far are there, ends as the shell says it of a program that
-/// the signal ends.
+/// Exit statuses of every program. A program ends with `failed`, one message
+/// and no output file if options are wrong, files are unreadable or wrong, or
+/// results cannot be written. A run stopped by SIGINT or SIGTERM keeps its
+/// results so far; its status is the one that shells report for the signal.
 enum ExitStatus {
   all_good = 0,
   some_bad = 1,
@@ -30,7 +29,7 @@ enum ExitStatus {
   terminated = 143
 };
 
-/// When colours are shown: on a terminal without NO_COLOR, or as asked for.
+/// When to use colours: automatic is on a terminal without NO_COLOR.
 enum class Colour { automatic, always, never };
 
 /// Options that every program has.
@@ -41,44 +40,44 @@ struct OutputOptions : TableStyle {
   int jobs = 1;
 };
 
-/// Names of --output and --plot, which can be made, for a program to add its
-/// own to.
+/// Names of --output and --plot, after a check that the files can be made; a
+/// program adds its other files.
 /// @throws contact::Error as OutputNames::keep() does
 OutputNames names_of(const OutputOptions& options);
 
 /// The command line of a program: options in groups.
 class Program {
  public:
-  /// @param does  what it does, for --help
+  /// @param does  its purpose, for --help
   Program(const std::string& does, const std::string& name);
   ~Program();
   Program(const Program&) = delete;
   Program& operator=(const Program&) = delete;
 
-  /// Adds rows of options.
-  /// @param group  their heading in --help
+  /// Adds rows of options under a heading.
+  /// @param group  the heading in --help
   void add(const std::string& group, const std::vector<Option>& options);
-  /// Adds --output, --plot, --format and the other options of tables. That the
-  /// files can be made is found out with the command line; then come what else
-  /// is refused, warnings, and the work.
+  /// Adds --output, --plot, --format and the other options of tables. While it
+  /// reads the command line the program checks that the files can be made;
+  /// other errors, warnings and the work follow.
   void add_output(OutputOptions& options);
   /// Adds --jobs.
   void add_jobs(OutputOptions& options);
-  /// --schema: prints the schema of the program's file, and no more.
+  /// Adds --schema, which prints the schema of the program's file and ends.
   void add_schema(std::function<std::string()> text);
-  /// Gives an option another meaning in --help.
+  /// Replaces the meaning of an option in --help.
   void describe(const char* flag, const char* meaning);
-  /// Adds a check that precedes the checks of needs and excludes.
+  /// Adds a check that runs before the checks of needs and excludes.
   void add_check(std::function<void()> check);
 
-  /// Whether an option is on the command line.
+  /// True if an option is on the command line.
   bool has(std::string_view flag) const;
   const std::string& name() const;
 
   /// Sets up --help and --version, reads the command line and runs `body`,
-  /// which returns an ExitStatus; turns exceptions into the one message
-  /// "NAME: ..." on standard error and `failed`.
-  /// @param help  what --help says below the options
+  /// which returns an ExitStatus. An exception becomes the only message, "NAME:
+  /// ...", on standard error and the status `failed`.
+  /// @param help  text of --help below the options
   int run(int argc, char** argv, std::string_view help,
           const std::function<ExitStatus()>& body);
 
@@ -97,13 +96,13 @@ class Program {
 };
 
 /// Status of a program that has drawn a picture: `status`, or some_bad with a
-/// warning if there is a problem.
+/// warning if drawing failed.
 ExitStatus drawn(std::string_view program, const std::string& problem,
                  ExitStatus status);
 
-/// A message that is no error: "PROGRAM: warning: ..." on standard error.
+/// Prints "PROGRAM: warning: ..." on standard error.
 void warn(std::string_view program, std::string_view message);
-/// A message that is neither: "PROGRAM: note: ...", if not --quiet.
+/// Prints "PROGRAM: note: ..." on standard error, except with --quiet.
 void note(std::string_view program, std::string_view message);
 
 }  // namespace cli

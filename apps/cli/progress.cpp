@@ -20,7 +20,8 @@ void Progress::have_said() {
 }
 
 void Progress::say(const std::string& text) {
-  // On a terminal over the last one, which may have been longer.
+  // On a terminal it overwrites the previous message, which may have been
+  // longer.
   std::fprintf(stderr, terminal_ ? "\r\033[K%s " : "%s\n", text.c_str());
   have_said();
 }

@@ -6,29 +6,30 @@
 
 namespace cli {
 
-/// Says on standard error how far a long run is: on a terminal after a second
-/// and from then on in one line. Elsewhere runs that count nothing say a line
-/// every ten seconds; those that count rows are silent.
+/// Reports the progress of a long run on standard error. On a terminal it
+/// updates one line, beginning after a second. Elsewhere a run that counts
+/// nothing prints a line every ten seconds; a run that counts rows prints
+/// nothing.
 class Progress {
   using Clock = std::chrono::steady_clock;
 
  public:
   /// @param what   "rows"
-  /// @param total  number of them, 0 if not known
+  /// @param total  number of rows, 0 if not known
   explicit Progress(std::string what = {}, std::size_t total = 0);
   ~Progress();
   Progress(const Progress&) = delete;
   Progress& operator=(const Progress&) = delete;
 
-  /// `count` more are done.
+  /// Counts `count` more as done.
   void add(std::size_t count);
-  /// Whether it is time to say something.
+  /// True if a message is due.
   bool is_due() const { return Clock::now() >= next_; }
   bool is_terminal() const { return terminal_; }
-  /// For runs that count nothing: `text` is a whole line where there is no
-  /// terminal.
+  /// For runs that count nothing. Where there is no terminal `text` is printed
+  /// as a whole line.
   void say(const std::string& text);
-  /// Removes the message, so that a line of text can be printed.
+  /// Erases the message, so that a line of text can be printed.
   void clear();
 
  private:

@@ -33,7 +33,7 @@ std::string spelling(std::string_view unit) {
   return text;
 }
 
-// Null if the text is no unit of the dimension.
+// Null if the text is not a unit of this dimension.
 const Unit* find_unit(std::string_view text, Dimension dimension) {
   const auto all = contact::units_of(dimension);
   const auto unit = std::ranges::find(
@@ -116,8 +116,8 @@ std::optional<Dimension> unit_dimension(
   return std::nullopt;
 }
 
-// Two groups may as well be a list that ascends from one number below 100 to
-// one below 1000, which a note does not harm; so may "0,5kN", but hardly.
+// Two groups may also be an ascending list of a number below 100 and one below
+// 1000, for which a note does no harm; "0,5kN" may be a list too, but hardly.
 bool looks_like_thousands(std::string_view text) {
   const auto groups = split(text, ",");
   const auto is_digits = [](std::string_view group) {

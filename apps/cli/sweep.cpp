@@ -13,11 +13,11 @@
 namespace cli {
 namespace {
 
-// More values than anyone tabulates; a mistyped step is caught instead.
+// More values than a table can use: this detects a mistyped step.
 constexpr double most_values = 1e9;
 
-// Whether value is a decimal with as many digits as 10^-k, 1/scale = 10^-k:
-// the division of two exact integers is rounded as the decimal text was.
+// True if value is a decimal with at most the digits of 10^-k, 1/scale = 10^-k.
+// The quotient of two exact integers is rounded like the decimal text.
 bool is_decimal(double value, double scale) {
   const double integer = std::nearbyint(value * scale);
   return std::abs(integer) <= 0x1p52 && integer / scale == value;

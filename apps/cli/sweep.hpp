@@ -10,9 +10,9 @@
 
 namespace cli {
 
-/// The values of an option that takes a value, a comma list, start:stop:step
-/// or start:stop:logN (items of a list may be ranges). Values are computed
-/// when asked for, so a long sweep takes no memory.
+/// The values of an option that takes a value, a comma-separated list,
+/// start:stop:step or start:stop:logN (also as items of a list). Values are
+/// computed on demand, so a long sweep takes no memory.
 ///
 /// start:stop:step includes the stop when it lies on a step. Decimal inputs
 /// are stepped as exact decimals, so 0:1:0.1 holds 0.3 and not
@@ -31,15 +31,15 @@ class Sweep {
   std::size_t size() const { return pieces_.back().end; }
   /// Value number `index`, from 0 to size() - 1.
   double operator[](std::size_t index) const;
-  /// Whether all of it is one start:stop:logN range: a logarithmic axis.
+  /// True for a single start:stop:logN range: use a logarithmic axis.
   bool is_logarithmic() const {
     return pieces_.size() == 1 && pieces_[0].kind == Kind::logarithmic;
   }
 
  private:
   enum class Kind { linear, logarithmic };
-  /// x_i = (start + i step)/scale or 10^x_i, i = 0, 1, ... count - 1; both
-  /// ends as given.
+  /// x_i = (start + i step)/scale or 10^x_i, i = 0, 1, ... count - 1; both ends
+  /// exactly as given.
   struct Piece {
     Kind kind = Kind::linear;
     double start = 0;
@@ -60,12 +60,12 @@ class Sweep {
 };
 
 /// The values of a sweep of whole numbers from 1 to `most`.
-/// @throws contact::Error for others
+/// @throws contact::Error for other values
 std::vector<int> whole_numbers(std::string_view option, std::string_view text,
                                int most);
 
-/// At most `most` values of a sweep, evenly spread, the ends included: what a
-/// picture can show.
+/// At most `most` values of a sweep, evenly spread and including both ends, for
+/// pictures.
 std::vector<double> spread(const Sweep& sweep, std::size_t most);
 
 }  // namespace cli

@@ -22,7 +22,7 @@ namespace {
 
 constexpr int printed_digits = 4;
 
-// A JSON string, quotes and all; bytes that are not UTF-8 are replaced.
+// A quoted JSON string; bytes that are not UTF-8 are replaced.
 std::string json_text(std::string_view value) {
   return nlohmann::json(value).dump(-1, ' ', false,
                                     nlohmann::json::error_handler_t::replace);
@@ -47,8 +47,8 @@ std::string padded(const std::string& cell, const std::string& name) {
   return fmt::format("{:>{}}", cell, width);
 }
 
-// The column that may be meant: nearest, or the shortest that goes on from
-// there with its unit, M_t_N_m for M_t.
+// The column that is probably meant: the most similar name, or the shortest one
+// that continues it with a unit, such as M_t_N_m for M_t.
 std::string near_column(const std::string& name,
                         const std::vector<std::string>& names) {
   std::string near = contact::detail::nearest(name, names);
@@ -62,7 +62,7 @@ std::string near_column(const std::string& name,
   return near;
 }
 
-// Places of the names asked for, in their order; all if none is.
+// Indices of the names asked for, in that order; all if none is given.
 std::vector<std::size_t> shown(const std::vector<std::string>& asked,
                                const std::vector<std::string>& names) {
   std::vector<std::size_t> places(asked.empty() ? names.size() : 0);
@@ -97,7 +97,7 @@ std::string shown_name(const std::string& name, const TableStyle& style) {
   return latex_text(name);
 }
 
-// Width of a row of markdown, as far as the names tell.
+// Width of a row of Markdown, estimated from the names.
 std::size_t width_of(const std::vector<std::string>& names) {
   std::size_t width = 1;
   for (const std::string& name : names) width += padded("", name).size() + 3;
@@ -320,7 +320,7 @@ void TableWriter::finish() {
 std::vector<std::string> distinct_names(std::vector<std::string> names,
                                         const std::vector<std::string>& taken) {
   std::unordered_set<std::string> all(taken.begin(), taken.end());
-  // How often a name has been changed, so that no number is tried twice.
+  // Number of changes for each name, so that no suffix is tried twice.
   std::unordered_map<std::string, std::size_t> changes;
   for (std::string& name : names) {
     const std::string given = name;

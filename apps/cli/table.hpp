@@ -20,45 +20,45 @@ enum class Format { csv, json, markdown, latex, report };
 /// How a table is written.
 struct TableStyle {
   Format format = Format::csv;
-  /// Only these, in this order; all if it is empty.
+  /// Only these columns, in this order; all if empty.
   std::vector<std::string> columns = {};
   char separator = ',';        ///< between cells of CSV
   bool decimal_comma = false;  ///< in CSV
   TerminalReport::Style report = {};
 
-  /// The same with a title above its report.
+  /// This style with a title above the report.
   TableStyle titled(std::string title) const {
     TableStyle style = *this;
     style.report.title = std::move(title);
     return style;
   }
 
-  /// Style of files beside a table, which are CSV with all their columns.
+  /// Style of the files written beside a table: CSV with all columns.
   TableStyle beside() const {
     return {.separator = separator, .decimal_comma = decimal_comma};
   }
 };
 
-/// A table's columns in one style. Rows are built in any Text by any thread
-/// (RowWriter) and leave through a TableWriter, so a table of any length
-/// takes the memory of a few blocks of rows.
+/// The columns of a table in one style. Any thread builds rows in any Text
+/// (RowWriter); a TableWriter writes them, so a table of any length takes the
+/// memory of a few blocks of rows.
 ///
-/// csv, json: shortest numbers that read back as the same doubles. NaN, no
-/// value, is an empty cell in CSV and null in JSON; infinity is inf or -inf in
+/// csv, json: the shortest numbers that read back as the same doubles. NaN (no
+/// value) is an empty cell in CSV and null in JSON; infinity is inf or -inf in
 /// CSV and the text "inf" or "-inf" in JSON. JSON is an array of objects, one
 /// on each line.
-/// markdown, latex: for print, numbers with 4 significant digits; what is too
-/// wide for a page is turned (TurnedTable).
-/// report: what people read on a terminal (TerminalReport).
+/// markdown, latex: for print, with 4 significant digits; tables too wide for a
+/// page are transposed (TurnedTable).
+/// report: for people at a terminal (TerminalReport).
 class Table {
  public:
-  /// Throws contact::Error if the style asks for columns that are not there.
+  /// Throws contact::Error if the style asks for unknown columns.
   Table(TableStyle style, std::vector<std::string> column_names);
 
   const TableStyle& style() const { return style_; }
-  /// Names of the columns that are shown, as they are printed.
+  /// Printed names of the columns that are shown.
   std::vector<std::string> shown_names() const;
-  /// Whether a row is printed as a column.
+  /// True if rows are printed as columns.
   bool is_turned() const {
     return collected_ && style_.format != Format::report;
   }
@@ -74,11 +74,12 @@ class Table {
   std::vector<std::size_t> shown_;   ///< which of them, in order
   std::vector<std::string> before_;  ///< text before each shown cell
   std::string end_of_row_;
-  /// Whether rows are collected before they are printed: turned, or reported.
+  /// True if rows are collected before they are printed: transposed or
+  /// reported.
   bool collected_ = false;
 };
 
-/// Writes the cells of a row from left to right, those that are not shown too.
+/// Writes the cells of a row from left to right, including hidden columns.
 class RowWriter {
  public:
   RowWriter(const Table& table, Text& text)
@@ -90,10 +91,10 @@ class RowWriter {
   /// No value: empty, null or a dash.
   void empty();
   void text(std::string_view value);
-  /// A field as it stood in a file of this form, handed on byte for byte to CSV
-  /// of the same.
+  /// A raw field of a file with this form, copied byte for byte to CSV of the
+  /// same form.
   void field(std::string_view raw, CsvForm form = {});
-  /// All cells of the row must have been written.
+  /// Ends the row; all of its cells must have been written.
   void end();
 
  private:
@@ -103,7 +104,7 @@ class RowWriter {
 
   const Table& table_;
   Text& text_;
-  const bool picks_;  ///< cells are put in order at the end of the row
+  const bool picks_;  ///< reorders cells at the end of the row
   Text cells_ = {};
   std::vector<std::size_t> starts_ = {};  ///< begin of each cell in cells_
   std::size_t column_ = 0;
@@ -113,7 +114,7 @@ class RowWriter {
 class TableWriter {
  public:
   TableWriter(Output& output, const Table& table);
-  /// Whole rows that RowWriters of the same table have built.
+  /// Writes whole rows built by RowWriters of the same table.
   void write(std::string_view rows);
   void finish();
 
@@ -125,9 +126,9 @@ class TableWriter {
   bool first_ = true;
 };
 
-/// `names`, changed where needed so that none is in `taken` or occurs twice
-/// ("_in" is added, then "_in2", "_in3"): the names of columns that are handed
-/// on. The time is linear in the number of names.
+/// Changes `names` so that none occurs twice or is in `taken` (it appends
+/// "_in", then "_in2", "_in3"): names of columns that are passed through. Time
+/// is linear in the number of names.
 std::vector<std::string> distinct_names(std::vector<std::string> names,
                                         const std::vector<std::string>& taken);
 

@@ -5,15 +5,15 @@
 #include <string_view>
 #include <vector>
 
-/// Plumbing shared by the programs: options, numbers, tables, files, plots.
+/// Parts shared by the programs: options, numbers, tables, files, plots.
 namespace cli {
 
-/// Growing text that is written by pointer: what a block of rows is built in.
-/// Its memory is kept from block to block, so rows allocate nothing.
+/// Growing text written through a pointer; holds a block of rows. It keeps its
+/// memory from block to block, so rows allocate nothing.
 class Text {
  public:
-  /// Room for `count` more characters; returns where they go. Call `end_at`
-  /// with the end of the written characters.
+  /// Makes room for `count` more characters and returns their place. Call
+  /// `end_at` with the end of the written characters.
   char* reserve(std::size_t count) {
     if (buffer_.size() - size_ < count) grow(count);
     return buffer_.data() + size_;
@@ -21,7 +21,7 @@ class Text {
   void end_at(const char* end) { size_ = end - buffer_.data(); }
 
   void append(std::string_view text) {
-    // An empty view may have no place at all, which memcpy may not be given.
+    // An empty view may have a null pointer, which memcpy does not accept.
     if (text.empty()) return;
     std::memcpy(reserve(text.size()), text.data(), text.size());
     size_ += text.size();
@@ -33,7 +33,7 @@ class Text {
   void clear() { size_ = 0; }
 
  private:
-  // Out of line, so that all else is in line in the writing of each cell.
+  // Out of line, so that the rest is inlined where cells are written.
   [[gnu::noinline]] void grow(std::size_t count) {
     buffer_.resize(2 * (size_ + count));
   }

@@ -7,28 +7,28 @@
 
 namespace contact_hosts {
 
-/// Friction about the axis of a hinge, for hosts with fixed steps that take a
-/// torque about it and add it explicitly: w' = w + (step/inertia) (other
-/// torques + torque).
+/// Friction about the axis of a hinge, for hosts with fixed steps that add a
+/// torque about the axis explicitly: w' = w + (step/inertia) (other torques +
+/// torque).
 ///
-/// The rate that the hinge would have without friction is not asked for: it is
-/// taken to gain what it gained in the step before. A hinge that holds comes to
-/// rest within two steps, with a rate of the change of the other torques in a
-/// step; an inertia that is too small by any factor, or too large by less than
-/// a third, only takes more steps (hosts/held_hinge_test.cpp).
+/// The host need not know the rate without friction: the hinge is assumed to
+/// gain as much rate as in the previous step. A hinge that holds comes to rest
+/// within two steps, up to the rate that a change of the other torques causes
+/// in one step. An inertia that is too small by any factor, or too large by
+/// less than a third, only takes more steps (hosts/held_hinge_test.cpp).
 class HeldHinge {
  public:
   /// @throws std::runtime_error if the file is not a pin with dry friction
   explicit HeldHinge(const std::string& file)
       : joint_(read_dry_joint(file, "HeldHinge", CONTACT_PIN)) {}
 
-  /// @param reaction  R on the body, N, in any frame: that of the step before
-  /// @param axis      unit, in the same frame
-  /// @param rate      of the body relative to the carrier about it, rad/s
-  /// @param inertia   about the axis, as the step has it, kg m^2
+  /// @param reaction  R on the body in the previous step, N, in any frame
+  /// @param axis      unit vector in the same frame
+  /// @param rate      of the body relative to the carrier about the axis, rad/s
+  /// @param inertia   about the axis, as the host's step uses it, kg m^2
   /// @param step      s
   /// @return torque on the body about the axis during the step, N m; the
-  ///         opposite one acts on the carrier
+  ///         opposite torque acts on the carrier
   double torque(const Eigen::Vector3d& reaction, const Eigen::Vector3d& axis,
                 double rate, double inertia, double step) {
     const double gained = rate - last_rate_ - last_torque_ * step / inertia;
@@ -39,7 +39,7 @@ class HeldHinge {
     return last_torque_;
   }
 
-  /// The same where the host knows the rate without friction at the step's end.
+  /// As above, for hosts that know the rate without friction at the step's end.
   double torque(const Eigen::Vector3d& reaction, const Eigen::Vector3d& axis,
                 double rate, double free, double inertia, double step) {
     contact_step_start start;
@@ -52,7 +52,7 @@ class HeldHinge {
     return Eigen::Vector3d::Map(last_.moment).dot(axis);
   }
 
-  /// Friction, contact and whether it holds, of the last step.
+  /// The last step: friction, contact, and whether the hinge held.
   const contact_step& last() const { return last_; }
 
  private:

@@ -11,17 +11,17 @@
 
 #include "libcontact/c/contact.h"
 
-/// Helpers shared by the adapters to simulators. They stand on the C interface,
-/// and are C++17 as the headers of some simulators are.
+/// Helpers shared by the adapters to simulators. They use the C interface and
+/// C++17, because headers of some simulators require C++17.
 namespace contact_hosts {
 
-/// @throws std::runtime_error with the message of a call that failed
+/// @throws std::runtime_error with the message of a failed call
 inline void must(contact_status status) {
   if (status == CONTACT_OK) return;
   throw std::runtime_error(contact_last_message());
 }
 
-/// The sentences of a call of C that fills a text.
+/// Returns the sentences that a C function writes into a buffer.
 /// @param fill  contact_status(char* text, std::size_t size)
 template <class Fill>
 std::string text_of(const Fill& fill) {
@@ -30,9 +30,9 @@ std::string text_of(const Fill& fill) {
   return text.c_str();
 }
 
-/// Keys of a file and texts of their values.
+/// Keys of a file, and their values as text.
 using Settings = std::vector<std::pair<std::string, std::string>>;
-/// The same for C, which points into them.
+/// Views of the settings for C.
 inline std::vector<contact_setting> c_settings(const Settings& keys) {
   std::vector<contact_setting> given;
   for (const auto& [key, value] : keys) {
@@ -41,13 +41,13 @@ inline std::vector<contact_setting> c_settings(const Settings& keys) {
   return given;
 }
 
-/// A joint of libcontact from its file
+/// A joint of libcontact read from a file
 /// (libcontact/docs/reference/joint_file.md).
 using JointHandle = std::unique_ptr<contact_joint, void (*)(contact_joint*)>;
 
 /// @param where  the host's joint, for messages
 /// @param kind   of the host's joint
-/// @throws std::runtime_error if the file is not good, or of another kind
+/// @throws std::runtime_error if the file is wrong or describes another kind
 inline JointHandle read_joint(const std::string& file, const std::string& where,
                               contact_kind kind) {
   contact_joint* read = nullptr;
@@ -63,8 +63,8 @@ inline JointHandle read_joint(const std::string& file, const std::string& where,
   return joint;
 }
 
-/// The half of the joint that has the [seat], if there is one: vectors are in
-/// the axes of that half.
+/// The half of the joint that has the [seat], if any; its axes are the frame of
+/// all vectors.
 enum class Seat { none, on_body, on_carrier };
 inline Seat seat_of(const contact_joint* joint) {
   contact_joint_size size;
@@ -73,9 +73,9 @@ inline Seat seat_of(const contact_joint* joint) {
   return size.body_has_inner ? Seat::on_carrier : Seat::on_body;
 }
 
-/// Whether the joint holds any moment at rest, as no viscous joint does.
+/// True if the joint can hold a moment at rest; viscous joints cannot.
 inline bool can_rest(const contact_joint* joint) {
-  // The seat, which might not carry this force, does not matter.
+  // Leave the seat out: it might not carry this force.
   contact_joint* made = nullptr;
   must(contact_joint_without_seat(joint, &made));
   const JointHandle endless(made, contact_joint_free);
@@ -85,9 +85,9 @@ inline bool can_rest(const contact_joint* joint) {
   return !std::isinf(rest.utilisation);
 }
 
-/// A joint of dry friction from its file, for hosts whose solver holds up to a
-/// largest moment.
-/// @throws std::runtime_error for a joint that holds nothing, too
+/// A joint with dry friction from its file, for hosts whose solver holds up to
+/// a largest moment.
+/// @throws std::runtime_error also for a joint that cannot hold a moment
 inline JointHandle read_dry_joint(const std::string& file,
                                   const std::string& where, contact_kind kind) {
   JointHandle joint = read_joint(file, where, kind);
@@ -97,7 +97,7 @@ inline JointHandle read_dry_joint(const std::string& file,
   return joint;
 }
 
-/// Friction moments of a joint, each found from the one before.
+/// Friction moments of a joint; each solution starts from the previous one.
 class FrictionMoment {
  public:
   explicit FrictionMoment(JointHandle joint)
@@ -108,14 +108,15 @@ class FrictionMoment {
   }
   const contact_joint* joint() const { return joint_.get(); }
   Seat seat() const { return seat_; }
-  /// @param from_seat  3 x 3 numbers, row by row: from the axes of the half
-  ///     that has the seat to those of the slip; null: they are the same
+  /// @param from_seat  3 x 3 numbers, row by row: rotates from the axes of the
+  ///                   half with the seat to the axes of the slip; null if they
+  ///                   coincide
   void find(const contact_slip& slip, const double* from_seat,
             double* moment) const {
     contact_placement placement{};
     placement.size = sizeof placement;
     if (from_seat) std::copy_n(from_seat, 9, placement.from_seat);
-    // A pin with a placement would end.
+    // A placement would turn the pin into a finite-length pin.
     const bool is_seated = from_seat && seat_ != Seat::none;
     const auto* const turned = is_seated ? &placement : nullptr;
     const char* const key = "friction_moment";

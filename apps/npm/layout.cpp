@@ -1,5 +1,5 @@
-// What the package's scripts know of the structs of the C interface, held
-// against the compiler's; nothing of this is in the module.
+// Compares the layout of C structs in the package's scripts with the
+// compiler's; adds nothing to the module.
 #include <cstddef>
 
 #include "libcontact/base/simd.hpp"

@@ -17,7 +17,7 @@ using contact::KnownKey;
 using contact::KnownKeys;
 using contact::detail::message;
 
-// Where a name stands in two tables of an answer, the first one has it.
+// A name in two tables of an answer belongs to the first one.
 using Names = std::set<std::string_view>;
 
 template <class Row>

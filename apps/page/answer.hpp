@@ -6,25 +6,27 @@
 
 namespace page {
 
-/// Presets of friction and units to choose from, as JSON:
+/// Presets of friction, and units to choose from, as JSON:
 ///
 ///     {"presets": [{"name", "least", "largest"}], "units": {"length": [..]}}
 std::string choices();
 
-/// Calculator of the page: answers a joint file and a state with all that the
-/// page shows, as JSON. The laws of the last joint are kept, so that another
-/// load costs solutions alone, and another friction or clearance no new law.
+/// Calculator of the page: returns all results that the page shows for a joint
+/// file and a state, as JSON. It keeps the laws of the last joint, so that
+/// another load needs only new solutions, and another friction or clearance no
+/// new law.
 ///
-/// Numbers equal the columns of hinge-joint and hinge-pressure, in their units;
-/// columns, notes and errors have the library's words.
+/// Numbers have the names and units of columns of hinge-joint and
+/// hinge-pressure; meanings, notes and errors have the texts of the library.
 class Calculator {
  public:
-  /// @param data  the folder with materials/, to which the paths of joint files
-  ///   are relative as if they lay in its joints/
+  /// @param data  folder with materials/; relative paths in joint files are
+  ///              resolved as if the files lay in its joints/
   explicit Calculator(std::filesystem::path data);
   ~Calculator();
 
-  /// An answer, or {"error": MESSAGE}, whose message names the key at fault:
+  /// The results, or {"error": MESSAGE} with a message that names the wrong
+  /// key:
   ///
   ///     {"words": {"law", ...}, "joint": {"name", "kind", "radius_m", ...},
   ///      "numbers": [{"name", "symbol", "unit", "meaning", "value"}],
@@ -32,14 +34,14 @@ class Calculator {
   ///      "pressure": {"theta_deg": [..], "p_Pa": [..]},
   ///      "same": {"file", "command", "python", "cpp"}}
   ///
-  /// A number that does not exist is null, an infinite one "inf".
+  /// A missing number is null, an infinite one "inf".
   /// @param joint  text of a joint file
-  /// @param state  TOML too: reaction, rate and, of a ball, beta_deg
+  /// @param state  TOML: reaction, rate and, for a ball, beta_deg
   std::string answer(const std::string& joint, const std::string& state);
 
   /// Columns over four decades of load around the load of the state, {"R_N":
   /// [..], "theta0_deg": [..], ...}, or an error; empty without load. They are
-  /// kept while the decades are the same.
+  /// kept while the decades stay the same.
   std::string curves(const std::string& joint, const std::string& state);
 
  private:

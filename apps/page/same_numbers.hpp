@@ -6,7 +6,7 @@
 
 namespace page {
 
-/// Other ways to the numbers of the page, each with the joint file beside it as
+/// Other ways to compute the numbers of the page, each with the joint file in
 /// joint.toml.
 struct SameNumbers {
   std::string command;
@@ -14,8 +14,8 @@ struct SameNumbers {
   std::string cpp;
 };
 
-/// @param input the given numbers
-/// @param is_pin  a pin has no angle between reaction and rate
+/// @param input   the given numbers
+/// @param is_pin  pins have no angle between reaction and rate
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin);
 
 }  // namespace page

@@ -15,7 +15,7 @@
 #include "libcontact/quantities/quantity.hpp"
 #include "python/rows/rows.hpp"
 
-/// Results of many rows, whose quantities are attributes.
+/// Results of many rows; their quantities are attributes.
 namespace contact_python {
 
 using contact::Quantity;
@@ -31,7 +31,7 @@ struct Getters<Row, std::variant<Value (*)(const Part&)...>> {
 
 }  // namespace detail
 
-/// A Quantity of a Row, or of something that a Row has.
+/// A Quantity of a Row, or of a part of a Row.
 template <class Row>
 struct Field {
   std::string_view key;
@@ -66,7 +66,7 @@ void add(Table<Row>& to, std::span<const Quantity<Part>> quantities,
   }
 }
 
-/// The quantities of a Row itself, kept; to call with Python's lock.
+/// The quantities of a Row itself, made once; call with Python's lock.
 template <class Row>
 const Table<Row>& table_of(std::span<const Quantity<Row>> quantities) {
   static auto& all = *new std::map<const Quantity<Row>*, Table<Row>>();
@@ -78,7 +78,7 @@ const Table<Row>& table_of(std::span<const Quantity<Row>> quantities) {
   return table;
 }
 
-/// Return type of a quantity's getter, as NumPy has it.
+/// NumPy's type for the return type of a quantity's getter.
 template <class Value>
 using Number =
     std::conditional_t<std::is_same_v<Value, const Eigen::Vector3d&>, double,
@@ -103,7 +103,7 @@ struct Answers {
   mutable py::object arrays = {};  ///< a dict by the names of the fields
 };
 
-/// The rows of `row(numbers)`.
+/// Computes the rows `row(numbers)`.
 /// @param at_once  see Rows::for_each()
 template <class Row, class Function>
 Answers<Row> answers(std::initializer_list<Argument> arguments,
@@ -116,21 +116,21 @@ Answers<Row> answers(std::initializer_list<Argument> arguments,
   return result;
 }
 
-/// The arguments `fields`, one name or several, and `out` of WantedRows.
+/// The argument `fields` (one name or several), and `out` of WantedRows.
 using Fields =
     std::optional<std::variant<std::string, std::vector<std::string>>>;
 using Out = std::optional<py::dict>;
 
 namespace detail {
 
-/// An array of a pickle that is none, or of another type or shape.
-/// @param rows  their shape, if it is known
+/// Rejects an array of a pickle that is no array or has another type or shape.
+/// @param rows  their shape, if known
 [[noreturn]] void refuse_pickled(const char* name, const py::dtype& type,
                                  const std::optional<Shape>& rows,
                                  bool is_vector);
-/// Arrays of a pickle beside those that there are.
+/// Rejects unknown arrays of a pickle.
 [[noreturn]] void refuse_pickled_names(const py::dict& arrays);
-/// The quantities that are asked for, each once.
+/// The requested quantities without repetition.
 std::vector<std::string> chosen_names(const Fields& names, const Out& out);
 [[noreturn]] void refuse_field(const std::string& name,
                                std::vector<std::string> known);
@@ -191,8 +191,8 @@ py::dict arrays_of(const Answers<Row>& a, const Table<Row>& fields) {
   return arrays;
 }
 
-// A copy of an array of a pickle, as column() makes them. Arrays of another
-// shape would be read beyond their ends.
+// Copies an array of a pickle into the layout of column(). An array of another
+// shape would be read beyond its end.
 template <class Row>
 py::array array_in(const py::dict& arrays, const Field<Row>& field,
                    const std::optional<Shape>& rows) {
@@ -220,7 +220,7 @@ py::array array_in(const py::dict& arrays, const Field<Row>& field,
 
 template <class Row>
 Answers<Row> from_arrays(const py::dict& arrays, const Table<Row>& fields) {
-  std::optional<Shape> shape;  // shape of the rows, by a plain number
+  std::optional<Shape> shape;  // shape of the rows, from a scalar quantity
   py::dict own;
   for (const Field<Row>& field : fields) {
     const py::array array = array_in(arrays, field, shape);
@@ -276,11 +276,12 @@ py::list quantities_of(std::span<const Quantity<Row>> quantities) {
 
 }  // namespace detail
 
-/// Some quantities of rows, in arrays that may be the caller's.
+/// Some quantities of rows, in new arrays or arrays of the caller.
 template <class Row>
 class ChosenColumns {
  public:
-  /// @throws contact::Error for other names and for arrays that do not fit
+  /// @throws contact::Error for unknown names and arrays of another shape or
+  ///   type
   ChosenColumns(const Table<Row>& fields, const Fields& names, const Out& out,
                 const Shape& shape) {
     if (out) arrays_ = *out;
@@ -305,7 +306,7 @@ class ChosenColumns {
     if (q.is_vector()) shape.push_back(3);
     const py::str key(q.key.data(), q.key.size());
     if (!is_given) arrays_[key] = py::array_t<Number>(shape);
-    // Held too: `out` is the caller's, whose threads may take it from there.
+    // Keep a reference: other threads of the caller may remove it from `out`.
     const py::object array = kept_.emplace_back(arrays_[key]);
     Number* const to = static_cast<Number*>(
         detail::memory_of("out[\"" + std::string(q.key) + "\"]", array,
@@ -331,8 +332,8 @@ struct WantedRows {
   int threads = 1;
 };
 
-/// Answers of all rows, or a dict of some of their quantities, which alone are
-/// kept.
+/// Answers of all rows, or a dict of the requested quantities; the rows are
+/// then not kept.
 /// @param begin, at_once  see Rows::for_each(); its functions return a Row
 template <class Row, class Begin>
 py::object answered(const Rows& rows, const Table<Row>& fields,
@@ -368,8 +369,8 @@ py::object answered(const Rows& rows, std::span<const Quantity<Row>> quantities,
   return answered(rows, table_of(quantities), wanted, begin, at_once);
 }
 
-/// The Python class of such results; libcontact/_results.py has more of it.
-/// @param fields  the first is a number
+/// The Python class of such results; libcontact/_results.py extends it.
+/// @param fields  the first one is a number
 template <class Row>
 py::class_<Answers<Row>> bind_answers(py::module_& m, const char* name,
                                       const Table<Row>& fields,

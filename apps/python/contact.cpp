@@ -14,8 +14,8 @@ namespace {
 
 using contact::JointContact;
 
-// The array of value(contact, half-angle, at), where at[1] is a normal force,
-// with warnings of the largest contact.
+// The array of value(contact, half-angle, at), where at[1] is a normal force;
+// warns of the largest contact.
 template <class Value>
 py::object of_contacts(const JointSet& self,
                        std::initializer_list<Argument> arguments,
@@ -256,13 +256,12 @@ void bind_notes(py::class_<FileJoint, JointSet>& type) {
            R"(notes(self, normal_force=None, *, solution=None)
 --
 
-Where the joint leaves the range of the theory, and what its materials bear, a
-sentence each: what the programs warn of.
+Warnings of the programs, a sentence each: where the joint exceeds the range of
+the theory or the strength of its materials.
 
-normal_force: the loads that it has, R_n, N, (...).
-solution: a Solution of this joint instead, which has not been pickled: limits
-    that its contacts pass, what the model leaves out beside rims, and why there
-    is no contact.)");
+normal_force: loads of the joint, R_n, N, (...).
+solution: instead of loads, a Solution of this joint that was not unpickled:
+    adds what the model neglects at rims, and why there is no contact.)");
 }
 
 void bind_laws(py::class_<FileJoint, JointSet>& type) {

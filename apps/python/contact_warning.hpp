@@ -8,15 +8,15 @@
 
 namespace contact_python {
 
-/// Gives Python a ContactWarning for each limit that the contact has passed.
-/// @return whether there is one
+/// Emits a Python ContactWarning for each limit that the contact exceeds.
+/// @return true if there is one
 /// @param level  number of Python frames up to the line to report; the first
-/// frame is libcontact/_calls.py
-/// @throws pybind11::error_already_set where Python makes warnings errors
+///               frame is libcontact/_calls.py
+/// @throws pybind11::error_already_set if Python turns warnings into errors
 bool warn_of(const contact::ContactLimits& limits,
              const contact::LargestContact& largest, int level = 2);
 
-/// Gives Python a ContactWarning.
+/// Emits a Python ContactWarning.
 void warn_of(const std::string& note, int level = 2);
 
 /// The level of Joint.cycle() and identify(): the frames of _calls.py, _Made,

@@ -58,7 +58,7 @@ class Cycle {
   const contact::JointGeometry& geometry() const {
     return on_.contact().geometry();
   }
-  /// The contact that wears in.
+  /// The contact for wear.
   /// @throws contact::Error if it reaches rims
   contact::JointContact endless() const {
     if (on_.joint().is_endless()) return on_.contact();
@@ -77,7 +77,7 @@ class Cycle {
   JointCycle on_;
 };
 
-// How a pin lies: one tilt or place, or one for each row that was given.
+// Positions of a pin: one tilt or place, or one for each given row.
 contact::Lies lies_of(const DutyCycle& cycle, std::size_t rows,
                       const std::optional<Numbers>& tilt,
                       const std::optional<Numbers>& place) {
@@ -108,7 +108,7 @@ contact::Lies lies_of(const DutyCycle& cycle, std::size_t rows,
                                             place->data() + place->size())));
 }
 
-// As a RuntimeWarning at the line that is `level` functions of Python above.
+// Emits a RuntimeWarning at the line `level` Python frames above.
 void warn(const std::string& note, int level) {
   if (note.empty()) return;
   if (PyErr_WarnEx(PyExc_RuntimeWarning, note.c_str(), level) != 0) {
@@ -166,7 +166,7 @@ Answers<Row> of_rows(const Cycle& cycle, const Function& row) {
   return all;
 }
 
-// A quantity by its attribute's name; of a vector its length.
+// A quantity by its attribute's name; for a vector its length.
 JointCycle::Quantity quantity(const Cycle& cycle, const std::string& name) {
   if (name == "half_angle") {
     return [&cycle](const Instant& i) { return cycle.on().half_angle(i); };
@@ -245,7 +245,7 @@ py::dict wear(const Cycle& cycle, const std::string& body, int points) {
                   "deepest_cross_shear"_a = deepest.wear.cross_shear);
 }
 
-/// Wear of a seat or hole, from call to call and file to file.
+/// Wear of a seat or hole, kept between calls and files.
 class WornSeat {
  public:
   WornSeat() = default;
@@ -253,7 +253,7 @@ class WornSeat {
       : seat_(std::move(seat)), geometry_(geometry) {}
 
   const contact::WornSeat& seat() const { return seat_; }
-  // @throws contact::Error if nothing is worn
+  // @throws contact::Error if there is no wear
   std::string toml() const {
     if (geometry_) return contact::worn_seat_text(seat_, *geometry_);
     throw contact::Error(
@@ -265,7 +265,7 @@ class WornSeat {
   std::optional<contact::JointGeometry> geometry_;
 };
 
-// @param seat  worn further, if it is there
+// @param seat  existing wear to continue from, if not null
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
                                         double cycles, double inner,
                                         WornSeat* seat) {
@@ -289,8 +289,8 @@ void bind_worn_seat(py::module_& m) {
   py::class_<WornSeat> type(m, "WornSeat", R"(WornSeat()
 --
 
-What is worn off a seat or hole, in the axes of its body: Cycle.wear_in() goes on
-from it (libcontact's docs/explanation/wear.md).)");
+Wear of a seat or hole, in the axes of its body; Cycle.wear_in() continues from it
+(libcontact's docs/explanation/wear.md).)");
   type.def(py::init<>())
       .def_static(
           "from_file",
@@ -302,12 +302,12 @@ from it (libcontact's docs/explanation/wear.md).)");
           R"(from_file(path, joint)
 --
 
-Of hinge-duty --worn-out, or to_toml(), of a joint of this kind, radius and
-clearance.)")
+Reads a file of hinge-duty --worn-out or to_toml(), for a joint of this kind,
+radius and clearance.)")
       .def("to_toml", &WornSeat::toml, R"(to_toml(self)
 --
 
-The text of such a file, with all digits.)")
+The text of such a file with all digits.)")
       .def_property_readonly(
           "depths",
           [](const WornSeat& s) {
@@ -381,11 +381,12 @@ void bind_duty(py::module_& m) {
            R"(largest(self, quantity)
 --
 
-The largest value in the cycle and its time, s; to 1e-8. At rims it is that of
-the rows, and NaN where a row has none: half-angles and heat fluxes. Of a pin
-that ends the half-angle is the largest along it.
+The largest value in the cycle and its time, s; accurate to 1e-8. If the cycle
+reaches a rim, it is the largest of the rows, and NaN if it is undefined in a row:
+half-angles and heat fluxes. The half-angle of a finite-length pin is the largest
+along it.
 
-quantity: an attribute of Solution or Rating; of a vector its length.)");
+quantity: an attribute of Solution or Rating; for a vector its length.)");
   bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
@@ -394,21 +395,20 @@ quantity: an attribute of Solution or Rating; of a vector its length.)");
            R"(wear_in(self, coefficient, cycles, *, inner=0, seat=None)
 --
 
-The joint in the course of many cycles, whose wear of the seat or hole widens
-the contact (libcontact's docs/how-to/duty.md): a WearIn of blocks, (n,). The first is
-without wear, the last after all cycles; between them the worn volume grows by
-at most 10 % of what the bodies overlap.
+The joint over many cycles in which wear of the seat or hole widens the contact
+(libcontact's docs/how-to/duty.md): a WearIn of blocks, (n,). The first block is
+without wear, the last after all cycles; in a block the worn volume grows by at
+most 10 % of the overlap of the bodies.
 
-Where contact_spread is above 0.1 of the half-angle, or a pin has no clearance,
-the depth is one more gap at points of the seat, and the contact is solved by
-elasticity alone: a RuntimeWarning if the joint has other laws.
+If contact_spread is above 0.1 of the half-angle, or a pin has no clearance, the
+depth of wear adds to the gap at points of the seat, and the contact is solved by
+elasticity alone, with a RuntimeWarning if the joint has other laws.
 
 coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
-cycles: how many.
-inner: k of the ball or pin; counts for a pin without clearance or with
-    interference only (docs/explanation/wear.md).
-seat: a WornSeat, which is worn further: with it the depth is at points whatever
-    the load does.)");
+cycles: number of cycles.
+inner: k of the ball or pin; only for a pin without clearance or with
+    interference (docs/explanation/wear.md).
+seat: a WornSeat to continue from; the seat then wears at points for any load.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

@@ -15,15 +15,15 @@
 
 namespace contact_python {
 
-/// Keys and their values, as Python has them.
+/// Keys and their values as strings from Python.
 using Settings = std::vector<std::pair<std::string, std::string>>;
 contact::KeySettings key_settings(const Settings& settings);
 
 /// A joint from the text of a joint file.
 class FileJoint : public JointSet {
  public:
-  /// @param left_out  ends that the joint is without
-  /// @param table  Joint::table() of this joint
+  /// @param left_out  ends to leave out of the joint
+  /// @param table     Joint::table() of this joint
   /// @throws contact::Error as read_joint() and Joint::tabulated()
   FileJoint(const std::string& text, const std::string& source,
             const std::filesystem::path& folder,
@@ -33,14 +33,14 @@ class FileJoint : public JointSet {
   const contact::JointSpec& spec() const { return spec_; }
   const contact::JointContact& contact() const { return (*this)[0].contact(); }
   const contact::ContactLimits& limits() const { return JointSet::limits(0); }
-  /// @throws contact::Error if it has no friction, or none in its seat
+  /// @throws contact::Error if it has no friction, or no friction in its seat
   const contact::Joint& joint() const {
     require_friction();
     return (*this)[0];
   }
   /// The file with its settings, as TOML.
   const std::string& toml() const { return toml_; }
-  /// JointSpec::canonical_text(): joints are equal if it is.
+  /// JointSpec::canonical_text(); joints are equal if their texts are equal.
   const std::string& canonical() const { return canonical_; }
 
  private:

@@ -57,7 +57,7 @@ std::unique_ptr<FrictionFit> identify(const FileJoint& joint,
         if (is_vector) datum.moment = vector_at(at[2]);
         data.push_back(datum);
       });
-  // The parameters to be found need not be given.
+  // Parameters to be fitted need not be given.
   const bool finds_coefficient =
       std::ranges::count(options.parameters, FrictionParameter::coefficient);
   if (!finds_coefficient) joint.require_friction();

@@ -8,8 +8,8 @@ namespace {
 
 namespace py = pybind11;
 
-// pybind11 asks for memory where it finds none behind an argument. Constructors
-// bring their own.
+// pybind11 requests memory if an argument has no C++ object. Constructors
+// allocate their own.
 void* no_memory(std::size_t) {
   throw py::type_error("__init__() of an argument has not been called");
 }
@@ -24,8 +24,8 @@ void for_each_class(const py::module_& m, const Finish& finish) {
   }
 }
 
-// As the second protocol does, for all. The first two would make an object
-// of the classes' base, which nothing can: it ends the process.
+// Reduces objects as protocol 2 does, for all protocols. Protocols 0 and 1
+// would create an object of the base class, which ends the process.
 py::tuple reduced(const py::object& self) {
   const py::type type = py::type::of(self);
   if (!py::hasattr(type, "__setstate__")) {

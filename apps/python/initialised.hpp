@@ -4,13 +4,13 @@
 
 namespace contact_python {
 
-/// Uses of objects whose __init__() did not run, such as objects from __new__()
-/// alone, raise a TypeError. pybind11 would read uninitialised memory in place
-/// of the missing C++ object.
+/// Makes objects whose __init__() did not run, such as objects from __new__()
+/// alone, raise a TypeError when used. pybind11 would read uninitialised memory
+/// in place of the missing C++ object.
 void refuse_uninitialised(const pybind11::module_& m);
 
-/// Objects of the module's classes are pickled by every protocol, those that
-/// have no state to pickle have a TypeError.
+/// Makes objects of the module's classes picklable by every protocol; objects
+/// without a state to pickle raise a TypeError.
 void pickle_by_any_protocol(const pybind11::module_& m);
 
 }  // namespace contact_python

@@ -6,7 +6,7 @@
 namespace contact_python {
 namespace {
 
-// This thread's state while it is without the lock.
+// State of this thread while it does not hold the lock.
 thread_local PyThreadState* without_lock = nullptr;
 
 void take_lock(PyThreadState* thread) {
@@ -22,7 +22,7 @@ void wait_for_the_end() {
 Unlocked::Unlocked() { without_lock = PyEval_SaveThread(); }
 Unlocked::~Unlocked() { take_lock(without_lock); }
 
-// Not PyGILState_Ensure(), which is no more when the interpreter has ended.
+// Not PyGILState_Ensure(), which is unusable after the interpreter has ended.
 Locked::Locked() { take_lock(without_lock); }
 Locked::~Locked() { without_lock = PyEval_SaveThread(); }
 

@@ -4,17 +4,17 @@
 
 /// Python's lock, for threads that may outlive the interpreter.
 ///
-/// Python ends a daemon thread that asks for the lock of an interpreter that
-/// is ending, by pthread_exit(). Its unwinding ends the process where it meets
-/// a destructor or a catch (...), and pybind11 has both. Such a thread waits
-/// here for the end of the process instead, as Python 3.14 has it wait.
+/// When a daemon thread asks for the lock of an interpreter that is ending,
+/// Python ends the thread by pthread_exit(). Its unwinding aborts the process
+/// at a destructor or a catch (...), and pybind11 has both. Therefore such a
+/// thread waits here for the end of the process, as it does in Python 3.14.
 namespace contact_python {
 
 [[noreturn]] void wait_for_the_end();
 
-/// Calls what asks for the lock: a function of Python's, which throws nothing,
-/// so that pthread_exit() alone is caught. Objects with destructors have to be
-/// outside.
+/// Calls a function of Python that asks for the lock. The function throws
+/// nothing, so that only pthread_exit() is caught. Keep objects with
+/// destructors outside.
 template <class Call>
 auto outlive_python(const Call& call) noexcept {
   try {
@@ -24,10 +24,10 @@ auto outlive_python(const Call& call) noexcept {
   }
 }
 
-/// Lets go of Python's lock while in scope, as pybind11::gil_scoped_release. A
-/// constructor has it inside its factory, not as call_guard: pybind11 must not
-/// see the new object before the lock is back, since Python may end then and
-/// would free an unregistered object.
+/// Releases Python's lock while in scope, as pybind11::gil_scoped_release does.
+/// A constructor must use it inside its factory, not as call_guard: pybind11
+/// must not see the new object before the lock is held again, because Python
+/// may end meanwhile and would free an unregistered object.
 class Unlocked {
  public:
   Unlocked();
@@ -36,7 +36,7 @@ class Unlocked {
   Unlocked& operator=(const Unlocked&) = delete;
 };
 
-/// Holds it while in scope, within an Unlocked of the same thread.
+/// Holds Python's lock while in scope, within an Unlocked of the same thread.
 class Locked {
  public:
   Locked();

@@ -18,8 +18,8 @@ namespace {
 using contact::JointSpec;
 using contact::TomlTable;
 
-// A file that another one names with its key `kind`, with settings: a joint or
-// a pair of materials.
+// A file named by another one's key `kind`, with settings: a joint or a pair of
+// materials.
 std::string file_toml(const std::string& kind,
                       const std::filesystem::path& path,
                       const Settings& settings) {
@@ -98,7 +98,7 @@ std::vector<std::string> spellings(const contact::KnownKey& known) {
   return all;
 }
 
-// The keys of joint files: of tables the spellings of theirs.
+// The keys of joint files; for tables the spellings of their keys.
 py::dict joint_keys() {
   py::dict tables;
   for (const contact::KnownKey& known : contact::joint_keys()) {
@@ -128,15 +128,15 @@ constexpr const char* kernel_doc =
     R"(kernel(self, language="c", *, name="friction", error=1e-4, reaction=None)
 --
 
-The friction that depends on the load as a function in another language, as
-hinge-joint --kernel prints it: a text.
+Friction over load as the source text of a function in another language, as
+hinge-joint --kernel prints it.
 
 language: "c", "cuda", "glsl", "jax", "js", "numpy" or "st".
 name: of the function.
-error: the largest relative error of the moment, which is measured.
+error: largest relative error of the moment, which is measured.
 reaction: least and largest load, N, of a ball, and of a pin with adhesion;
     None: load parameters of 1e-3 to 10.
-Raises Error for joints that have no such law, and an error out of reach.)";
+Raises Error for joints without such a law, and for an unattainable error.)";
 
 // Table of contacts at rims between two loads, in bytes.
 py::bytes make_table(const FileJoint& self, double least, double most) {
@@ -181,7 +181,7 @@ void bind_joint(py::module_& m) {
   m.attr("_material_laws") = material_laws();
   m.attr("_joint_keys") = joint_keys();
   m.def("_file_toml", &file_toml);
-  // Refuses what compiled functions refuse as arguments.
+  // Rejects arguments that compiled functions reject.
   m.def("_numbers", [](const Numbers& given) { return py::array(given); });
   py::class_<JointSet> joints(m, "_JointSet");
   joints.def_property_readonly(

@@ -55,7 +55,7 @@ AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws) {
 
 namespace {
 
-// NaN is not larger than anything.
+// Comparisons with NaN are false.
 void raise(std::atomic<double>& largest, double value) {
   double before = largest.load(std::memory_order_relaxed);
   while (value > before && !largest.compare_exchange_weak(

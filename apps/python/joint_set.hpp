@@ -14,20 +14,20 @@
 
 namespace contact_python {
 
-/// The joints that functions of rows are over: an array of any shape; () for a
+/// The joints of functions that take rows: an array of any shape; () for a
 /// single joint.
 class JointSet {
  public:
-  /// @param refusal  what functions of friction say if the joints have none, or
-  ///   none in their seats
+  /// @param refusal  error of functions of friction if the joints have no
+  ///                 friction, or none in their seats
   JointSet(Shape shape, std::vector<contact::Joint> joints,
            std::string refusal);
 
   const Shape& shape() const { return shape_; }
   std::size_t size() const { return joints_.size(); }
-  /// The first argument of rows, their joint.
+  /// The joints as the first argument of rows.
   Argument argument() const;
-  /// The number of the joint of a row whose first argument it is.
+  /// Index of the joint of a row whose first argument are the joints.
   static std::size_t number(const double* const* at) {
     return static_cast<std::size_t>(*at[0]);
   }
@@ -37,9 +37,10 @@ class JointSet {
   const contact::Joint& operator[](std::size_t i) const { return joints_[i]; }
   /// @throws contact::Error if they have no friction, or none in their seats
   void require_friction() const;
-  /// Rows between two looks at Ctrl-C: few if rims may take some 30 ms each.
+  /// Rows between two checks for Ctrl-C: few if contacts at rims may take some
+  /// 30 ms each.
   std::size_t at_once() const { return any_ends_ ? 16 : Rows::block; }
-  /// Limits of a joint's contact; with Python's lock.
+  /// Limits of a joint's contact; call with Python's lock.
   const contact::ContactLimits& limits(std::size_t i) const;
 
  private:
@@ -51,8 +52,8 @@ class JointSet {
   mutable std::vector<std::optional<contact::ContactLimits>> limits_;
 };
 
-/// Ends that are left out of a joint, as by JointSpec::without_seat() and
-/// without_relief().
+/// Ends to leave out of a joint, as JointSpec::without_seat() and
+/// without_relief() do.
 struct LeftOut {
   bool seat;
   bool relief;
@@ -63,16 +64,15 @@ struct LeftOut {
   }
 };
 
-/// A joint that can be asked of its contact, whether there is friction in its
-/// seat or not.
+/// A joint whose contact can be computed, with or without friction in its seat.
 struct AnyJoint {
   contact::Joint joint;
   std::string refusal;  ///< error of functions of friction; "" if they work
 };
 AnyJoint any_joint(const contact::JointSpec& spec, contact::SharedLaws& laws);
 
-/// The largest contact of each joint, and notes on contacts beside rims, of
-/// rows on any thread.
+/// Collects the largest contact of each joint and notes on contacts at rims,
+/// for rows on any thread.
 class LargestContacts {
  public:
   explicit LargestContacts(const JointSet& joints)
@@ -80,12 +80,12 @@ class LargestContacts {
 
   void add(const double* const* at, double half_angle, double peak_pressure,
            double rim_overlap = 0);
-  /// Solutions without a number say so by their status.
+  /// Ignores solutions without numbers; their status reports them.
   void add(const double* const* at, const contact::JointSolution& s);
-  /// Gives a ContactWarning for each limit that the first joint of those that
-  /// pass any has passed, and for each note on its rims.
+  /// Emits a ContactWarning for each limit exceeded by a joint, and for each
+  /// note on its rims; only for the first such joint.
   void warn() const;
-  /// A sentence for each limit that a single joint has passed.
+  /// A sentence for each limit exceeded by a single joint.
   std::vector<std::string> notes() const;
 
  private:
@@ -102,7 +102,7 @@ class LargestContacts {
   std::map<std::size_t, contact::ContactNotes> notes_;  // on contacts that end
 };
 
-/// Gives the warnings of a solution of a single joint.
+/// Emits the warnings of a solution of a single joint.
 void warn_of(const JointSet& joint, const contact::JointSolution& s);
 
 }  // namespace contact_python

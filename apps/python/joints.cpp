@@ -1,4 +1,4 @@
-// Joints of one text with arrays of numbers of some keys.
+// Joints from one text with arrays of numbers for some keys.
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 

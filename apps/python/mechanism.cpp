@@ -35,7 +35,7 @@ py::array_t<double> array_of(const VectorXd& numbers) {
   return py::array_t<double>(numbers.size(), numbers.data());
 }
 
-// With its joints, and those whose seat is on the carrier.
+// With its joints, and those with a seat on the carrier.
 struct Mechanism {
   std::vector<contact::Joint> joints;
   MechanismStep step;
@@ -102,10 +102,10 @@ void bind_mechanism(py::module_& m) {
       m, "Mechanism",
       R"(Joints with friction in a simulator's own rates, for adapters: libcontact.mujoco.
 
-joints: of Joint; first: the first of each one's rates, three of a ball and one
-of a pin; size: of all rates. The simulator solves H q'' = forces + J^T lambda +
-friction; friction and its constraints are found in turns: weigh(), begin(), then
-turn() and the simulator's q'' until the force stays.)")
+joints: list of Joint; first: index of the first rate of each joint, three for a
+ball and one for a pin; size: number of all rates. The simulator solves H q'' =
+forces + J^T lambda + friction. Friction and the simulator's constraints alternate:
+weigh(), begin(), then turn() and the simulator's q'' until the force is constant.)")
       .def(py::init(&made), py::arg("joints"), py::arg("first"),
            py::arg("size"))
       .def(
@@ -130,18 +130,18 @@ time_step: s.)")
            R"(begin(self, reaction, axis, from_seat, rates, likely)
 --
 
-reaction: R on the body, N, of the step before, (joints, 3): of a ball in the
-    axes of its rates, of a pin in those of its axis.
+reaction: R on the body in the previous step, N, (joints, 3): for a ball in the
+    axes of its rates, for a pin in the axes of its axis.
 axis: unit axes of pins, (joints, 3).
-from_seat: of balls with a [seat], rotation from the axes of the body that has it
-    to those of the rates, (joints, 3, 3).
-rates: q', (size,); likely: a guess of those at the step's end, for speed.)")
+from_seat: for balls with a [seat], rotation from the axes of the body with the
+    seat to the axes of the rates, (joints, 3, 3).
+rates: q', (size,); likely: a guess of the rates at the step's end, for speed.)")
       .def("turn", &turn, py::arg("rates_at_end"), py::arg("force"),
            R"(turn(self, rates_at_end, force)
 --
 
 rates_at_end: q' + time_step q'' with the friction force, (size,). Returns the
-generalized force of friction, (size,), and how much of it is new, 0 to 1.)")
+generalized force of friction, (size,), and its relative change, 0 to 1.)")
       .def(
           "hold",
           [](const Mechanism& self, const Numbers& rates,
@@ -153,7 +153,7 @@ generalized force of friction, (size,), and how much of it is new, 0 to 1.)")
           R"(hold(self, rates, rates_at_end)
 --
 
-The force with which the joints' rates would stay, (size,), for the reactions of
+The force that would keep the joints' rates constant, (size,), for the reactions of
 the first step.)")
       .def_readonly("seats_on_carrier", &Mechanism::seats_on_carrier,
                     "Which joints have a [seat] on the carrier, a list.")

@@ -1,5 +1,5 @@
-// The Python module libcontact._core. What is nicer said in Python is said in
-// libcontact/__init__.py, which stands on it.
+// The Python module libcontact._core. The package libcontact/__init__.py builds
+// on it and contains all that is simpler in Python.
 #include <exception>
 #include <string>
 
@@ -12,7 +12,7 @@
 
 namespace {
 
-// Made with a pybind11 before 2.12, arrays of NumPy 2 would be read wrongly.
+// Built with pybind11 before 2.12, it would misread arrays of NumPy 2.
 void check_numpy() {
 #if PYBIND11_VERSION_HEX < 0x020C0000
   namespace py = pybind11;
@@ -37,7 +37,8 @@ PYBIND11_MODULE(_core, m) {
   options.disable_function_signatures();
   py::register_exception<contact::Error>(m, "Error", PyExc_ValueError);
   m.attr("Error").attr("__module__") = "libcontact";
-  // Files name bodies by any characters: none of them speaks to a terminal.
+  // Names of bodies in files may contain any characters: none of them may
+  // control a terminal.
   py::register_exception_translator([](std::exception_ptr thrown) {
     try {
       if (thrown) std::rethrow_exception(thrown);

@@ -15,7 +15,7 @@ namespace {
 using contact::MomentSet;
 using Eigen::Vector3d;
 
-// Moments that the contacts of solutions hold, at fixed n, R_n and theta0.
+// Moments that the contacts of solutions can hold, at fixed n, R_n and theta0.
 class MomentSets {
  public:
   MomentSets(const JointSet& joints, const Answers<Solved>& solution) {
@@ -40,7 +40,7 @@ class MomentSets {
 
   Argument argument() const { return {numbers_.data(), 0, shape_}; }
   const Shape& shape() const { return shape_; }
-  // The set whose number is at[0].
+  // The set with the index at[0].
   const MomentSet& operator()(const double* const* at) const {
     return sets_[static_cast<std::size_t>(*at[0])];
   }
@@ -90,8 +90,8 @@ constexpr const char* prox_doc =
     R"(prox(self, inertia, free, *, fields=None, out=None, threads=1)
 --
 
-The motion that friction leaves of a free one: W (alpha - free) = M_t(alpha),
-alpha exactly 0 where the set holds W free.
+The motion with friction: W (alpha - free) = M_t(alpha), with alpha exactly 0 if
+the set holds W free.
 
 inertia: W, inertia about the joint (of velocities: over the time step),
     symmetric and positive definite, (..., 3, 3).
@@ -141,10 +141,11 @@ void bind_moment_set(py::module_& m, py::class_<JointSet>& joints) {
       R"(moment_set(self, solution)
 --
 
-What the contact of a ball holds at fixed n, R_n and theta0: what a solver of
-several bodies iterates on. A contact at a rim of a seat is found anew, 30 ms.
+Moments that the contact of a ball can hold at fixed n, R_n and theta0, for
+iterative solvers of several bodies. A contact at a rim of a seat is solved again,
+30 ms.
 
-solution: what solve() has returned.
+solution: a result of solve().
 
 Returns a MomentSet, whose functions broadcast against the solution's rows.)");
 }

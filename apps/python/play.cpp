@@ -14,7 +14,7 @@ using contact::Impact;
 using contact::PlayForce;
 using contact::PlayMotion;
 
-// A joint with play; its tables are made once.
+// A joint with play; its tables are built once.
 class Play {
  public:
   Play(const FileJoint& joint, double damping, double regularisation_speed)
@@ -114,8 +114,8 @@ ForceState; NaN above largest_penetration.)")
            R"(impact(self, mass, speed)
 --
 
-A touch by no other force than that of the contact. Returns an Impact; NaN
-beyond the force law.
+An impact under the contact force alone. Returns an Impact; NaN beyond the force
+law.
 
 mass: kg, of two bodies m1 m2/(m1 + m2).
 speed: at touch, m/s.)")
@@ -129,8 +129,8 @@ speed: at touch, m/s.)")
           R"(impact_notes(self, mass, speed, density=0.0)
 --
 
-Where an impact leaves the model, a sentence each. density: kg/m^3; without it
-waves are not looked at.)");
+Where an impact exceeds the limits of the model, a sentence each. density: kg/m^3;
+without it waves are not checked.)");
 }
 
 void bind_motion(py::class_<Play>& type) {
@@ -140,10 +140,11 @@ void bind_motion(py::class_<Play>& type) {
            R"(force(self, position, velocity, angular_velocity, *, axis=None)
 --
 
-What acts on the ball or pin. Returns a PlayForce; NaN beyond the force law.
+Force and moment on the ball or pin. Returns a PlayForce; NaN beyond the force law.
 
-position: of its centre from the seat's, m, (..., 3), in a frame of the seat.
-velocity: of it, m/s, (..., 3).
+position: of its centre from the seat's centre, m, (..., 3), in a frame of the
+    seat.
+velocity: of its centre, m/s, (..., 3).
 angular_velocity: relative to the seat, rad/s, (..., 3).
 axis: of a pin, unit vector, (..., 3); z if it is None.)")
       .def(
@@ -152,7 +153,8 @@ axis: of a pin, unit vector, (..., 3); z if it is None.)")
           R"(derivatives(self, position, velocity, angular_velocity, *, axis=None)
 --
 
-Of force and moment (6) over position, velocity and angular velocity (9), (..., 6, 9).
+Derivatives of force and moment (6) over position, velocity and angular velocity
+(9), (..., 6, 9).
 Arguments as in force().)")
       .def(
           "notes",
@@ -169,7 +171,7 @@ Arguments as in force().)")
           R"(notes(self, position, velocity, angular_velocity, axis=(0, 0, 1))
 --
 
-Where one motion leaves the model, a sentence each.)");
+Where a state exceeds the limits of the model, a sentence each.)");
 }
 
 }  // namespace
@@ -190,17 +192,17 @@ void bind_play(py::module_& m) {
       R"(damping_of_restitution(restitution, speed)
 --
 
-a of F (1 + a d penetration/dt), s/m, with which an impact at this speed, m/s,
-has this restitution, above 0 to 1: exact for every force law and mass.)");
+The damping a in F (1 + a d penetration/dt), s/m, that gives an impact at this
+speed, m/s, this restitution, above 0 to 1: exact for every force law and mass.)");
   py::class_<Play> type(m, "Play",
                         R"(Play(joint, damping=0, regularisation_speed=1e-3)
 --
 
-A joint with play as a force without constraint: its ball or pin moves freely in
-the clearance, touches, and is pressed in.
+A joint with play as a force instead of a constraint: its ball or pin moves freely in
+the clearance, touches the seat and is pressed into it.
 
-joint: a Joint; a pin needs a wall with a backing. Its friction has to be dry.
-damping: a of F (1 + a d penetration/dt), s/m: damping_of_restitution().
+joint: a Joint; a pin needs a wall with a backing. Its friction must be dry.
+damping: a in F (1 + a d penetration/dt), s/m: damping_of_restitution().
 regularisation_speed: below which friction fades, m/s.)");
   type.def(py::init([](const FileJoint& joint, double damping, double speed) {
              const Unlocked unlocked;

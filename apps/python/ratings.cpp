@@ -18,7 +18,8 @@ using contact::JointSolution;
 using contact::SlidingContact;
 using Eigen::Vector3d;
 
-// Whether the contact is at a rim of its seat, or of a pin by slices.
+// True if the contact is not axisymmetric: at a rim of its seat, or a pin by
+// slices.
 bool has_no_axis(const JointSolution& s) {
   return s.status == contact::Status::ok && std::isnan(s.half_angle);
 }
@@ -64,7 +65,7 @@ py::object pressures_of(const contact::Joint& joint, const JointSolution& s,
   return returned(all);
 }
 
-// Pressures of a solution that is kept without its grid.
+// Pressures of a solution that was stored without its grid.
 py::object pressures(const FileJoint& self, const Answers<Solved>& solution,
                      const Numbers& places) {
   if (solution.rows.size() == 1) {
@@ -138,10 +139,10 @@ constexpr const char* pv_doc =
     R"(pv(self, reaction, angular_velocity, *, from_seat=None, tilt=None, place=None, axial_velocity=None, fields=None, out=None, threads=1)
 --
 
-p v and heat over the contact while the halves turn: their largest values with
-the place, means, sums. Arguments as in solve(). At a rim of a seat the total is
-to 1e-3, the largest to 5e-3 at report_distance (0.02 radii) or more from it, and
-the largest heat flux is NaN.
+p v and heat over the contact while the halves turn: largest values with their
+places, means, sums. Arguments as in solve(). At a rim of a seat the total is
+accurate to 1e-3, the largest to 5e-3 at report_distance (0.02 radii) or more from
+it, and the largest heat flux is NaN.
 )" CONTACT_ROWS_DOC R"(
 Returns a Rating.)";
 
@@ -188,9 +189,9 @@ from_seat: as in solve(), (3, 3).)");
            R"(pressures(self, solution, places)
 --
 
-Pressures of one solution, Pa, (...): 0 outside of the contact, infinite at a rim
-that it reaches; 3e-3 of the largest away from rims. A contact at a rim is found
-anew, in some 30 ms.
+Pressures of one solution, Pa, (...): 0 outside the contact, infinite at a rim that
+it reaches; accurate to 3e-3 of the largest away from rims. A contact at a rim is
+solved again, in some 30 ms.
 
 solution: a single Solution of this joint.
 places: unit vectors from the joint's centre, (..., 3), in its axes.)");

@@ -51,7 +51,7 @@ class Listener {
  private:
   using Clock = std::chrono::steady_clock;
 
-  // Printing lets go of the lock.
+  // Printing releases the lock.
   void tell(const py::tuple& times) const {
     PyObject* const answer = outlive_python(
         [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });
@@ -94,8 +94,8 @@ const char* word(separation::Run::Status status) {
   return words[static_cast<int>(status)];
 }
 
-/// A run that Python moves on. What takes long goes on without Python's lock;
-/// looks at the run meanwhile are refused.
+/// A run that Python advances. Long work runs without Python's lock; queries
+/// meanwhile are rejected.
 class CaseRun {
  public:
   CaseRun(const FileCase& file, bool clearance)
@@ -144,8 +144,8 @@ class CaseRun {
     if (values_.empty()) values_ = run().values();
     return values_;
   }
-  // To the end, with a last row there; no further queries then. With the notes
-  // on its contacts.
+  // Runs to the end with a last row there, and no further queries. Includes the
+  // notes on its contacts.
   py::tuple whole(py::object progress) && {
     advance_to(run_.of().end_time, std::move(progress));
     const auto notes = separation::contact_notes(run_.of(), run_.memory());
@@ -155,7 +155,7 @@ class CaseRun {
   }
 
  private:
-  // Options by which the run asks its listener.
+  // Options with which the run calls its listener.
   separation::RunOptions heard(separation::RunOptions options) {
     options.progress = [this](const separation::Run& r) {
       if (listener_) listener_->come_to(r.time());
@@ -181,9 +181,9 @@ class CaseRun {
   }
 
   const std::string identity_;
-  Listener* listener_ = nullptr;  // while it moves on
+  Listener* listener_ = nullptr;  // while it advances
   bool is_busy_ = false;          // under Python's lock
-  std::vector<double> values_;    // place of the run, once somebody has asked
+  std::vector<double> values_;  // values of the state, computed on first query
   separation::Run run_;
 };
 
@@ -204,7 +204,7 @@ std::vector<std::string> mode_words() {
 
 namespace {
 
-// Properties that say where the run is.
+// Properties that describe the state of the run.
 void bind_place(py::class_<CaseRun>& type) {
   const auto look = [&](const char* name, auto of, const char* doc) {
     type.def_property_readonly(
@@ -267,21 +267,21 @@ void bind_run(py::module_& m) {
       R"(values(self)
 --
 
-Of all columns where the run is, (n,). A mode is its number: 0 sliding,
+The present values of all columns, (n,). A mode is its number: 0 sliding,
 1 resting, 2 locked, 3 released.)");
   type.def("save", &CaseRun::save, R"(save(self)
 --
 
-All that a run of the same case needs to go on from here, as bytes, with its
-history. This begins the steps anew: this run and restored ones then go on the
-same to the last bit, and differ from one that was never saved by the
+The state from which a run of the same case can continue, as bytes, with its
+history. Saving restarts the steps: this run and restored ones then continue
+bit-identically, and differ from a run that was never saved within the
 tolerances.)");
   type.def("restore", &CaseRun::restore, py::arg("saved"),
            R"(restore(self, saved)
 --
 
-Goes to where a run of the same case and clearance was saved, forwards or back,
-also from a failure. What is refused changes nothing.)");
+Moves to the state of a saved run of the same case and clearance, forwards or
+back, also after a failure. A rejected state changes nothing.)");
   m.def(
       "_run",
       [](const FileCase& file, bool clearance, py::object progress) {

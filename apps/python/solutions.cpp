@@ -13,7 +13,7 @@ using contact::JointSolution;
 using contact::RestSolution;
 using Eigen::Vector3d;
 
-// Solutions of rows in turn, one from the other if they are warm.
+// Solves rows one after another; warm rows start from the previous solution.
 class Solver {
  public:
   Solver(const JointSet& joints, const Starts<Solved>& start, bool warm,
@@ -137,32 +137,32 @@ constexpr const char* solve_doc =
     R"(solve(self, reaction, angular_velocity, *, axis=None, warm=False, last=None, from_seat=None, tilt=None, place=None, axial_velocity=None, fields=None, out=None, threads=1)
 --
 
-Friction of the joint while its halves turn, under a known reaction. A ball whose
-joint has a [seat] is in it: libcontact/docs/explanation/seat_joint.md. Its rows at
-rims take some 30 ms, and begin from the row before, which leaves 1e-7. A pin
-that is tilted, relieved or loaded at a place is one by slices, to 1e-8:
-libcontact/docs/how-to/finite_pin.md.
+Friction of the joint while its halves turn, under a known reaction. A [seat]
+confines the contact of a ball: libcontact/docs/explanation/seat_joint.md. Rows at
+rims take some 30 ms and start from the previous row, which affects results by
+1e-7. A pin that is tilted, relieved or loaded at a place is solved by slices, to
+1e-8: libcontact/docs/how-to/finite_pin.md.
 
 reaction: R on the body, N, (..., 3).
 angular_velocity: Dw, body against carrier, rad/s, (..., 3); 0 rests.
 axis: of a pin, unit vector, (..., 3); the direction of Dw if it is None.
-warm: begin each row from the solution of the row before. Rows that are near
-    each other take 0.2 to 0.7 of the time; the last digits differ.
-last: a Solution of this joint for similar rows, from which each row begins,
-    of their shape or a single one; an unpickled one has nothing to begin from.
+warm: start each row from the solution of the previous row. Similar rows take 0.2
+    to 0.7 of the time; the last digits differ.
+last: a Solution of this joint for similar rows, from which each row starts, of
+    their shape or a single one; an unpickled one cannot be used.
 )" CONTACT_SEAT_DOC CONTACT_PIN_DOC
     R"(axial_velocity: of the body along a pin's axis, m/s, (...).
 )" CONTACT_ROWS_DOC R"(
-Returns a Solution of the shape to which the arguments broadcast. To 2e-13 of
-the equations; NaN in an argument gives NaN with Status.OUT_OF_RANGE. Warm rows
-begin anew every 1024 where several threads share them.)";
+Returns a Solution of the shape to which the arguments broadcast. The equations
+hold to 2e-13; NaN in an argument gives NaN with Status.OUT_OF_RANGE. If several
+threads share warm rows, every 1024th row is a cold start.)";
 
 constexpr const char* solve_contact_doc =
     R"(solve_contact(self, normal_force, angular_velocity, *, axis=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
-Friction under a known normal force: nothing to solve. With the reaction in its
-place it is the traditional estimate.
+Friction under a known normal force, without a solution of equations. With the
+reaction as the normal force it gives the traditional estimate.
 
 normal_force: R_n n on the body, N, (..., 3).
 angular_velocity, axis: as in solve().
@@ -173,11 +173,11 @@ constexpr const char* at_rest_doc =
 --
 
 Whether the joint rests under a reaction while friction supplies a moment, and
-how near it is to sliding.
+how close it is to sliding.
 
 reaction: R on the body, N, (..., 3).
 moment: M on the body that friction has to supply, N m, (..., 3).
-last: a RestSolution for similar rows, as in solve(): a fifth of the time.
+last: a RestSolution for similar rows, as in solve(); takes a fifth of the time.
 )" CONTACT_SEAT_DOC CONTACT_PIN_DOC CONTACT_ROWS_DOC R"(
 Returns a RestSolution, whose `slip` is the sliding at the limit.)";
 

@@ -8,11 +8,11 @@
 #include "libcontact/joint/step.hpp"
 #include "python/answers.hpp"
 
-/// Solutions as Python keeps many of them: with the ends of their contacts, but
-/// without the grids of those at rims.
+/// Solutions as Python stores many of them: with the ends of their contacts,
+/// but without the grids of contacts at rims.
 namespace contact_python {
 
-/// How the contact of a solution ends; NaN where it has no such end.
+/// Ends of a solution's contact; NaN where it has no such end.
 struct Ends {
   contact::RimContact rims;
   contact::PinLie lie;
@@ -46,12 +46,12 @@ struct Stepped : contact::JointStep {
   EndsOf rest_ends;  ///< ends of the slip of the rest
 };
 
-/// The quantities of solutions, the quantities of their ends last.
+/// The quantities of solutions; the quantities of their ends come last.
 const Table<Solved>& solved_table();
 const Table<Held>& held_table();
 const Table<Stepped>& stepped_table();
 
-/// @throws contact::Error for unpickled ones, which have no rows
+/// @throws contact::Error for unpickled results, which have no rows
 template <class Row>
 void require_rows(const Answers<Row>& solution) {
   if (!solution.rows.empty() || !solution.arrays) return;
@@ -59,8 +59,8 @@ void require_rows(const Answers<Row>& solution) {
       "solution", "a result of solve() that was not unpickled"));
 }
 
-/// A part of results, row by row.
-/// @throws contact::Error for unpickled ones
+/// A part of the results, row by row.
+/// @throws contact::Error for unpickled results
 template <class Whole, class Get>
 auto part_of(const Answers<Whole>& all, const char* name, const Get& get) {
   if (all.rows.empty() && all.arrays) {
@@ -75,7 +75,7 @@ auto part_of(const Answers<Whole>& all, const char* name, const Get& get) {
 /// The grid of the last bounded contact, which speeds up the next row.
 class NearRim {
  public:
-  /// Puts it into the start of a solution of the same joint.
+  /// Uses it as the start of a solution of the same joint.
   void put(const contact::Joint& joint, contact::JointSolution& start) const {
     if (of_ == &joint) start.work = work_;
   }

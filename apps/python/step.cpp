@@ -1,4 +1,4 @@
-// Steps of a simulator, and how friction answers to its causes.
+// Steps of a simulator, and the response of friction.
 #include <pybind11/stl.h>
 
 #include "libcontact/base/text.hpp"
@@ -63,7 +63,7 @@ py::object step(const JointSet& self, const Numbers& reaction,
   return all;
 }
 
-// Joints of one mechanism: their steps, and how they have come to fit.
+// Joints of one mechanism: their steps, and the convergence of the moments.
 py::tuple step_together(const std::vector<const FileJoint*>& joints,
                         const Numbers& reaction,
                         const Numbers& angular_velocity, const Numbers& free,
@@ -104,7 +104,7 @@ py::tuple step_together(const std::vector<const FileJoint*>& joints,
     begin.push_back({vector_at(at[0]), vector_at(at[1]), vector_at(at[2]),
                      vector_at(at[3]), placements[i](at, i)});
   });
-  // Symmetric, so that the order of its numbers does not matter.
+  // Symmetric, so that the order of the numbers has no effect.
   const contact::StepSweeps sweeps =
       contact::step(all, begin,
                     Eigen::Map<const Eigen::MatrixXd>(
@@ -162,29 +162,29 @@ constexpr const char* step_doc =
     R"(step(self, reaction, angular_velocity, free, inertia, *, axis=None, last=None, from_seat=None, fields=None, out=None, threads=1)
 --
 
-One implicit step of a simulator with friction, which comes to rest, holds and
-lets go: M_t = W (Dw - free), M_t opposite to Dw. A torque of solve() alone never
-stops a body, it creeps.
+One implicit step of a simulator with friction that stops, holds and releases the
+joint: M_t = W (Dw - free), M_t opposite to Dw. A torque from solve() alone never
+stops a body, which then creeps.
 
-reaction: R on the body, N, of the step before, (..., 3).
+reaction: R on the body in the previous step, N, (..., 3).
 angular_velocity: Dw, rad/s, (..., 3); exactly 0: the joint rests.
-free: Dw at the end of the step if the joint had no friction, rad/s, (..., 3).
+free: Dw at the end of the step without this friction, rad/s, (..., 3).
 inertia: W, inertia about the joint over the time step, N m s, symmetric and
-    positive definite, else an Error, (..., 3, 3); of a pin its part along the
-    axis counts.
+    positive definite, else an Error, (..., 3, 3); for a pin only its part along
+    the axis counts.
 axis: of a pin, unit vector, (..., 3); the direction of Dw or of free if it is
     None.
 last: the Step before, from which this one is found faster.
 )" CONTACT_SEAT_DOC CONTACT_ROWS_DOC R"(
-Returns a Step; its `solution` is friction at the start, its `rest` what a joint
-had to hold that rested.)";
+Returns a Step; its `solution` is the friction at the start, its `rest` the load
+that a resting joint had to hold.)";
 
 constexpr const char* step_together_doc =
     R"(step(joints, reaction, angular_velocity, free, inertia, *, axis=None, last=None, from_seat=None)
 --
 
-One implicit step of several joints of one mechanism, whose motions depend on
-each other: M_i = sum_j W_ij (Dw_j - free_j), by sweeps over the joints.
+One implicit step of several coupled joints of one mechanism, by sweeps over the
+joints: M_i = sum_j W_ij (Dw_j - free_j).
 
 joints: n of them.
 reaction, angular_velocity, free: as in Joint.step(), (n, 3).
@@ -193,8 +193,8 @@ inertia: W, mass matrix over the time step in the joints' angular velocities,
 axis: of pins, unit vectors, (n, 3).
 last: the Step before, from which this one is found faster.
 )" CONTACT_SEAT_DOC R"(
-Returns a Step of n rows, and a dict of how they have come to fit: "status",
-"sweeps" and "residual", the change of the last sweep over the largest W free.)";
+Returns a Step of n rows, and a dict on the convergence: "status", "sweeps" and
+"residual", the change of the last sweep over the largest W free.)";
 
 void bind_steps(py::class_<JointSet>& joints) {
   joints.def(
@@ -225,12 +225,12 @@ void bind_steps(py::class_<JointSet>& joints) {
       R"(derivatives(self, reaction, angular_velocity, *, axis=None, from_seat=None, threads=1)
 --
 
-How M_t answers, a dict of arrays (..., 3, 3) whose rows are parts of M_t:
+Derivatives of M_t, a dict of arrays (..., 3, 3) whose rows are components of M_t:
 "over_rate", dM_t/dDw under a known reaction, N m s; "over_reaction", dM_t/dR, m;
 "at_contact", dM_t/dDw at fixed n, R_n and theta0. NaN at rest and at a rim.
 
 reaction, angular_velocity, axis, from_seat: as in solve().
-threads: how many share the rows.)");
+threads: number of threads that share the rows.)");
 }
 
 }  // namespace

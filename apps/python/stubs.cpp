@@ -1,5 +1,5 @@
-// The types of the package: puts quantities into the lines @CLASS@ of a stub
-// from standard input.
+// The types of the package: replaces the lines @CLASS@ of a stub on standard
+// input by quantities.
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -93,7 +93,7 @@ std::string laws(const char* name, const Entries& entries) {
                            entries, [](const auto&) { return true; }));
 }
 
-// Names of quantities that `fields` may contain.
+// Names of quantities allowed in `fields`.
 template <class... Table>
 std::string fields(const std::string& name, const Table&... tables) {
   std::vector<std::string> keys;
@@ -114,7 +114,7 @@ std::string all_fields() {
          fields("Prox", contact::prox_quantities());
 }
 
-// A key with each unit that it may have.
+// A key with each allowed unit.
 std::vector<std::string> spellings(const contact::KnownKey& key) {
   std::vector<std::string> all = {std::string(key.key)};
   for (const contact::Unit& unit : units_of(key.dimension)) {
@@ -129,7 +129,7 @@ const contact::KnownKey& inside(const contact::KnownKeys& keys,
   return *std::ranges::find(keys, key, &contact::KnownKey::key);
 }
 
-// Tables that keywords are, as TypedDicts.
+// Tables passed as keywords, as TypedDicts.
 std::string tables() {
   const contact::KnownKeys keys = contact::joint_keys();
   const auto material = inside(inside(keys, "materials").inside, "inner");
@@ -193,8 +193,8 @@ std::string joint_keywords(const std::string& line) {
   return text;
 }
 
-// "@Rows TYPE FIELDS NAME" with its parameters in lines below it: all
-// quantities, some by their names, or in arrays that are given.
+// "@Rows TYPE FIELDS NAME" with its parameters in the lines below it: all
+// quantities, some by their names, or in given arrays.
 class RowsFunction {
  public:
   explicit RowsFunction(const std::string& line) {

@@ -45,15 +45,17 @@ constexpr const char* stuck_doc =
     R"(stuck(self, normal_force, *, fields=None, out=None, threads=1)
 --
 
-Stiffness of the joint while friction holds it, what LuGre and Dahl make of it, and
-the turn at which it slides: docs/explanation/presliding.md. Some 10 ms a row.
+Stiffness of the joint while friction holds it, the parameters for LuGre and Dahl,
+and the rotation at which it slides: docs/explanation/presliding.md. Some 10 ms a
+row.
 
 normal_force: R_n, N, (...), above 0.
 )" CONTACT_ROWS_DOC R"(
-Returns a Stuck; stiffnesses to 5e-4, shape_exponent to 0.2. NaN where there is none: a
-pin in an infinite hole has no held_stiffness, a pin no spin_stiffness, and
-interference and half-angles outside 0.01 to 3.1 rad nothing. A ContactWarning
-says where the stiffness is that of the shaft too, or leaves out rims.)";
+Returns a Stuck; stiffnesses are accurate to 5e-4, shape_exponent to 0.2. NaN: the
+held_stiffness of a pin in an infinite hole, the spin_stiffness of a pin, and all
+results with interference and for half-angles outside 0.01 to 3.1 rad. A
+ContactWarning reports if the stiffness also depends on the shaft, or if rims are
+ignored.)";
 
 }  // namespace
 

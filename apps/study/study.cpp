@@ -37,10 +37,10 @@ std::unique_ptr<Model> make_model(const Plan& plan) {
   return std::make_unique<JointModel>(plan);
 }
 
-// The ends of a distribution are missed by rounding errors.
+// Avoids the ends of a distribution, which rounding would exceed.
 double rounded(double x) { return std::stod(fmt::format("{:.12g}", x)); }
 
-// Tests for numbers of the summary that are found on the way only.
+// True for numbers that are found only during the motion.
 bool is_peak(const std::string& quantity) {
   return quantity.find(".peak_") != quantity.npos ||
          quantity.find(".largest_") != quantity.npos || quantity == over_limit;
@@ -51,19 +51,18 @@ bool is_clearance(const std::string& quantity) {
 bool is_margin(const std::string& quantity) {
   return quantity.find(".torque_margin") != quantity.npos;
 }
-// Energies of a driven carrier include more than the motion's.
+// Energies with a driven carrier include its work.
 bool is_energy(const std::string& quantity) {
   return quantity.starts_with("energy.");
 }
 
-// "velocity_m_per_s" of BODY.at_release.velocity_m_per_s[2].
+// "velocity_m_per_s" for BODY.at_release.velocity_m_per_s[2].
 std::string_view kind_of(std::string_view quantity) {
   quantity.remove_prefix(quantity.rfind('.') + 1);
   return quantity.substr(0, quantity.find('['));
 }
 
-// Why the nominal run has not all that a name with or without `*` may stand
-// for.
+// Why the nominal run lacks numbers that a name with or without `*` may mean.
 std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
                                  std::string_view pattern) {
   std::vector<std::string> result;
@@ -82,8 +81,8 @@ std::vector<std::string> reasons(const std::vector<Unreached>& unreached,
   return result;
 }
 
-// Parts of a name between its dots, in the order of the alphabet; of vectors
-// without the number of the component.
+// Parts of a name between its dots, sorted alphabetically; for vectors without
+// the component's index.
 std::vector<std::string> parts_of(std::string_view name) {
   std::vector<std::string> parts(1);
   for (const char c : name.substr(0, name.find_last_of('['))) {
@@ -97,8 +96,8 @@ std::vector<std::string> parts_of(std::string_view name) {
   return parts;
 }
 
-// The name that was meant, perhaps: by slips of letters, with the same parts in
-// another order, or with one part more.
+// The name that was probably meant: with typing errors, the same parts in
+// another order, or one part more.
 std::string nearest_quantity(std::string_view word,
                              const std::vector<std::string>& all) {
   std::string near = contact::detail::nearest(word, all);
@@ -152,7 +151,7 @@ void Study::check_draws() const {
   }
 }
 
-// One key under two names is found out when both are set.
+// Setting both detects a key under two names.
 void Study::refuse_repeated_keys() const {
   const auto is_repeated = [this](const contact::KeySettings& settings) {
     try {
@@ -160,7 +159,7 @@ void Study::refuse_repeated_keys() const {
     } catch (const contact::RepeatedSetting&) {
       return true;
     } catch (const Error&) {
-      // Draws that only together make no case are the failure of a run.
+      // Draws that make no valid case together count as the failure of a run.
     }
     return false;
   };
@@ -199,7 +198,7 @@ std::vector<std::string> Study::matching(const std::string& pattern,
         "\"{}\" has no number in the nominal run: {}", pattern, why));
   }
   if (!found.empty()) return found;
-  // All of them would fill a page.
+  // A list of all would fill a page.
   table.fail(key, contact::detail::unknown("quantity",
                                            contact::detail::printable(pattern),
                                            nearest_quantity(pattern, all), {}) +
@@ -303,7 +302,7 @@ bool Study::has_effect(std::size_t dispersion, double u,
   try {
     result =
         model_->run(contact::KeySettings{of.setting(of.quantile(u))}, {}, {});
-  } catch (const Error&) {  // a value that is refused
+  } catch (const Error&) {  // a rejected value
     return true;
   }
   if (!result.failure.empty()) return true;
@@ -321,9 +320,9 @@ bool Study::has_effect(std::size_t dispersion, double u,
 std::vector<std::string> Study::idle_keys(
     const std::vector<double>& notable) const {
   std::vector<std::string> idle;
-  // Without quantities beside energies every key would be idle.
+  // Without quantities other than energies every key would be idle.
   if (std::ranges::all_of(quantities_, is_energy)) return idle;
-  // One of them may be the nominal value.
+  // At least one of them differs from the nominal value.
   constexpr double probes[] = {0.8413, 0.25};
   for (std::size_t i = 0; i < plan_.dispersions.size(); ++i) {
     const bool acts = std::ranges::any_of(

@@ -14,16 +14,16 @@
 
 namespace study {
 
-/// The quantity that every row of a case has: the largest drift of the balance
-/// of energies over the largest of them.
+/// A quantity of every row of a case: the largest drift of the energy balance
+/// over the largest energy.
 inline constexpr const char* energy_drift = "energy.drift";
 
-/// A study: of each run its row, a function of the file and the run's number
-/// alone, in any order and from any thread.
+/// A study. The row of each run is a function of the file and the run's number
+/// only, in any order and thread.
 class Study {
  public:
-  /// @throws contact::Error if a dispersion does not fit its key, the nominal
-  ///   run fails, or it has no number of a requirement's name
+  /// @throws contact::Error if a dispersion does not suit its key, the nominal
+  ///   run fails, or it lacks a number named by a requirement
   explicit Study(const std::filesystem::path& file,
                  const PlanChanges& changes = {});
   Study(const Study&) = delete;
@@ -31,41 +31,41 @@ class Study {
 
   const Plan& plan() const { return plan_; }
   const Design& design() const { return *design_; }
-  /// Rows 0, the nominal one, to runs().
+  /// Rows are numbered 0 (nominal) to runs().
   std::uint64_t runs() const { return plan_.runs; }
 
-  /// Names of a row's numbers: inputs, quantities.
+  /// Names of a row's numbers: inputs, then quantities.
   std::vector<std::string> columns() const;
   std::size_t inputs() const { return design_->draws().size(); }
   const std::vector<std::string>& quantities() const { return quantities_; }
-  /// Number of them for requirements; others follow.
+  /// Number of quantities for requirements; they come first.
   std::size_t required() const { return for_requirements_; }
-  /// All numbers of the nominal run by their names.
+  /// All numbers of the nominal run by name.
   const std::map<std::string, double>& nominal() const {
     return nominal_.numbers;
   }
-  /// Unintended effects in the nominal run, and numbers that names with `*`
-  /// leave out as it does not reach them.
+  /// Unintended effects in the nominal run, and numbers that match a name with
+  /// `*` but are undefined in it.
   const std::vector<std::string>& warnings() const { return nominal_.warnings; }
-  /// Value that a requirement tests: the worst of a row's quantities.
+  /// Value to which a requirement applies: the worst of a row's quantities.
   double value_of(std::size_t requirement, const Row& row) const;
 
-  /// @param stop  asked on the way: why the run has to end; "" to go on
+  /// @param stop  called during the run: the reason to end it, or "" to
+  ///              continue
   Row row(std::uint64_t run,
           const std::function<std::string()>& stop = {}) const;
-  /// The case of a run, for its history; throws Error of a joint.
+  /// The case of a run, for its history; throws Error for a study of a joint.
   separation::Case case_of(std::uint64_t run) const;
 
-  /// Keys that, given another value, change none of the quantities, the
-  /// energies aside.
-  /// @param notable  changes of each quantity that count: of those below them
-  ///   the steps of the integrator may be the reason
+  /// Keys whose value does not affect any quantity except the energies.
+  /// @param notable  significant change of each quantity; smaller changes may
+  ///                 come from the steps of the integrator
   std::vector<std::string> idle_keys(const std::vector<double>& notable) const;
-  /// Before so many runs: how long they take, if that is long; else "".
+  /// Expected time of so many runs if it is long; else "".
   std::string forecast(std::uint64_t runs, int jobs) const {
     return model_->forecast(runs, jobs);
   }
-  /// Whatever its rows depend on.
+  /// Identifies everything that affects its rows.
   std::string identity() const;
 
  private:

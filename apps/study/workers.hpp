@@ -10,8 +10,9 @@
 
 namespace study {
 
-/// Computes rows in threads; each is in the journal as soon as it is done.
-/// @param stop  asked on the way: why to end; rows that are under way are lost
+/// Computes rows in threads and stores each row in the journal when it is
+/// complete.
+/// @param stop  called during runs: the reason to end; unfinished rows are lost
 /// @param done  called after each row, by one thread at a time
 void compute(const Study& study, const std::vector<std::uint64_t>& runs,
              int jobs, Journal& journal,

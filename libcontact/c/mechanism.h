@@ -37,11 +37,11 @@ typedef struct contact_mechanism_joint {
 /* A joint as a step begins. */
 typedef struct contact_mechanism_start {
   double reaction[3];  /* R on the body, N, of the step before: of a ball in the
-                          axes of its rates, of a pin in those of `axis` */
+                          axes of its rates, for a pin in the axes of `axis` */
   double axis[3];      /* unit axis of a pin */
-  double from_seat[9]; /* of a ball with a [seat], row by row: rotation from the
-                          axes of the body that has it to those of the rates;
-                          all 0: they are the same */
+  double from_seat[9]; /* for a ball with a [seat], row by row: rotation from
+                          the axes of the body with the seat to the axes of the
+                          rates; all 0: they coincide */
 } contact_mechanism_start;
 
 /* size: of the generalized rates. */

@@ -96,7 +96,7 @@ std::string DutyCycle::Rows::make_one_period() {
   motion.pop_back();
   return detail::message(
       "the last row repeats the first and is left out: the period is {:.6g} s; "
-      "state a longer one if it is a row of its own",
+      "give a longer period if it is a separate row",
       *period);
 }
 

@@ -196,8 +196,8 @@ std::string angles_note(const PeriodicSpline& spline) {
   }
   if (!(largest > furthest || step > longest)) return {};
   return detail::message(
-      "the angles go to {:.4g} rad and change by up to {:.3g} rad from row to "
-      "row: are they degrees that were taken for radians, or too few rows?",
+      "the angles reach {:.4g} rad and change by up to {:.3g} rad from row to "
+      "row: are these degrees read as radians, or too few rows?",
       largest, step);
 }
 
@@ -209,10 +209,10 @@ std::vector<std::string> DutyCycle::notes(bool is_pin) const {
     constexpr double negligible = 0.01;
     const double beyond = overshoot(of);
     if (!(beyond > negligible)) return;
-    notes.push_back(detail::message(
-        "between the rows the {} goes {:.3g} % of its range beyond them: a "
-        "spline overshoots where rows jump, and more rows there hold it",
-        what, 100 * beyond));
+    notes.push_back(
+        detail::message("between the rows the {} exceeds their range by {:.3g} "
+                        "%: splines overshoot where rows jump; add rows there",
+                        what, 100 * beyond));
   };
   add_overshoot("force", splines_->forces);
   if (sequence_) {
@@ -223,7 +223,7 @@ std::vector<std::string> DutyCycle::notes(bool is_pin) const {
   if (closure_ > 0.1 * degree) {
     notes.push_back(detail::message(
         "the rates turn the body by {:.3g} deg more or less than whole turns: "
-        "its wear map and forces in its axes are not those of a cycle",
+        "its wear map and forces in its axes do not belong to a closed cycle",
         closure_ / degree));
   }
   if (!is_pin) return notes;
@@ -232,10 +232,10 @@ std::vector<std::string> DutyCycle::notes(bool is_pin) const {
     axial = std::max(axial, std::abs(at(time).reaction.z()));
   }
   if (axial > 0) {
-    notes.push_back(detail::message(
-        "a pin takes no force along its axis: R_z of up to {:.4g} N is left "
-        "out",
-        axial));
+    notes.push_back(
+        detail::message("a pin carries no force along its axis: R_z of up to "
+                        "{:.4g} N is ignored",
+                        axial));
   }
   return notes;
 }

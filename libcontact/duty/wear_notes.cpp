@@ -27,8 +27,8 @@ std::string WearMap::coefficient_note(double coefficient) {
   if (k == 0 || (k >= least * (1 - rounding) && k <= largest * (1 + rounding)))
     return {};
   return detail::message(
-      "the wear coefficient {:.4g} mm^3/(N m) is outside {:g} to {:g}, where "
-      "those of bearings are",
+      "the wear coefficient {:.4g} mm^3/(N m) is outside the range of "
+      "bearings, {:g} to {:g}",
       k, least, largest);
 }
 

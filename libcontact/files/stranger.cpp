@@ -46,7 +46,7 @@ std::string key_of_symbol(const std::string& key,
 std::string meant_by(const std::string& key, const toml::table& table,
                      const std::vector<const KnownKey*>& known) {
   std::vector<std::string> likely;
-  // What is set is not there, and is meant for one that is.
+  // A key given as a setting is not in the table, and is meant for one that is.
   const bool is_free = !table.contains(key) || table[key].is_table();
   for (const KnownKey* other : known) {
     if (is_gone(*other)) continue;

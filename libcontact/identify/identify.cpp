@@ -432,7 +432,8 @@ std::vector<std::string> FrictionFit::notes() const {
     return {};
   }
   std::string text = detail::message(
-      "residuals are {:.3g} times as large as sigma says, chi2/dof {:.3g}: ",
+      "residuals are {:.3g} times as large as sigma suggests, chi2/dof "
+      "{:.3g}: ",
       scale, chi2 / degrees_of_freedom);
   text += is_large ? "the joint has more than this friction (a seal's drag, a "
                      "sensor's offset: fit them too), or sigma is too small"

@@ -63,9 +63,8 @@ bool serves(const Law& law, const JointSpec& joint,
 std::vector<std::string> ThermalGrowth::validity_notes() const {
   if (!(largest_strain > largest_free_strain)) return {};
   return {detail::message(
-      "a free thermal strain of {:.3g} exceeds {}: expansion is taken as "
-      "linear "
-      "and Young's moduli as those at the reference temperature",
+      "a free thermal strain of {:.3g} exceeds {}: expansion is assumed "
+      "linear, and Young's moduli independent of the temperature",
       largest_strain, largest_free_strain)};
 }
 

@@ -140,9 +140,8 @@ BallLaw<double> fitted(const Joint& ball, BallLaw<double> law,
   return law;
 }
 
-// The largest errors over many states, those of a sequence that fills the
-// square of load and direction evenly; a third of the directions is close to
-// the load.
+// The largest errors over many states: a sequence that fills the square of load
+// and direction evenly, with a third of the directions close to the load.
 void measure(const Joint& ball, double enough, BallLaw<double>& law) {
   constexpr int states = 100'000;
   BallLaw<float> single;

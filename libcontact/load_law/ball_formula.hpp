@@ -234,7 +234,7 @@ struct BallLaw {
 #undef CONTACT_COUNT
 #undef CONTACT_REAL
   std::vector<Real> table = {};
-  /// Those of M over |M|, as of PinLoadLaw.
+  /// Largest errors of M over |M|, as in PinLoadLaw.
   double error = 0;
   double float_error = 0;
 

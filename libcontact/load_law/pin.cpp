@@ -136,7 +136,7 @@ PinLoadLaw pin_load_law(const Joint& pin, double error,
                                           : Form::clearance;
   law.radius = contact.geometry().radius();
   if (law.form == Form::interference) law.scale = unit;
-  // What a clearance needs is known for all loads.
+  // A clearance needs no data that depend on the range of loads.
   law.loads = detail::loads_of_endless(pin, loads, unit, sticks ? 1e-3 : 1e-6,
                                        sticks ? 10 : 1e4);
   const Nodes nodes = nodes_of(pin, law);

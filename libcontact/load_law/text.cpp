@@ -84,7 +84,7 @@ Left out: rims and relief of the seat, grease, temperature.
 }
 
 std::string ball_code(const BallLaw& law, const Language& in) {
-  // Of the hold: evaluations, and the logarithm of a large cot a.
+  // The hold needs a number of evaluations, and the logarithm of a large cot a.
   detail::Constants constants{{{"hold_rounds", 8}, {"largest", 28}}, {}};
 #define CONTACT_NAMED(name) constants.numbers[#name] = double(law.name);
   CONTACT_BALL_NUMBERS(CONTACT_NAMED, CONTACT_NAMED)

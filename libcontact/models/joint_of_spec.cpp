@@ -50,7 +50,7 @@ JointContact endless_contact(const JointSpec& joint, SharedLaws& laws) {
   if (!has_relief(joint)) return joint.contact(laws);
   JointContact contact = joint.without_relief().contact(laws);
   if (const std::string why = FinitePin::refusal(joint); !why.empty()) {
-    contact.add_validity_note("the relief of the ends is left out: " + why);
+    contact.add_validity_note("the relief of the ends is ignored: " + why);
   }
   return contact;
 }

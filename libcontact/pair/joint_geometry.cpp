@@ -96,10 +96,10 @@ std::vector<std::string> JointGeometry::validity_notes() const {
   }
   // A clearance of 0 is a model's own, which says that it is small.
   if (relative != 0 && std::abs(relative) < smallest_relative_clearance) {
-    notes.push_back(detail::message(
-        "relative clearance {:.3g} is below {:g}: errors of form and warmth "
-        "change clearances as small as this",
-        relative, smallest_relative_clearance));
+    notes.push_back(
+        detail::message("relative clearance {:.3g} is below {:g}: form errors "
+                        "and temperature change such small clearances",
+                        relative, smallest_relative_clearance));
   }
   if (radial_clearance_ < 0) {
     notes.emplace_back(
@@ -108,8 +108,8 @@ std::vector<std::string> JointGeometry::validity_notes() const {
   }
   if (radial_clearance_ <= 0 && kind_ == JointKind::ball) {
     notes.emplace_back(
-        "without clearance the theory is that of a ball in a complete seat: "
-        "use it for seats that are nearly complete");
+        "without clearance the theory assumes a ball in a complete seat: use "
+        "it only for nearly complete seats");
   }
   return notes;
 }

@@ -86,10 +86,10 @@ std::vector<std::string> infinite_liner_notes(const LayeredBody& inner,
     const Material& end = body->backing.material();
     if (body->backing.kind() != Backing::Kind::medium || !end.liner) continue;
     notes.push_back(detail::message(
-        "the {} body{} is taken without end, and is a liner: contacts that are "
-        "not small against its thickness are too large here and their "
-        "pressures too low; a [{}] with its thickness and what is behind it is "
-        "computed as it is",
+        "the {} body{} is a liner, but modelled as unbounded: unless the "
+        "contact is small compared with its thickness, the contact is "
+        "overestimated and its pressure underestimated; give its thickness and "
+        "backing in a [{}]",
         which, end.name.empty() ? "" : ", " + end.name + ",", key));
   }
   return notes;

@@ -27,8 +27,8 @@ Relief Relief::ends(double depth, double length) {
 std::vector<std::string> Relief::notes() const {
   if (*this == none()) return {};
   return {
-      "the relief of the ends is left out: the contact is taken level and even "
-      "along the joint's length"};
+      "the relief of the ends is ignored: the contact is assumed uniform along "
+      "the joint's length"};
 }
 
 std::vector<Relief::Piece> Relief::pieces(double length) const {

@@ -23,9 +23,9 @@ struct SeatEdge {
   /// Distance of peak pressures and p v from rims, over the radius, (0, 1).
   double report_distance = 0.02;
   SideFace side_face = SideFace::goes_on;
-  /// What an elastic backing behind layers does beside them if the side faces
-  /// are free: free, it ends at faces that run on from where those of the
-  /// layers end, straight from the ball's centre.
+  /// Elastic backing beside the layers if their side faces are free. `free`:
+  /// the backing ends at faces that continue the side faces of the layers
+  /// radially from the ball's centre.
   SideFace housing = SideFace::goes_on;
 
   friend bool operator==(const SeatEdge&, const SeatEdge&) = default;
@@ -39,7 +39,7 @@ struct SeatEdge {
 /// unless told otherwise.
 class SeatZone {
  public:
-  /// Narrower zones are refused: 1 deg.
+  /// Narrower zones are rejected: 1 deg.
   static constexpr double smallest_width = 0.017453292519943295;
 
   /// @param from, to  polar angles, rad, 0 <= from < to <= pi; at 0 and pi the
@@ -117,7 +117,7 @@ class SeatZone {
   /// opening of less than 45 deg about it of a bore.
   /// @param rim  0 the lower, 1 the upper one
   double side_angle(int rim) const;
-  /// Whether side_angle() is that of a bore unless the edge has its own.
+  /// True if side_angle() belongs to a bore unless the edge has its own.
   bool has_bore(int rim) const;
 
   friend bool operator==(const SeatZone&, const SeatZone&) = default;

@@ -111,11 +111,11 @@ Impact JointImpact::operator()(const HuntCrossley& damping, double mass,
 std::vector<std::string> JointImpact::notes(const Impact& impact,
                                             double density) const {
   if (std::isnan(impact.penetration)) {
-    return {detail::message(
-        "the impact has more energy than {:.4g} J, where the force law ends: a "
-        "half-angle of {:.4g} deg",
-        law_.energy(law_.largest_penetration()),
-        law_.half_angle(law_.largest_penetration()) / degree)};
+    return {
+        detail::message("the impact exceeds the energy at the end of the force "
+                        "law, {:.4g} J: a half-angle of {:.4g} deg",
+                        law_.energy(law_.largest_penetration()),
+                        law_.half_angle(law_.largest_penetration()) / degree)};
   }
   std::vector<std::string> notes;
   const ContactLimits limits(*joint_.make_half_angle_law(), joint_.pair(),

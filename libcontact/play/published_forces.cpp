@@ -81,10 +81,10 @@ std::vector<PublishedForceLaw> published_force_laws(
   const double l = geometry.length();
   const double h = 1 / (pi * modulus);
   return {
-      {"johnson", "Johnson 1985", "turns round at 4 pi E* l c e^-2",
+      {"johnson", "Johnson 1985", "its force decreases beyond 4 pi E* l c e^-2",
        logarithmic(h / l, 4 * l * c / h, -1)},
       {"radzimovsky", "Radzimovsky 1953",
-       "with the K_D of Roark's formulas; others take half of it",
+       "with the K_D of Roark's formulas; other authors use half of it",
        logarithmic(h / l, 16 * r1 * r2 * l * modulus / (2.56 * 2 * r),
                    2.0 / 3)},
       {"esdu", "ESDU 78035, 1978", "", logarithmic(h / l, 4 * l * c / h, 1)},
@@ -95,7 +95,7 @@ std::vector<PublishedForceLaw> published_force_laws(
        "the length stands for a radius",
        logarithmic(h / l, l * l * l * c / (r1 * r2 * h), 1)},
       {"lankarani_nikravesh", "Lankarani, Nikravesh 1990",
-       "a ball's law: the length has no part in it", power(hertz, 1.5)},
+       "a ball's law: the length has no effect", power(hertz, 1.5)},
       {"liu", "Liu et al. 2007", "like a bed of springs",
        liu(pi / 2 * modulus * l, c)},
       {"pereira", "Pereira et al. 2011",

@@ -83,16 +83,16 @@ ContactLimits::ContactLimits(const HalfAngleLaw& law, const ElasticPair& pair,
         {&LargestContact::half_angle, seat->reach(), degree, "half-angle",
          " {:.4g} deg is",
          detail::message(" beyond {:.4g} deg, where a contact in the middle of "
-                         "the seat reaches a rim: its pressures are not "
-                         "confined here, and too low",
+                         "the seat reaches a rim: the contact is not confined "
+                         "here, and the printed pressures are too low",
                          seat->reach() / degree)});
     // A tenth of a degree: rounding at a rim is no overlap.
     limits_.push_back(
         {&LargestContact::rim_overlap, 0.1 * degree, degree, "contact",
          " that goes {:.3g} deg",
-         detail::message(" beyond a rim of its seat, where its load points: it "
-                         "is answered without the seat, its pressures are too "
-                         "low")});
+         detail::message(
+             " beyond a rim of its seat in the direction of the load: the seat "
+             "is ignored here, and the printed pressures are too low")});
   }
   if (geometry.radial_clearance() >= 0) add_half_angle(law, pair);
   if (geometry.kind() == JointKind::pin) {
@@ -132,8 +132,8 @@ void ContactLimits::add_layers(const LayeredPair& walls) {
   const auto add = [&](const Material& material, const char* body,
                        double depth) {
     const std::string place = detail::message(
-        "{} body {:.3g} mm under the contact{}: less comes down to it, how "
-        "much is not computed",
+        "{} body {:.3g} mm under the contact{}: the pressure there is lower, "
+        "but not computed",
         body, 1e3 * depth, material.name.empty() ? "" : ", " + material.name);
     const double from = depth / walls.radius();
     add_pressure(material.limit_pressure, "the limit pressure of the " + place,

@@ -48,7 +48,7 @@ constexpr Quantity<Patch> of_patch[] = {
      [](const Patch& p) { return stiction(p); }, "", has_stiction},
     // From here on the rows of preload_quantities().
     {"interference_pressure", "p_0", Dimension::stress,
-     "pressure of interference alone, the same all round",
+     "pressure of interference alone, uniform all round",
      [](const Patch& p) { return p.contact.interference_pressure(); }, "",
      has_interference},
     {"lift_off_force", "R_lift_off", Dimension::force,
@@ -66,7 +66,7 @@ constexpr Quantity<Patch> of_patch[] = {
      },
      "", has_half_angle},
     {"shift", "", Dimension::length,
-     "of the centres of the two bodies from where they coincide",
+     "shift of the centres of the two bodies from the concentric position",
      [](const Patch& p) {
        return p.contact.shift(p.normal_force, p.half_angle);
      },
@@ -74,7 +74,8 @@ constexpr Quantity<Patch> of_patch[] = {
 };
 
 constexpr Quantity<ContactApproach> of_approach[] = {
-    {"approach", "", Dimension::length, "of the two bodies, from first touch",
+    {"approach", "", Dimension::length,
+     "approach of the two bodies from first touch",
      [](const ContactApproach& a) { return a.approach; }},
     {"stiffness", "", Dimension::line_force, "d R_n/d approach",
      [](const ContactApproach& a) { return a.stiffness; }},
@@ -146,7 +147,7 @@ constexpr Quantity<Rating> of_rating[] = {
     {"pv_mean", "", Dimension::power_density, "mean p v over the contact",
      [](const Rating& r) { return r.pv_mean; }},
     {"pv_nominal", "", Dimension::power_density,
-     "p_nominal times rho |Dw|: p v as in catalogues",
+     "p_nominal times rho |Dw|: PV as in catalogues",
      [](const Rating& r) { return r.pv_nominal; }},
     {"nominal_area", "", Dimension::area,
      "area of p_nominal: pi rho^2, diameter times width of a ring, or 2 rho L",

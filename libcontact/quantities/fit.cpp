@@ -13,7 +13,8 @@ constexpr FitQuantity of_fit[] = {
      "f0 alone, with A = 0 and the joint's clearance",
      [](const Fit& f) -> const Estimate& { return f.effective_coefficient; }},
     {"condition", "condition",
-     "scaled condition number: above 30 the data cannot tell them apart",
+     "scaled condition number: above 30 the data do not separate the "
+     "parameters",
      [](const Fit& f) { return f.condition; }},
     {"chi2", "chi2", "sum of squares of residuals over sigma",
      [](const Fit& f) { return f.chi2; }},
@@ -47,9 +48,9 @@ constexpr FitParameter parameters[] = {
     {FrictionParameter::clearance, "clearance", "radial_clearance_m",
      "clearance", "difference of the radii"},
     {FrictionParameter::drag, "drag", "drag_N_m", "drag",
-     "moment that resists whatever the load is"},
+     "resisting moment independent of the load"},
     {FrictionParameter::offset, "offset", "offset_N_m", "offset",
-     "moment that does not turn round with the joint"}};
+     "moment that does not change sign with the rotation"}};
 
 }  // namespace
 

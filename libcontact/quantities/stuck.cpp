@@ -7,10 +7,10 @@ using S = StuckJoint;
 
 constexpr Quantity<S> of_stuck[] = {
     {"load_stiffness", "K_load", Dimension::moment,
-     "stiffness against a turn across the load, which stays, per rad",
+     "stiffness against a turn across a constant load, per rad",
      [](const S& s) { return s.load_stiffness; }},
     {"held_stiffness", "K_held", Dimension::moment,
-     "the same with the centre held, per rad",
+     "stiffness with the centre held, per rad",
      [](const S& s) { return s.held_stiffness; }},
     {"spin_stiffness", "K_spin", Dimension::moment,
      "against a turn of a ball about the load, per rad",

@@ -64,8 +64,7 @@ std::string at_corner(double corner) {
   constexpr double small = -0.005;
   if (std::isnan(exponent)) return "falls to 0";
   if (exponent > small) return "is finite";
-  return detail::message("grows towards it like s^{:.2f}, s the distance",
-                         exponent);
+  return detail::message("grows like s^{:.2f}, s the distance", exponent);
 }
 
 Eigen::Vector2d in_plane(const Eigen::Vector3d& force) {
@@ -396,10 +395,10 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
   std::vector<std::string> all;
   if (std::isnan(state.peak_pressure) && state.area > 0) {
     all.push_back(detail::message(
-        "no largest pressure: {:.3g} mm or more from the rims, the distance "
-        "that is reported, it is below the mean of the contact, {:.4g} MPa{}",
+        "no largest pressure: at the reported distance of {:.3g} mm or more "
+        "from the rims it is below the mean of the contact, {:.4g} MPa{}",
         radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6,
-        has_free_side_face() ? "" : "; K tells what is at the rim"));
+        has_free_side_face() ? "" : "; see K of the rim"));
   }
   for (const int rim : {0, 1}) {
     const bool is_reached = state.rims[rim].intensity > 0;
@@ -425,20 +424,20 @@ void SeatContact::add_side_face_notes(const SeatState& state, int rim,
   const std::string taken =
       zone_.edge().angle
           ? ""
-          : detail::message(", of a side face that is taken to be {}",
-                            zone_.has_bore(rim) ? "a bore" : "flat");
+          : detail::message(", assuming {}", zone_.has_bore(rim)
+                                                 ? "a bore"
+                                                 : "a flat side face");
   if (state.rims[rim].half_arc > 0) {
     all.push_back(detail::message(
-        "the contact is at its {} rim, a corner of {:.4g} deg{}: nearer to "
-        "it than {:.3g} mm the pressure is the corner's own, which {}, and not "
-        "reported",
+        "the contact is at its {} rim, a corner of {:.4g} deg{}: within {:.3g} "
+        "mm of it the pressure is not reported; at the corner it {}",
         rim_names[rim], corner / degree, taken,
         radius_ * report_distance() * 1e3, at_corner(corner)));
   } else if (!zone_.edge().angle && !state.is_free &&
              state.rims[rim].distance < rim_warning_->reach(rim)) {
     all.push_back(detail::message(
-        "the contact ends beside its {} rim, whose side face counts: a corner "
-        "of {:.4g} deg{}; edge_angle of the [seat] says another",
+        "the contact ends beside its {} rim, and its side face has an effect: "
+        "a corner of {:.4g} deg{}; edge_angle of the [seat] sets another angle",
         rim_names[rim], corner / degree, taken));
   }
 }
@@ -458,9 +457,9 @@ void SeatContact::add_rounding_notes(const SeatState& state, int rim,
   const double width = radius_ * (state.upper_end - state.lower_end);
   if (of.reach <= largest_share * std::min(width, surface_layer_)) return;
   all.push_back(detail::message(
-      "the contact goes {:.3g} mm on over the rounding of its {} rim, more "
-      "than a tenth of {:.3g} mm, {}: the pressure there is that of a rounding "
-      "much smaller",
+      "the contact extends {:.3g} mm over the rounding of its {} rim, more "
+      "than a tenth of {:.3g} mm, {}: the pressure there holds only for a much "
+      "smaller rounding",
       of.reach / millimetre, rim_names[rim],
       std::min(width, surface_layer_) / millimetre,
       surface_layer_ < width ? "the surface layer" : "its width"));

@@ -149,22 +149,22 @@ std::string RimWarning::sentence(int rim, bool is_reached, double direction,
   const char* least = corner < obtuse ? "up to" : "-1.2 to";
   const std::string size =
       most ? message(
-                 "by finite elements of such seats, of {:.4g} deg, pressures "
-                 "in the middle are larger by {} {} %, the approach "
-                 "by up to {} %",
+                 "finite elements of such seats, of {:.4g} deg, give pressures "
+                 "in the middle larger by {} {} %, an approach larger by up to "
+                 "{} %",
                  opening(zone_, rim) / degree, least,
                  rounded_up(most->pressure), rounded_up(most->approach))
            : std::string(
-                 "pressures in the middle and the approach are larger as a "
-                 "rule, in nine of ten cups of all sizes by up to 23 and 42 "
-                 "%, in all by up to 152 and 1735 %, which is no bound here "
-                 "(docs/explanation/seats.md)");
+                 "true pressures in the middle and the true approach are "
+                 "usually larger, in nine of ten cups of all sizes by up to 23 "
+                 "and 42 %, in all by up to 152 and 1735 %, which is no bound "
+                 "here (docs/explanation/seats.md)");
   return message(
-      "the contact {} its {} rim, where the side face, taken to be at {:.4g} "
-      "deg to the seat, is free in truth: {}, pressures at the rim {}; {}",
+      "the contact {} its {} rim. The model neglects the free side face there, "
+      "assumed at {:.4g} deg to the seat: {}, true pressures at the rim {}; {}",
       is_reached ? "is at" : "ends beside", rim == 0 ? "lower" : "upper",
       corner / degree, size,
-      corner < acute ? "fall to 0, and the largest is not there"
+      corner < acute ? "fall to 0, so that the peak is elsewhere"
                      : "are smaller",
       cure_);
 }

@@ -219,7 +219,7 @@ void unhinged(benchmark::State& state, Mix mix) {
 }
 
 #ifdef CONTACT_HAS_SIMBODY
-// Of the carrier's accelerations, to which all bodies add.
+// Difference of the carrier's accelerations, to which all bodies contribute.
 double difference(const Instant& instant,
                   const multibody::bench::SimbodySystem& system) {
   const multibody::InstantResult ours = multibody::evaluate(instant);

@@ -14,15 +14,15 @@ class SimbodySystem {
   explicit SimbodySystem(const Instant& instant);
   ~SimbodySystem();
 
-  /// Moves on by `time` s, with Simbody's Runge-Kutta-Merson integrator.
+  /// Advances by `time` s with Simbody's Runge-Kutta-Merson integrator.
   /// @param accuracy  its relative accuracy
   void advance(double time, double accuracy);
-  /// Places of the centres of mass, carrier and bodies, inertial axes.
+  /// Positions of the centres of mass, carrier and bodies, inertial axes.
   std::vector<Eigen::Vector3d> positions() const;
 
-  /// State in, all accelerations out.
+  /// Takes a state; computes all accelerations.
   void evaluate();
-  /// After evaluate(): the reactions in all mobilizers.
+  /// Reactions in all mobilizers; call after evaluate().
   void find_reactions();
   /// Accelerations of the carrier by evaluate(), carrier axes.
   Eigen::Vector3d carrier_acceleration() const;

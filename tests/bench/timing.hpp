@@ -11,7 +11,7 @@
 /// Timing for all benchmarks.
 namespace contact::bench {
 
-/// So many inputs fit the cache.
+/// Number of inputs that fits the cache.
 inline constexpr std::size_t count = 256;
 
 /// (i mod count)/count.
@@ -38,7 +38,7 @@ inline std::vector<ElasticPair> pairs() {
   return result;
 }
 
-/// Times call(i), i from 0 to count - 1 and from 0 again.
+/// Times call(i) for i from 0 to count - 1, repeatedly.
 template <class Call>
 void time_each(benchmark::State& state, const Call& call,
                std::size_t inputs = count) {

@@ -19,7 +19,7 @@ inline CJoint c_joint(const std::string& file) {
   return {joint, contact_joint_free};
 }
 
-/// A call that fails so, and says so.
+/// Expects a call to fail with this status and message.
 inline void expect_failure(contact_status status, contact_status expected,
                            const std::string& message) {
   EXPECT_EQ(status, expected) << message;

@@ -323,7 +323,8 @@ TEST(CEnds, SolutionsAreFoundAnew) {
   ASSERT_EQ(contact_joint_held(c.get(), &found, found.friction_moment, &held),
             CONTACT_OK);
   EXPECT_NEAR(held.utilisation, 1, 1e-4);
-  // At the load, alike on both sides of the middle, and beside the seat.
+  // At the load, symmetrically on both sides of the middle, and beside the
+  // seat.
   const Vector3d load = got(c, level, "seat_force").normalized();
   const double places[] = {
       load.x(),      load.y(), load.z(),       std::sin(1.2), 0, std::cos(1.2),
@@ -352,7 +353,8 @@ TEST(CEnds, WithoutItsSeatItGoesOn) {
       std::isnan(got(endless, {{0, 2000, 0}, {1, 0, 0}, {}}, "shift")[0]));
 }
 
-// A friction that seats cannot have has to be told before the joint is made.
+// A friction without a solution in seats must be known before the joint is
+// made.
 TEST(CEnds, ItsSeatMayBeLeftOutBeforeItIsMade) {
   const std::string text =
       "name = \"cup\"\nkind = \"ball\"\n[geometry]\nradius_mm = 14\n"

@@ -11,16 +11,16 @@
 #include "libcontact/c/quantity.h"
 #include "libcontact/quantities/quantity.hpp"
 
-/// Quantities from C against the table of C++.
+/// Compares quantities from C with the table of C++.
 namespace contact::test {
 
-/// NaN too.
+/// Equal, or both NaN.
 inline void expect_same(double a, double b, std::string_view key) {
   EXPECT_EQ(std::bit_cast<std::uint64_t>(a), std::bit_cast<std::uint64_t>(b))
       << key << ": " << a << " and " << b;
 }
 
-/// All of a table, listed and got.
+/// Lists and gets all quantities of a table.
 template <class T, class Listed, class Get>
 void expect_table(std::span<const Quantity<T>> table, const T& of,
                   const Listed& listed, const Get& get) {

@@ -1,4 +1,4 @@
-// Mechanisms from C are those of C++ to the last bit.
+// Mechanisms from C are bit-identical to mechanisms from C++.
 #include "libcontact/joint/steps/mechanism_step.hpp"
 
 #include <gtest/gtest.h>

@@ -99,7 +99,7 @@ TEST(CPlay, SaysWhereTheModelEnds) {
   char text[300];
   ASSERT_EQ(contact_play_impact_notes(play.get(), 1e6, 10, 0, text, 300),
             CONTACT_OK);
-  EXPECT_TRUE(std::string(text).starts_with("the impact has more energy"));
+  EXPECT_TRUE(std::string(text).starts_with("the impact exceeds the energy"));
   EXPECT_EQ(std::string(text), contact_last_message());
   ASSERT_EQ(contact_play_impact_notes(play.get(), 1e6, 10, 0, text, 4),
             CONTACT_OK);

@@ -408,7 +408,7 @@ TEST(CStatus, RefusedCallsSaySoInTheirResults) {
   EXPECT_TRUE(std::isnan(x));
 }
 
-// In builds with assertions; others know nothing of it.
+// Only in builds with assertions.
 TEST(CStatus, FreedHandlesAreRefusedWhereAssertionsAre) {
 #ifdef NDEBUG
   GTEST_SKIP() << "a build without assertions";

@@ -4,8 +4,8 @@
 
 namespace contact::test {
 
-/// A host as Fortran's -ffpe-trap=invalid,zero,overflow has it, and rounding
-/// upward. Its own arithmetic is not exact.
+/// Simulates a host compiled with Fortran's -ffpe-trap=invalid,zero,overflow
+/// that rounds upward. Its own arithmetic is not exact.
 class TrappingHost {
  public:
   TrappingHost() {

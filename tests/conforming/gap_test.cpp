@@ -20,9 +20,8 @@
 #include "support/reference_table.hpp"
 #include "support/wall.hpp"
 
-// The solutions by the gap, on which interference stands: against reference
-// rows, the closed form of identical materials and the solutions by the
-// pressure.
+// The solutions by the gap, which interference uses: against reference rows,
+// the closed form of identical materials and the solutions by the pressure.
 namespace contact::test::gap_test {
 namespace {
 

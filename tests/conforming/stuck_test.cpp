@@ -148,8 +148,8 @@ TEST(Stuck, ThinLayersAreTheSumOfTheirHarmonics) {
   }
 }
 
-// Of narrow contacts one harmonic stands for its neighbours: the numbers are of
-// sums over each, the tolerance is twice the largest difference.
+// For narrow contacts one harmonic represents its neighbours: the numbers refer
+// to sums over each, and the tolerance is twice the largest difference.
 TEST(Stuck, NarrowContactsAreTheSumOfTheirHarmonics) {
   struct Row {
     JointKind kind;

@@ -9,9 +9,9 @@
 #include "support/numbers.hpp"
 #include "support/unilateral_contact.hpp"
 
-// The exact solutions against a method that knows neither their equations nor
-// their assumption of one contact interval: complementarity on the whole
-// circumference (support/unilateral_contact.hpp).
+// The exact solutions against an independent method that does not assume a
+// single contact interval: complementarity on the whole circumference
+// (support/unilateral_contact.hpp).
 namespace contact::test::unilateral_test {
 namespace {
 

@@ -264,7 +264,7 @@ TYPED_TEST(Walled, ThinIncompressibleLinersSqueezeSideways) {
   }
 }
 
-// The least thickness that a refused pair is told; 0 if it is not refused.
+// The least thickness in the message for a rejected pair; 0 if it is accepted.
 template <class Contact>
 double least_thickness(const LayeredPair& pair) {
   const std::string text = error_message([&] { Contact{pair}; });
@@ -274,8 +274,8 @@ double least_thickness(const LayeredPair& pair) {
                                  : std::stod(text.substr(at + before.size()));
 }
 
-// Between rigid bodies layers that neither compression nor squeezing lets
-// yield leave no digits: peaks were 27 to 1e5 times too large.
+// Between rigid bodies, layers that yield neither by compression nor by
+// squeezing leave no significant digits: peaks were 27 to 1e5 times too large.
 TEST(Walled, ThinLayersThatHardlyYieldAreRefused) {
   EXPECT_ERROR(
       BallContact(single(1e-4, 0.5, Backing::rigid())),
@@ -476,8 +476,8 @@ TYPED_TEST(Walled, ThinFreeWallsHaveTheirPeakOffTheCentre) {
   EXPECT_EQ(backed.pressure(theta0).peak_angle(), 0);
 }
 
-// The strip beside the edge of a thin ring narrows, and its peak stands between
-// the places of the scan: nothing of the profile is above peak().
+// The strip beside the edge of a thin ring narrows, and its peak lies between
+// the points of the scan: no point of the profile exceeds peak().
 TEST(WalledPin, TheStripOfAThinRingIsFound) {
   const PinContact contact(single(0.005, 0.3, Backing::held()));
   double before = 0;

@@ -152,7 +152,7 @@ TEST(Pages, CiteEverySourceAndNoOther) {
   std::set<std::string> rows;
   for (const std::string& line : prose(docs / "reference/references.md")) {
     const auto key = matches(line, R"re(^\| <a id="([\w-]+)"></a>\1 \|)re");
-    // The rows of a table, but for its head and the line below that.
+    // The rows of a table without its header and the line below it.
     if (line.starts_with("| ") && !line.starts_with("| key")) {
       EXPECT_EQ(key.size(), 1u) << line;
     }
@@ -179,7 +179,7 @@ TEST(Pages, ThatTheCodeNamesAreThere) {
   EXPECT_GT(count, 50);
 }
 
-/// Words of a text; marks that stand alone are none.
+/// Number of words in a text; single punctuation marks do not count.
 std::ptrdiff_t words(const std::string& text) {
   std::istringstream stream(text);
   return std::count_if(std::istream_iterator<std::string>(stream), {},
@@ -190,7 +190,7 @@ std::ptrdiff_t words(const std::string& text) {
                        });
 }
 
-// Words of the README are all that is in it, those of pages are their prose.
+// For the README all words count, for pages only their prose.
 TEST(Pages, ForUsersAreReadInFiveMinutes) {
   EXPECT_LE(words(contents(root / "README.md")), 900);
   for (const char* folder : {"tutorials", "how-to", "explanation"}) {
@@ -230,7 +230,7 @@ TEST(Pages, HaveOneVersion) {
       version("CMakeLists.txt", R"(libcontact VERSION ([\d.]+))");
   EXPECT_EQ(version("CITATION.cff", R"(\nversion: ([\d.]+))"), ours);
   EXPECT_EQ(version("cmake/vcpkg/vcpkg.json", R"("version": "([\d.]+))"), ours);
-  // Above the last version stands the one that is being made.
+  // The version in progress is above the last released one.
   const std::string newest = version("CHANGELOG.md", R"(\n## ([\w.]+))");
   if (newest == "Unreleased") {
     EXPECT_NE(version("CHANGELOG.md", R"(\n## (\d[\d.]*) - )"), ours);

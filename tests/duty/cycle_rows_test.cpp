@@ -43,7 +43,7 @@ TEST(CycleRows, ReturnIsLeftOut) {
     rows.period = period;
     EXPECT_EQ(rows.make_one_period(),
               "the last row repeats the first and is left out: the period is "
-              "20 s; state a longer one if it is a row of its own");
+              "20 s; give a longer period if it is a separate row");
     EXPECT_DOUBLE_EQ(rows.period.value(), 20);
     EXPECT_EQ(rows.times.size(), 20u);
     EXPECT_EQ(rows.forces.size(), 20u);
@@ -89,7 +89,7 @@ TEST(CycleRows, UnevenSteps) {
   EXPECT_EQ(open.times.size(), 21u);
 }
 
-// Steps are even if a thousandth of one is all that they differ by.
+// Steps that differ by a thousandth count as even.
 TEST(CycleRows, NearlyEvenSteps) {
   for (const auto& [difference, is_even] :
        {std::pair{0.9e-3, true}, {1.1e-3, false}, {0.1, false}}) {
@@ -137,11 +137,11 @@ TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
   };
   EXPECT_TRUE(notes(1, 20).empty());
   EXPECT_TRUE(notes(6.28, 50).empty());
-  EXPECT_EQ(notes(25, 100),
-            std::vector<std::string>(
-                {"the angles go to 25 rad and change by up to 1.57 rad from "
-                 "row to row: are they degrees that were taken for radians, "
-                 "or too few rows?"}));
+  EXPECT_EQ(
+      notes(25, 100),
+      std::vector<std::string>(
+          {"the angles reach 25 rad and change by up to 1.57 rad from row to "
+           "row: are these degrees read as radians, or too few rows?"}));
   EXPECT_EQ(notes(6.3, 100).size(), 1U);  // beyond a turn
   EXPECT_EQ(notes(3.0, 16).size(), 1U);   // 1.15 rad from row to row
   DutyCycle::Rows rates = swing(20);
@@ -150,7 +150,8 @@ TEST(CycleRows, NotesOfAnglesThatMayBeDegrees) {
   EXPECT_TRUE(DutyCycle(rates, {}).notes(false).empty());
 }
 
-// One row, or two alike, are a steady turn: Q = exp(w t), whatever the period.
+// One row, or two equal rows, are a steady rotation: Q = exp(w t) for any
+// period.
 TEST(CycleRows, SteadyTurn) {
   const Vector3d rate(0.3, -4, 1);
   for (const int count : {1, 2}) {

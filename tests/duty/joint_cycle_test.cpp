@@ -225,8 +225,8 @@ TEST_P(Cycles, WearMap) {
   if (pin) shear.may_be_empty();
 }
 
-// Components of the moment have their largest between the rows: never below a
-// fine grid, and as high but for its steps.
+// Components of the moment have their largest values between the rows: never
+// below a fine grid, and equal to it within its steps.
 TEST_P(Cycles, LargestMomentsByAxis) {
   for (int k = 0; k < 3; ++k) {
     for (const int sign : {-1, 1}) {
@@ -273,8 +273,8 @@ TEST(DutyCycle, RatesAreTheTurnsDerivative) {
   }
 }
 
-// Dw of the states as input: the same energy but for the spline through rates,
-// and the turn closes.
+// Uses Dw of the states as input: the energy agrees within the error of the
+// spline through rates, and the turn closes.
 TEST(DutyCycle, OfRates) {
   const Reference hip("hip");
   const DutyCycle duty(hip.rows(vectors(hip.in, force_columns),
@@ -296,8 +296,9 @@ TEST(DutyCycle, OfRates) {
   }
 }
 
-// A sine in 20 rows passes; loads that jump, turns that do not close, and a
-// force along a pin are said. Angles that jump back after a turn are refused.
+// A sine in 20 rows gives no note; jumping loads, turns that do not close, and
+// a force along a pin give one. Angles that jump back after a turn are
+// rejected.
 TEST(DutyCycle, SaysWhatTheRowsDoNotHold) {
   DutyCycle::Rows rows{{}, {}, {}, 1.0};
   for (int i = 0; i < 20; ++i) {

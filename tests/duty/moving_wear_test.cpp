@@ -115,9 +115,9 @@ TEST(MovingWear, OfASwingMatchesWearStepByStep) {
   }
 }
 
-// Under a load that stands still the steps go the way of the rigid limit,
-// k P s/(rho eps) = theta0/cos theta0 - sin theta0, if elasticity is little: it
-// would be 5 deg of half-angle without wear. Of the depth eps (1/cos - 1).
+// Under a stationary load the steps follow the rigid limit, k P s/(rho eps) =
+// theta0/cos theta0 - sin theta0, if elasticity is small: without wear the
+// half-angle would be 5 deg. The depth follows eps (1/cos - 1).
 TEST(MovingWear, AtRestItIsTheRigidLimit) {
   const double radius = 0.02;
   const double clearance = 4e-5;
@@ -140,8 +140,8 @@ TEST(MovingWear, AtRestItIsTheRigidLimit) {
   }
 }
 
-// The hole turns round under the load and wears alike everywhere: it stays
-// round, and its clearance grows as exactly as for a pin that wears alone.
+// The hole rotates under the load and wears uniformly: it stays round, and its
+// clearance grows exactly as for a pin that wears alone.
 TEST(MovingWear, OfAHoleThatTurnsRoundIsExact) {
   const double radius = 0.02;
   const double force = 4e4;

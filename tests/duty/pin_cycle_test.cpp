@@ -106,7 +106,7 @@ TEST(CycleOfPin, LevelIsTheEndlessPin) {
   }
 }
 
-// A relief is by slices without being asked, and wears along the pin alone.
+// A relief selects slices by default; such a pin wears only along the pin.
 TEST(CycleOfPin, OfAReliefIsBySlices) {
   const Joint bush_with_relief(bush(Relief::barrel(1e-5)));
   const JointCycle pin(swinging(), bush_with_relief);

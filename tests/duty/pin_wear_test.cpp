@@ -36,7 +36,7 @@ double sum_factor(const WornCircle& circle, double load,
   return 2 * pi * circle.radius() * contact.pressure.mean() / load;
 }
 
-// The hole wears, in which the load stands still.
+// The hole wears; the load is stationary in it.
 TEST(PinWear, OfTheHoleMatchesTheReference) {
   const ReferenceTable table("preload/wear.csv");
   // `accuracy` is the reference's own; half of it is ours.
@@ -170,8 +170,8 @@ TEST(PinWear, StepsAreShortEnough) {
               sum_factor(fine.circle(), load, fine.contact({load, 0})), 1e-4);
 }
 
-// A load that turns with the hole, so that it stands still in it, of constant
-// size or not.
+// A load that rotates with the hole, so that it is stationary in it, of
+// constant or varying size.
 DutyCycle steady(double force, double swing = 0) {
   constexpr int count = 8;
   std::vector<double> times;
@@ -202,7 +202,8 @@ TEST(WearInPressed, OpensTheInterference) {
         wear_in(steady(force, swing), contact, {.seat = k}, cycles);
     ASSERT_GT(worn.states.size(), 20u);
     EXPECT_EQ(worn.states.front().half_angle, pi);
-    // Before wear it is the joint's own cycle, but for the circle's points.
+    // Before wear the cycle equals the joint's own cycle, except for the
+    // discretisation of the circle.
     const JointCycle fresh(steady(force, swing), Joint(contact));
     const double energy = -fresh.integral(
         [](const JointCycle::Instant& at) { return at.solution.power; });
@@ -210,7 +211,7 @@ TEST(WearInPressed, OpensTheInterference) {
     for (const WearIn::State& state : worn.states) {
       const double left = std::exp(-k * distance * state.cycles / c0);
       if (left < (1 + swing) / 2) break;  // the largest load may lift it off
-      // Exact, whatever the loads are.
+      // Exact for any loads.
       EXPECT_NEAR(state.clearance / -i, left, 1e-9);
     }
     const WearIn::State& last = worn.states.back();
@@ -245,8 +246,8 @@ TEST(WearInPressed, OfThePinFollowsItsExactGrowth) {
   EXPECT_EQ(states.back().volume, 0);
 }
 
-// p all round while closed, and of the contact that is lifted off: the map of
-// the hole, in which the load stands still, against the pressure itself.
+// p all round while closed, then p of the lifted contact: the map of the hole,
+// in which the load is stationary, against the pressure itself.
 TEST(WearMap, OfAPressedPin) {
   const LayeredPair pair = pair_of(ReferenceTable("preload/wear.csv")[0]);
   const JointContact contact = contact_of(pair, -2e-5);

@@ -29,8 +29,8 @@ JointSpec bearing(JointBody inner) {
           .friction = FrictionLaw(0.05)};
 }
 
-// The force on the seat, if there were no friction, swings about X in
-// its axes; the body does not turn but for a rate about X.
+// Without friction the force on the seat swings about X in its axes; the body
+// turns only with a rate about X.
 DutyCycle cycle(double side, double swing = 20 * degree) {
   DutyCycle::Rows rows;
   for (int i = 0; i < 24; ++i) {
@@ -149,7 +149,8 @@ TEST(CycleInSeat, WearMapIsTheSumOverTheRows) {
     EXPECT_EQ(together[i].pv, one.pv);
     EXPECT_EQ(together[i].cross_shear, one.cross_shear);
   }
-  // Beside the rim it stays what it is 0.02 radii off, and beyond it is 0.
+  // Beside the rim the pressure keeps its value at 0.02 radii; beyond the rim
+  // it is 0.
   const auto at = [&](double v) {
     return seat.at(Vector3d(0, std::sin(v), std::cos(v))).pv;
   };
@@ -169,8 +170,8 @@ TEST(CycleInSeat, WearMapIsTheSumOverTheRows) {
   EXPECT_GT(defect, -0.03);
 }
 
-// Peaks that are looked for far from the rim are below the mean of contacts at
-// it: such rows have none, nor has the cycle where their mean is the larger.
+// Peaks searched far from the rim can be below the mean of contacts at it: such
+// rows have no peak, and neither has the cycle if their mean is the larger.
 TEST(CycleInSeat, HasNoPeakThatMayBeExceeded) {
   for (const double report_distance : {0.02, 0.7}) {
     JointSpec spec = bearing(JointBody::body);
@@ -231,8 +232,8 @@ TEST(CycleInSeat, FreeContactsAreThoseWithoutRims) {
   }
 }
 
-// A ball that leaves its seat for a while: sums over that time are not known,
-// nor is the largest value of anything.
+// The ball leaves its seat for a while: sums over that time and all largest
+// values are unknown.
 TEST(CycleInSeat, WithoutASeatThereAreNoNumbers) {
   const JointCycle out(cycle(-1, 70 * degree), Joint(bearing(JointBody::body)));
   const auto rows = out.rows();

@@ -147,7 +147,7 @@ TEST(WearIn, SlidingCoefficientBesideThePressureWorn) {
   }
 }
 
-// A swing of 10 deg to each side under a load that stands still in the seat.
+// A swing of 10 deg to each side under a stationary load in the seat.
 DutyCycle swing(double load, JointBody axes) {
   constexpr int rows = 40;
   std::vector<double> times;
@@ -296,7 +296,7 @@ TEST(WearIn, LoadsThatMove) {
           .notes.empty());
 }
 
-// Steps press at the centre, and say so.
+// Steps assume a load at the centre, and a note reports it.
 TEST(WearIn, LoadThroughTheBackIsThatOfTheUnwornJoint) {
   JointSpec roller{.geometry = JointGeometry::pin(0.01, 1e-5, 0.02),
                    .inner = Material{2.1e11, 0.3},
@@ -352,7 +352,7 @@ TEST(WearIn, CoefficientsOfBearings) {
   EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), {1e-20}, 1).notes.size(), 1u);
 }
 
-// Wear beyond a tenth of the overlap in a cycle goes on by whole cycles.
+// Wear beyond a tenth of the overlap in one cycle proceeds by whole cycles.
 TEST(WearIn, BlocksHaveACycleAtLeast) {
   const WearIn wear = wear_in(steady(), pin(1e11, 0.1, 1.7), {1e-11}, 5.5);
   ASSERT_GT(wear.states.size(), 2u);

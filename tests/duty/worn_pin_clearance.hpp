@@ -9,16 +9,16 @@
 
 namespace contact::test {
 
-/// A load and the path of the wear that slides under it in a cycle.
+/// A load, and the path in a cycle over which the wearing surface slides under
+/// it.
 struct LoadedPath {
   double normal_force;  ///< R_n, N
   double path;          ///< m/Pa
 };
 
-/// The clearance after cycles in which all places of one surface wear alike, m:
-/// it stays round, d eps/d path = S P/(2 pi rho) at every clearance, by the
-/// joint's own laws. The growth agrees with wear.csv to 1e-6, the rounding of
-/// its loads.
+/// Clearance after cycles in which one surface wears uniformly, m. It stays
+/// round: d eps/d path = S P/(2 pi rho) at every clearance, by the joint's own
+/// laws. The growth agrees with wear.csv to 1e-6, the rounding of its loads.
 inline double clearance_of_worn_pin(const JointContact& contact,
                                     std::span<const LoadedPath> cycle,
                                     double cycles) {
@@ -33,7 +33,7 @@ inline double clearance_of_worn_pin(const JointContact& contact,
       growth += path * now.sum_of_pressures(force, half_angle) / area;
     }
   };
-  // A thousandth of the half-angle law's own errors: S has a kink at lift-off.
+  // A thousandth of the half-angle law's errors: S has a kink at lift-off.
   constexpr double tolerance = 1e-10;
   namespace odeint = boost::numeric::odeint;
   using Stepper = odeint::runge_kutta_dopri5<double>;

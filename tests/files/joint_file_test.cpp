@@ -680,7 +680,7 @@ TEST(TomlTable, SettingsOfElementsAndFactors) {
                "u = *2 requires a number, or numbers, to multiply");
 }
 
-// The later of two settings of one key would do what the earlier is said to.
+// The later of two settings of one key would silently replace the earlier one.
 TEST_F(JointFolder, OneKeyIsSetOnce) {
   write("b.toml", "x_mm = 1\n[[c]]\nname = \"d\"\ny = 3\nz = [1, 2]\n");
   const auto inner = +[] {
@@ -996,8 +996,8 @@ TEST(SharedLaws, AreThoseOfJointsThatAreAlike) {
   }
 }
 
-// A liner without a wall is warned of, whatever its law; a wall, or saying that
-// it is meant, ends that. The note is of the contact: all doors have it.
+// A liner without a wall gives a warning for any law; a wall, or liner = false,
+// removes it. The note belongs to the contact, so that all interfaces have it.
 TEST(JointFile, LinersWithoutAWall) {
   const auto notes = [](const JointSpec& joint) {
     return joint.contact().limits().notes({.half_angle = 0.1});
@@ -1012,8 +1012,8 @@ TEST(JointFile, LinersWithoutAWall) {
     const auto said = notes(joint);
     ASSERT_EQ(said.size(), 1u);
     EXPECT_TRUE(said[0].starts_with(
-        "the outer body, woven PTFE liner, is taken without end, and is a "
-        "liner: "));
+        "the outer body, woven PTFE liner, is a liner, but modelled as "
+        "unbounded: "));
     EXPECT_EQ(joint.contact().limits().passed({.half_angle = 0.1}), said);
     EXPECT_TRUE(joint.contact().limits().notes({}).empty());
     // The text of the joint is the joint.

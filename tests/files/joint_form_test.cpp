@@ -49,7 +49,7 @@ TEST(JointForm, SaysWhatIsWrongAsSettingsDo) {
   EXPECT_ERROR(form.with(std::vector{-14.0}),
                "hip_cocr_uhmwpe.toml with geometry.radius_mm = -14: "
                "geometry.radius_mm = -14 must be above 0");
-  // And goes on.
+  // And continues.
   EXPECT_EQ(form.with(std::vector{14.0}).geometry.radius(), 0.014);
   JointForm name = form_of(hip_file, {"name"});
   EXPECT_ERROR(name.with(std::vector{1.0}),

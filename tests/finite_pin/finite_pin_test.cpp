@@ -170,8 +170,8 @@ TEST(FinitePinAccuracy, UnderTheReactionsOfTheReference) {
   }
 }
 
-// Level and without relief it is the endless pin. The second one's force law
-// ends half a clearance deep.
+// A level pin without relief equals the unlimited pin. The force law of the
+// second one ends half a clearance deep.
 TEST(FinitePin, LevelIsTheJoint) {
   JointSpec lined = bush();
   lined.geometry = JointGeometry::pin(0.02, 4e-5, 0.05);
@@ -234,7 +234,8 @@ TEST(FinitePin, IsTheDerivativeOfItsEnergy) {
   EXPECT_EQ(at.stiffness, at.stiffness.transpose());
 }
 
-// The hole has no direction: all that turns, turns.
+// The hole has no preferred direction: a rotation of all inputs rotates the
+// results.
 TEST(FinitePin, TurnsWithItsLoad) {
   const FinitePin pin(bush(Relief::barrel(1e-5)));
   const Eigen::Rotation2D<double> turn(0.7);

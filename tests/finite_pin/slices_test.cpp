@@ -143,7 +143,7 @@ TEST(Slices, AreThoseOfTheFinitePin) {
   }
 }
 
-// A tilt of almost nothing, by slices, against the endless joint.
+// A tiny tilt, by slices, against the joint without ends.
 TEST(Slices, LevelAreTheEndlessJoint) {
   JointSpec spec = bush();
   spec.half_angle_law = "exact";
@@ -228,7 +228,7 @@ TEST(Slices, HoldWhatSlowSlidingHas) {
   EXPECT_TRUE(std::isnan(rated.slip_coefficient));
   const JointSolution both = joint.solve({r, axis, axis, &slides});
   EXPECT_GT(rating_of(joint, both, axis).slip_coefficient, 1);
-  // A step holds up to there, and lets go.
+  // A step holds up to the limit, and slides beyond it.
   const Matrix3d inertia = 10 * Matrix3d::Identity();
   const double limit = std::abs(pin.solve({5e4, 0}, {0, 0}, 1).moment.z());
   for (const double share : {0.99, 1.01}) {
@@ -298,8 +298,9 @@ TEST(Slices, PressuresSumToWhatTheyCarry) {
   EXPECT_EQ(joint.pressures(s, std::vector<Vector3d>{q.col(2)})[0], 0);
 }
 
-// A pin that is given how it lies ends, level too: a tilt of 0 is the limit of
-// small ones. One that is not is endless, to the last bit.
+// A pin with a placement is a finite-length pin, also when level: a tilt of 0
+// is the limit of small tilts. A pin without a placement is bit-identical to
+// the pin without ends.
 TEST(Slices, LevelPinEndsWhereItsTiltIsGiven) {
   RandomSlips random(3);
   const JointSpec spec =
@@ -415,7 +416,8 @@ TEST(Slices, NumbersThatAreNoneHaveNoAnswer) {
   }
 }
 
-// A joint without slices stays the endless one, and says why.
+// A joint without slices keeps its unlimited contact, and a note gives the
+// reason.
 TEST(Slices, AreLeftOutWhereTheyCannotBe) {
   struct Case {
     JointSpec spec;
@@ -461,7 +463,7 @@ TEST(Slices, AreLeftOutWhereTheyCannotBe) {
     EXPECT_EQ(joint.solve({r, z}).friction_moment,
               Joint(c.spec).solve({r, z}).friction_moment);
     const std::vector<std::string> notes = joint.contact().validity_notes();
-    const std::string said = "the relief of the ends is left out: " + c.why;
+    const std::string said = "the relief of the ends is ignored: " + c.why;
     EXPECT_EQ(std::count(notes.begin(), notes.end(), said), 1) << c.why;
     for (const std::string& note : notes) {
       EXPECT_TRUE(note == said || note.find("relief") == note.npos) << note;

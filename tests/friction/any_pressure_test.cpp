@@ -50,7 +50,7 @@ bool ends_before(const PressureLaw& law, double half_angle) {
   return law.name() == "worn" && half_angle > law.largest_half_angle();
 }
 
-// The accuracy asked for.
+// The requested accuracy.
 constexpr double budget = 1e-10;
 
 struct NamedLaw {

@@ -28,7 +28,7 @@ TEST(ExactFriction, ReferenceTable) {
       2e-15);
 }
 
-// The polynomials, made anew at 50 digits as their header describes.
+// The polynomials, computed again at 50 digits as their header describes.
 using Real = boost::multiprecision::cpp_bin_float_50;
 
 // (d - sin d cos d)/sin^3 d from its series in sin^2(d/2) where the closed

@@ -1,6 +1,6 @@
-// Cycles for hinge-duty: any text is a cycle that can be asked for its forces
-// and rates, or one contact::Error. Input whose first byte is odd is of a pin,
-// the next bit makes it an OpenSim table.
+// Cycles for hinge-duty: any text gives either a cycle with forces and rates,
+// or one contact::Error. If the first byte of the input is odd, the joint is a
+// pin; the next bit selects an OpenSim table.
 
 #include "fuzz.hpp"
 #include "programs/duty/cycle_file.hpp"

@@ -15,8 +15,8 @@ inline void check(bool holds) {
   if (!holds) std::abort();
 }
 
-/// Calls `read`, which gives what can be used or throws contact::Error with a
-/// message of one line that starts so.
+/// Calls `read`, which must return a usable result or throw contact::Error with
+/// a single-line message that begins with this text.
 template <class Read>
 void read_or_one_line(const Read& read, const std::string& start) {
   try {
@@ -28,7 +28,7 @@ void read_or_one_line(const Read& read, const std::string& start) {
   }
 }
 
-/// A file for readers of files, rewritten with every input.
+/// A file rewritten with every input, for readers of files.
 inline std::string written(std::string_view text, const std::string& ending) {
   static const std::filesystem::path folder = [] {
     std::string name =

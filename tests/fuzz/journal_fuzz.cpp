@@ -1,7 +1,7 @@
-// Journals of studies: whatever bytes of a good one are others, a row is read
-// as it was written, or one contact::Error says why not. Every three bytes of
-// the input are a place of the file (from its beginning and, odd, its end) and
-// the byte there.
+// Journals of studies with changed bytes: a row is read as it was written, or
+// one contact::Error gives the reason. Every three bytes of the input are a
+// place of the file (from its beginning or, if odd, its end) and the byte
+// there.
 #include <sqlite3.h>
 
 #include <filesystem>

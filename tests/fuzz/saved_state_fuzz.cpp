@@ -1,9 +1,9 @@
-// Saved runs: whatever is in them, a run is either restored and goes on, or
-// refuses them with one contact::Error and is where it was.
+// Saved runs with arbitrary content: a run is restored and continues, or
+// rejects them with one contact::Error and keeps its state.
 //
-// Input that begins with 0 is the CBOR of a state behind it. Else every four
-// bytes exchange one place of a good state, found by the first two, for one of
-// some values, chosen by the third and made of the fourth.
+// Input that begins with 0 is followed by the CBOR of a state. Otherwise every
+// four bytes replace one place of a valid state, given by the first two bytes,
+// by one of several values, selected by the third and built from the fourth.
 #include <fmt/format.h>
 
 #include <algorithm>

@@ -46,7 +46,7 @@ ExactHalfAngle solver(JointKind kind, const PairCase& pair, double load) {
 
 // So that it reproduces what they reproduce (tests/conforming).
 TEST(ExactLaw, IsTheSolver) {
-  // The series' truncation, beside the solver's rounding.
+  // Truncation of the series, in addition to the solver's rounding.
   AccuracyReport pin("pin, theta0 against the solver, deg", 1e-11);
   AccuracyReport ball("ball, theta0 against the solver, deg", 1e-8);
   std::vector<PairCase> all(std::begin(pairs), std::end(pairs));
@@ -359,7 +359,7 @@ TEST(WalledExactLaw, IsTheSolverOfBalls) {
 
 TEST(WalledExactLaw, IsTheSolverOfPins) { compare<PinContact>(JointKind::pin); }
 
-// Which layers there are, and what ends them: eleven kinds in sixty rows.
+// Kinds of layers and their supports: eleven kinds in sixty rows.
 std::string kind_of_walls(const ReferenceTable::Row& row) {
   std::string kind = row.text("end");
   for (const char* column : {"E1", "coat_E", "La_E", "Lb_E"}) {

@@ -43,7 +43,7 @@ void compare_with_rows(JointKind kind) {
   AccuracyReport thin("theta0, thin walls", 5e-6);
   AccuracyReport shift("shift", 1e-7);
   AccuracyReport stiffness("stiffness", 1e-7);
-  // Rows of one pair of bodies stand together.
+  // Rows of one pair of bodies are adjacent.
   std::optional<LayeredPair> last;
   std::unique_ptr<const HalfAngleLaw> shared;
   for (const ReferenceTable::Row row :
@@ -121,7 +121,7 @@ void compare_with_solver(JointKind kind) {
     const Gap gap(pair, 64);
     EXPECT_NEAR(unit / law.closing_load(), -gap.mean_compliance(),
                 1e-14 * gap.mean_compliance());
-    // Nothing happens at eps = 0, nor where the contact closes.
+    // The results are smooth at eps = 0 and where the contact closes.
     const double limit = law.limit_half_angle();
     EXPECT_EQ(law.half_angle(infinity).half_angle, limit);
     EXPECT_NEAR(law.half_angle(-infinity).half_angle, limit, 1e-7 * limit);

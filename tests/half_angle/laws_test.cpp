@@ -240,7 +240,7 @@ TEST(ValidityNotes, SayWhatIsOutsideTheRange) {
   EXPECT_EQ(notes("paper", pin, 2, 0.3, 0.3), Notes{ratio_note + "2"});
   EXPECT_EQ(notes("paper", pin, infinity, 0.3, 0.3), Notes{ratio_note + "inf"});
   EXPECT_EQ(notes("paper", pin, std::nextafter(2.0, 0), 0.3, 0.3), Notes{});
-  // A limit half-angle of the user's own is taken as it is.
+  // A limit half-angle given by the user is used unchanged.
   EXPECT_EQ(notes("tanh", ball, 1, 0.2, 0.45, {.limit_half_angle = 1.4}),
             Notes{});
 }

@@ -77,7 +77,7 @@ TEST(Worn, LawInBothDirections) {
   }
 }
 
-// A law that does not come to its end.
+// A law that does not converge.
 class Unsure final : public HalfAngleLaw {
  public:
   Unsure() : HalfAngleLaw(JointKind::ball) {}

@@ -9,11 +9,11 @@
 
 #include "hosts/joint_handle.hpp"
 
-/// A ball in a cup, in a host whose bodies are turned.
+/// A ball in a cup, in a host with rotated bodies.
 namespace contact::test {
 
-/// File of a cup about the x axis of the half that has it, the body or its
-/// parent.
+/// Writes the file of a cup about the x axis of the half with the cup, the body
+/// or its parent.
 inline std::string cup(bool on_parent) {
   std::string path =
       testing::TempDir() + "/contact_cup_" +
@@ -32,8 +32,8 @@ inline std::string cup(bool on_parent) {
   return path;
 }
 
-/// Attitude of the half that has the cup, so that a weight of 1 kN along -z
-/// presses 70 deg from its axis, and that of the other.
+/// Attitudes of both halves. A weight of 1 kN along -z presses 70 deg from the
+/// axis of the half with the cup.
 inline Eigen::Matrix3d attitude(bool on_parent, bool is_parent) {
   using Eigen::AngleAxisd;
   using Eigen::Vector3d;
@@ -46,8 +46,8 @@ inline Eigen::Matrix3d attitude(bool on_parent, bool is_parent) {
       .toRotationMatrix();
 }
 
-/// Moment of the cup by C, in the world, of vectors in the world.
-/// @param axes  those of the half that has the cup, as columns
+/// Moment of the cup from C; vectors are in world axes.
+/// @param axes  of the half with the cup, as columns
 inline Eigen::Vector3d moment_in(const std::string& file,
                                  const Eigen::Matrix3d& axes,
                                  const Eigen::Vector3d& reaction,

@@ -8,8 +8,8 @@ namespace contact::test {
 
 using Three = std::array<double, 3>;
 
-/// A sliding state that a simulator has been in, and its friction moment. All
-/// in one frame.
+/// A sliding state reached by a simulator, and its friction moment, in one
+/// frame.
 struct DoorRow {
   Three reaction;  ///< N
   Three rate;      ///< Dw, rad/s
@@ -17,7 +17,7 @@ struct DoorRow {
   Three moment;    ///< N m
 };
 
-/// Random states of simulators whose adapters are built.
+/// Random states of the simulators whose adapters are built.
 std::vector<DoorRow> mujoco_rows(const std::string& file, bool pin, int count);
 std::vector<DoorRow> simbody_rows(const std::string& file, bool pin, int count);
 

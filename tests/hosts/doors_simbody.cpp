@@ -36,10 +36,10 @@ std::vector<DoorRow> simbody_rows(const std::string& file, bool pin,
     link.setQToFitRotation(state, pin ? Rotation(angle, ZAxis)
                                       : Rotation(angle, UnitVec3(drawn())));
     link.setUToFitAngularVelocity(state, pin ? normal(random) * axis : drawn());
-    // A pin that turns back has not come to rest.
+    // A pin that reverses has not come to rest.
     friction.settle(state);
-    // Again from the moments that fit: the solution is then that of their
-    // reactions.
+    // Evaluates again from consistent moments, so that the solution belongs to
+    // their reactions.
     system.realize(state, Stage::Acceleration);
     state.invalidateAllCacheAtOrAbove(Stage::Dynamics);
     system.realize(state, Stage::Acceleration);

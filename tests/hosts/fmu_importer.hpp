@@ -14,8 +14,8 @@
 #include <string>
 #include <vector>
 
-/// An importer of FMUs, as small as it can be: unzips one, reads its
-/// description and calls its functions. It knows nothing of libcontact.
+/// A minimal importer of FMUs: unzips a file, reads its description and calls
+/// its functions, independent of libcontact.
 namespace contact::test {
 
 namespace fs = std::filesystem;
@@ -43,7 +43,7 @@ inline void unzip(const fs::path& zip, const fs::path& folder) {
   unzClose(file);
 }
 
-/// Attributes of an element and the elements in it.
+/// Attributes of an element, and its child elements.
 struct Element {
   std::string name;
   std::map<std::string, std::string> attributes;
@@ -71,7 +71,7 @@ inline Element element_of(const xmlNode* node) {
   return e;
 }
 
-/// An FMU that has been unzipped.
+/// An unzipped FMU.
 class Fmu {
  public:
   Fmu(const fs::path& file, const fs::path& folder) : folder_(folder) {
@@ -109,7 +109,7 @@ class Fmu {
     const fs::path platforms = folder_ / "binaries";
     return fs::directory_iterator(platforms)->path() / (id + ".so");
   }
-  /// A function of the FMU, int unless said.
+  /// A function of the FMU, of type int by default.
   template <class Result = int, class... Arguments>
   Result call(const char* name, Arguments... arguments) const {
     void* const function = dlsym(library_, name);
@@ -129,7 +129,7 @@ inline std::string& last_message() {
   static std::string text;
   return text;
 }
-/// All of them.
+/// All messages.
 inline std::vector<std::string>& messages() {
   static std::vector<std::string> all;
   return all;
@@ -146,7 +146,7 @@ inline void log_3(void*, int, const char*, const char* text) {
   messages().push_back(text);
 }
 
-/// An instance, by FMI 2.0 or 3.0 as the FMU is. Calls return FMI's status.
+/// An instance by FMI 2.0 or 3.0, as the FMU. Calls return FMI's status.
 class FmuInstance {
  public:
   enum Use { steps, exchange };
@@ -176,8 +176,8 @@ class FmuInstance {
   FmuInstance(FmuInstance&&) = delete;
   ~FmuInstance() { fmu_.call<void>((prefix_ + "FreeInstance").c_str(), c_); }
 
-  /// A function of this instance by its name in FMI 2.0 without the prefix.
-  /// 3.0 takes an argument more of some, which 2.0 leaves.
+  /// A function of this instance by its FMI 2.0 name without prefix. Some
+  /// functions of 3.0 take a further argument.
   template <class... Arguments>
   int call(std::string name, Arguments... arguments) const {
     for (const auto& [old, now] : {std::pair("Real", "Float64"),
@@ -190,7 +190,7 @@ class FmuInstance {
     return fmu_.call((prefix_ + name).c_str(), c_, arguments...);
   }
 
-  /// From the parameters to the inputs of the start.
+  /// Sets parameters, then the inputs at the start.
   int enter(double start = 0) const {
     if (prefix_ == "fmi3") {
       return call("EnterInitializationMode", false, 0.0, start, false, 0.0);
@@ -216,7 +216,7 @@ class FmuInstance {
     call("GetReal", &reference, one, &value, one);
     return value;
   }
-  // A bool of FMI 3.0 is the first byte of an int of 2.0.
+  // A bool of FMI 3.0 is stored in the first byte of an int of 2.0.
   int set_flag(const std::string& name, int value) const {
     const unsigned reference = fmu_.reference(name);
     return call("SetBoolean", &reference, one, &value, one);

@@ -1,4 +1,4 @@
-// FMUs of joints and cases, by an importer that knows nothing of libcontact.
+// FMUs of joints and cases, tested by an importer independent of libcontact.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -86,7 +86,7 @@ TEST_P(Versions, AreNamedAfterTheirFile) {
   EXPECT_TRUE(bytes() == first);
 }
 
-// A contact that no ball has is said when the simulation ends.
+// A contact outside the limits is reported at the end of the simulation.
 TEST_P(Versions, SayWhereTheyLeaveTheModel) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());
   const FmuInstance it(*fmu);
@@ -149,7 +149,7 @@ TEST_P(Versions, AreInTheirSeat) {
   EXPECT_TRUE(is_said);
 }
 
-// All outputs of steps and of friction alone are those of C.
+// All outputs of steps and of friction equal the results of C.
 TEST_P(Versions, AnswerAsC) {
   const auto fmu = fmu_of(folder + "ball.toml", GetParam());
   contact_joint* joint = nullptr;
@@ -248,7 +248,7 @@ TEST_P(Versions, SaveAndGoOn) {
   ASSERT_EQ(first.call("SerializeFMUstate", state, bytes.data(), size), 0);
   const Vector3d moment = first.vector("moment");
 
-  // Another instance, which has other parameters, goes on in its place.
+  // Another instance, with other parameters, continues in its place.
   const FmuInstance second(*fmu);
   void* read = nullptr;
   ASSERT_EQ(second.call("DeSerializeFMUstate", bytes.data(), size, &read), 0);
@@ -326,12 +326,12 @@ TEST_P(Versions, RunACase) {
   EXPECT_EQ(it.get("wheel_x.angle_deg"), end);
   it.call("FreeFMUstate", &state);
   contact_run_free(run);
-  // Beyond its end it says so, as what a host may do otherwise.
+  // Beyond its end it returns a discard, so that a host may try another step.
   EXPECT_EQ(it.step(13, 1e3), 2);
   EXPECT_EQ(last_message(), "the case ends at 40.000000 s");
 }
 
-// Bodies on bodies, of which some leave: as from C to the last bit.
+// Bodies on bodies, which separate in part: bit-identical to C.
 TEST_P(Versions, RunATree) {
   const std::string file = cases + "fairing_on_stage.toml";
   const auto fmu = fmu_of(file, GetParam());
@@ -354,7 +354,7 @@ TEST_P(Versions, RunATree) {
   contact_run_free(run);
 }
 
-// Neither traps nor a rounding mode of the host get in, and none gets lost.
+// Traps and rounding modes of the host have no effect, and are preserved.
 TEST_P(Versions, KeepTheFloatEnvironmentOfTheirHost) {
   for (const auto& [file, output] :
        {std::pair{folder + "ball.toml", "peak_pressure"},
@@ -665,7 +665,7 @@ TEST(FmuExchange, PendulumRestsAndLetsGo) {
     EXPECT_EQ(other.flag("holds"), share < 1);
     EXPECT_EQ(info.again != 0, share > 1);
     if (share < 1) continue;
-    // The moment is that of the onset, opposite to what pushes.
+    // The moment at the onset opposes the driving moment.
     EXPECT_LT(
         (other.vector("moment") - share / it.get("utilisation") * held / share)
             .norm(),

@@ -1,4 +1,4 @@
-// A hinge that is held in a loop like that of a host with explicit torques.
+// A held hinge in the loop of a host with explicit torques.
 #include "hosts/held_hinge.hpp"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ struct Pendulum {
   Vector3d reaction{0, mass* g, 0};
   double side = 0;  // another torque, N m
 
-  // assumed: inertia that the hinge is told
+  // @param assumed  inertia passed to the hinge
   void step(double assumed) {
     const double weight = -mass * g * length * std::sin(angle) + side;
     const double friction =

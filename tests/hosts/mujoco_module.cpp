@@ -1,6 +1,5 @@
-// What libcontact.mujoco uses of MuJoCo's own Python module, by the names and
-// signatures of that one, on the library that is installed: distributions have
-// the library alone.
+// Replaces MuJoCo's own Python module, which distributions do not ship, for
+// libcontact.mujoco: the same names and signatures, on the installed library.
 #include <mujoco/mujoco.h>
 #include <pybind11/numpy.h>
 

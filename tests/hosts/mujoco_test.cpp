@@ -1,4 +1,4 @@
-// Hinges of MuJoCo with friction: they slide, stop, hold and let go.
+// Hinges of MuJoCo with friction slide, stop, hold and are released.
 #include "hosts/mujoco/hinge_friction.hpp"
 
 #include <gtest/gtest.h>

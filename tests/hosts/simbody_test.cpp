@@ -1,4 +1,4 @@
-// Hinges of Simbody with friction: they slide, stop, hold and let go.
+// Hinges of Simbody with friction slide, stop, hold and are released.
 #include "hosts/simbody/hinge_friction.hpp"
 
 #include <gtest/gtest.h>
@@ -181,8 +181,8 @@ TEST(HostSimbody, FindsTheOnset) {
   EXPECT_GT(w.rate(), 0);
 }
 
-// Kinetic and potential energy, and what friction took: Simpson's rule over
-// 1 ms, whose own error is below 1e-8.
+// Kinetic and potential energy, and the energy dissipated by friction:
+// Simpson's rule over 1 ms, whose own error is below 1e-8.
 TEST(HostSimbody, EnergyBookIsClosed) {
   World w({Fit::converged, 1e-12, 1e-7});
   w.weigh({0, 0, -9.81});
@@ -283,7 +283,7 @@ std::vector<std::string> of_links(const std::vector<std::string>& columns) {
   return all;
 }
 
-/// That chain as hinge-separation has it, quaternions of its links first.
+/// Sets the chain from hinge-separation, quaternions of its links first.
 /// @param stride  numbers of a link
 void set_chain(World& w, const double* links, int stride) {
   Rotation parent;
@@ -374,8 +374,8 @@ TEST(HostSimbody, HoldsALoop) {
   }
 }
 
-// Forces of a subsystem that comes after that of friction are part of the
-// reactions, by another way.
+// Forces of a subsystem added after the friction are part of the reactions too,
+// by another code path.
 TEST(HostSimbody, KnowsForcesOfOtherSubsystems) {
   Rotation turned[2];
   for (const bool later : {false, true}) {
@@ -391,8 +391,8 @@ TEST(HostSimbody, KnowsForcesOfOtherSubsystems) {
   EXPECT_LT((turned[0] - turned[1]).norm(), 1e-9);
 }
 
-// A Gimbal is a ball in other coordinates: it slides, comes to rest, stays, and
-// lets go as a Ball does, to what the integrator leaves.
+// A Gimbal is a ball in other coordinates: it slides, comes to rest, stays and
+// is released as a Ball, within the integrator's accuracy.
 TEST(HostSimbody, GimbalMovesAsABall) {
   for (const Vec3& rate : {Vec3(0, 1, 0.5), Vec3(0)}) {
     World ball, gimbal;

@@ -1,6 +1,6 @@
-/* star_run CASE COLUMN,... TIME...: columns of a history at these times, a line
- * each. A program of its own: Simbody brings functions of the names of those of
- * SUNDIALS. */
+/* star_run CASE COLUMN,... TIME...: prints columns of a history at these times,
+ * one line each. A separate program, because functions of Simbody and SUNDIALS
+ * have the same names. */
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>

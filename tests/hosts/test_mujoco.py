@@ -28,7 +28,7 @@ def world(bodies, more="", gravity="0 0 -9.81", dt=1e-3):
 
 class Mujoco(unittest.TestCase):
     def test_pendulum_rests_and_stays(self):
-        """That of HostMujoco.PendulumRestsAndStaysToTheLastBit."""
+        """Repeats HostMujoco.PendulumRestsAndStaysToTheLastBit."""
         model, data = world(PENDULUM)
         friction = HingeFriction(model)
         friction.add("hip", BALL)
@@ -46,7 +46,7 @@ class Mujoco(unittest.TestCase):
         self.assertFalse(data.qvel.any())
 
     def test_the_first_step_lets_go(self):
-        """What rests on a slope that friction does not hold."""
+        """A body on a slope slides if friction cannot hold it."""
         model, data = world(PENDULUM)
         friction = HingeFriction(model)
         friction.add("hip", BALL)

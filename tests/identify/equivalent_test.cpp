@@ -64,7 +64,7 @@ double worst(const Joint& joint, const std::vector<Joint::Slip>& states,
 
 constexpr double right = std::numbers::pi / 2;
 
-// A contact that is a point: M = rho R f/sqrt(1 + f^2), whatever the load.
+// A point contact: M = rho R f/sqrt(1 + f^2) for any load.
 TEST(Equivalent, PointContactHasOneRadius) {
   const Joint joint = ball(FrictionLaw(0.2));
   const auto e = equivalent_friction(joint, sweep(1e-6, 1e-5, {right}));

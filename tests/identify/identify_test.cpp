@@ -347,7 +347,7 @@ TEST(Identify, Slopes) {
   }
 }
 
-// Loads that hardly differ tell nothing: the correlation and the standard
+// Nearly equal loads contain no information: the correlation and the standard
 // errors of the table in docs/how-to/identify.md, for many data of relative
 // error delta, over delta/sqrt(N).
 TEST(Identify, LoadRatioDecides) {

@@ -161,9 +161,9 @@ double difference(const JointSolution& s, const JointSolution& t) {
 
 TEST(BallJoint, TurningRAndDwTurnsTheResult) {
   RandomSlips random(3);
-  // Turning rounds R and Dw. Where the result depends on them more than in
-  // proportion (adhesion near b = 90 deg, tiny contacts near a = 90 deg), the
-  // rounding grows by that factor, which is measured beside it.
+  // The rotation rounds R and Dw. Where the result depends on them more than in
+  // proportion (adhesion near b = 90 deg, tiny contacts near a = 90 deg),
+  // rounding grows by this factor, which is also measured.
   AccuracyReport plain("turned result, condition below 10", 1e-13);
   AccuracyReport scaled("turned result over condition", 1e-14);
   for (int i = 0; i < 3000; ++i) {

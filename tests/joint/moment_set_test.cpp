@@ -141,8 +141,8 @@ TEST(MomentSet, UtilisationOfTheEdgeIsOne) {
   }
 }
 
-// Conditions of the minimum: the moment is in the set and opposes the motion
-// with all that the set has, alpha . M = -Phi(alpha).
+// Conditions of the minimum: the moment is in the set and opposes the motion as
+// much as the set allows, alpha . M = -Phi(alpha).
 TEST(MomentSet, ProxMeetsItsConditions) {
   RandomSlips random(5);
   AccuracyReport inside("utilisation less 1, times theta0", 1e-14);

@@ -71,7 +71,7 @@ TEST(JointSpec, CanonicalTextHasFitsLawsAndLoading) {
   EXPECT_EQ(parse_joint(pressed.canonical_text(), "text"), pressed);
 }
 
-// Whatever is said of a joint counts when two are compared.
+// Every property of a joint counts in a comparison.
 TEST(JointSpec, ADifferenceAnywhereIsSeen) {
   const JointSpec joint = lined_ball();
   std::vector<JointSpec> others(16, joint);

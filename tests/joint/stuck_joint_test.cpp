@@ -121,8 +121,8 @@ TEST(StuckJoint, IsNanWhereItIsNotKnown) {
   film.outer = {{{0.9e-3 * hip.geometry.radius(), {1e9, 0.4}}},
                 Backing::rigid()};
   EXPECT_EQ(why(film, 1),
-            "because a layer is 0.0009 radii thick: less than 0.001 is not "
-            "computed");
+            "because a layer is 0.0009 radii thick: layers below 0.001 cannot "
+            "be computed");
   EXPECT_TRUE(std::isnan(stuck_under(film, 2000).load_stiffness));
   const JointContact viscous = contact.with_friction(ViscousLaw(1, 1));
   const StuckJoint stuck = stuck_joint(hip, viscous, 1, 0.5);

@@ -1,4 +1,4 @@
-// A flat thrust face against its integral, and beside pins in a group.
+// A flat thrust face against its integral, and together with pins in a group.
 #include "libcontact/joint/thrust_face.hpp"
 
 #include <gtest/gtest.h>

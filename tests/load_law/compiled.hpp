@@ -12,7 +12,7 @@
 // Load laws in C, compiled and loaded.
 namespace contact::test {
 
-/// Calls of what LoadLawText has in C, named friction.
+/// Calls the C function `friction` of LoadLawText.
 class CompiledLaw {
  public:
   struct Moment {
@@ -83,7 +83,7 @@ class CompiledLaw {
 inline constexpr const char* pin_wrapper =
     "\ndouble pin(double load, double f, double *dM) {\n"
     "  return friction(load, f, dM);\n}\n";
-/// Of an adhesive pin, whose function has no f.
+/// Wrapper for an adhesive pin, whose function has no f.
 inline constexpr const char* adhesive_wrapper =
     "\ndouble pin(double load, double f, double *dM) {\n"
     "  (void)f;\n  return friction(load, dM);\n}\n";

@@ -50,7 +50,7 @@ JointSolution turned(const Joint& pin, double load) {
   return pin.solve({{load, 0, 0}, {0, 0, 1}, {0, 0, 1}});
 }
 
-// Between those of the law's own comparison.
+// Points between the points of the law's own comparison.
 std::vector<double> between(Loads loads, int count) {
   std::vector<double> all;
   for (int i = 0; i < count; ++i) {
@@ -64,7 +64,8 @@ struct Errors {
   double moment = 0, in_float = 0, slope = 0;
 };
 
-// Of the moment over that of the joint, of the slope by differences.
+// Errors of the moment over the joint's moment, and of the slope against
+// differences.
 Errors errors_of(const PinLoadLaw& law, const Joint& pin) {
   Errors largest;
   for (const double load : between(law.loads, 700)) {
@@ -89,7 +90,7 @@ Errors errors_of(const PinLoadLaw& law, const Joint& pin) {
   return largest;
 }
 
-// 1.2 for other loads than those of the claim (load_law.hpp).
+// 1.2 for loads other than the loads of the claim (load_law.hpp).
 void expect_as_said(const PinLoadLaw& law, const Joint& pin, double asked) {
   EXPECT_LE(law.error, asked);
   const Errors found = errors_of(law, pin);
@@ -306,7 +307,7 @@ TEST(LoadLaw, FitsWithTheLeastLargestError) {
               (a * line.numbers - x.cwiseAbs2()).cwiseAbs().maxCoeff(), 1e-12);
   // Squares alone have 1/6 at the ends.
   EXPECT_NEAR(detail::minimax_fit(a, x.cwiseAbs2(), 1, 1).error, 1. / 6, 2e-3);
-  // Of pairs (3 r, 4 r) it is 5 r.
+  // The length of pairs (3 r, 4 r) is 5 r.
   Eigen::MatrixXd pairs(2 * x.size(), 2);
   pairs << 3 * a, 4 * a;
   Eigen::VectorXd b(2 * x.size());
@@ -344,12 +345,12 @@ TEST(LoadLaw, SaysWhatItIs) {
   EXPECT_TRUE(has_text(adhesive, "Coefficient of friction 0.12 and adhesion"));
   // As a default.
   EXPECT_TRUE(has_text(text(loose(), {.language = "numpy"}), "f=0.12"));
-  // What the joint warns of stands there too.
+  // The joint's warnings are repeated there.
   JointSpec thick = pin_spec(1e-3, FrictionLaw(0.12));
   EXPECT_TRUE(has_text(text(Joint(thick), {}), "// Warning: "));
 }
 
-// Values have no slopes beside them, and slopes are evaluated with theirs.
+// Values are evaluated without slopes, slopes together with their values.
 TEST(LoadLaw, EvaluatesEachPolynomialOnce) {
   const std::string c =
       load_law_text(ball_on(JointBody::body), {.error = 1e-2}).text;
@@ -405,7 +406,7 @@ TEST(LoadLaw, RefusesWhatItIsNotFor) {
                        "a pin with dry friction"));
 }
 
-// The load alone does not say what such a joint does.
+// The load alone does not determine the friction of such a joint.
 TEST(LoadLaw, RefusesJointsWithRimsAndEnds) {
   const JointSpec cup = {
       .geometry = JointGeometry::ball(0.01, 1e-5, JointBody::body)

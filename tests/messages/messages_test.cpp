@@ -1,11 +1,10 @@
-// Messages for bad files and names: they stand in the .txt files of this
-// folder.
+// Messages for bad files and names, listed in the .txt files of this folder.
 //
-// A section begins with what reads and the file it starts from, "joint
-// ball.toml". "4| TEXT" edits it as EditedFile does, "| TEXT" adds a line
-// below; edits right below the section's first line hold for all of it. "=
-// MESSAGE" is what reading says then, "= fine" is nothing, and "~ MESSAGE" is
-// how it begins.
+// The first line of a section names the reader and the file to start from:
+// "joint ball.toml". "4| TEXT" edits the file as EditedFile does, "| TEXT" adds
+// a line below; edits right below the first line hold for the whole section. "=
+// MESSAGE" gives the expected message, "= fine" expects none, and "~ MESSAGE"
+// gives the beginning of the message.
 #include <gtest/gtest.h>
 
 #include <algorithm>

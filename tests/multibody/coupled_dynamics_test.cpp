@@ -338,9 +338,9 @@ TEST(CoupledDynamics, SeveralMomentsAreSeenAfterOneWasTracked) {
   }
 }
 
-// A carrier that gives way in one direction: at 90 degrees there is one moment,
-// at 0 there are several. The same is said of the angles between whether the
-// joint has been tracked there, by small steps or a jump, or not.
+// A carrier that yields in one direction: at 90 degrees there is one moment, at
+// 0 there are several. The result at the angles between does not depend on how
+// they are reached: by small tracked steps, by a jump, or without tracking.
 TEST(CoupledDynamics, TrackingDoesNotHideSeveralMoments) {
   Eigen::Matrix3d inertia = 50 * Eigen::Matrix3d::Identity();
   inertia(2, 2) = 0.1;

@@ -129,8 +129,8 @@ multibody::Dynamics dynamics_of(const multibody::Prepared& p,
   return result;
 }
 
-// Vectors in rows, with another row after those of each packet that must stay
-// as it is.
+// Vectors in rows, with a further row after each packet that must stay
+// unchanged.
 class Rows {
  public:
   explicit Rows(int size) {
@@ -246,8 +246,8 @@ class MultibodyRows : public testing::TestWithParam<contact::InstructionSet> {
   }
 };
 
-// Vectors exchanged in rows are those exchanged body by body, and the sums are
-// those of a full evaluation.
+// Vectors exchanged in rows equal vectors exchanged body by body, and the sums
+// equal the sums of a full evaluation.
 TEST_P(MultibodyRows, AreTheVectorsOfAllBodies) {
   // Measured 0: the same operations.
   AccuracyReport by_body("friction added in rows", 1e-14);
@@ -332,8 +332,8 @@ TEST(Multibody, AVeryHeavyCarrierIsAFixedOne) {
   }
 }
 
-// Bodies that shrink to point masses on their arms come to what point masses
-// do, in proportion to their inertia. Measured: 0.1 to 2.9 of its share.
+// Bodies that shrink to point masses on their arms tend to the motion of point
+// masses, in proportion to their inertia. Measured: 0.1 to 2.9 of its share.
 TEST(Multibody, SmallInertiaTendsToAPointMass) {
   for (const Mix mix : {Mix::balls, Mix::axes}) {
     for (const int bodies : {1, 3, 9}) {

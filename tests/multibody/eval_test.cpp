@@ -81,7 +81,7 @@ TEST(MultibodyEval, EveryMisspeltKeyIsRefused) {
        {"", "/carrier", "/loads/0", "/loads/1", "/loads/2"}) {
     const json file = good();
     for (const auto& [key, value] : file[json::json_pointer(place)].items()) {
-      // The kind of the body is asked for first.
+      // The kind of the body is checked first.
       if (key == "kind" && place != "") continue;
       json misspelt = file;
       json& object = misspelt[json::json_pointer(place)];
@@ -184,7 +184,7 @@ TEST(MultibodyEval, TreesHaveKeysOfTheirOwn) {
   EXPECT_EQ(
       with("/loads", json::array()).find("the file: unknown key \"loads\" ("),
       0u);
-  // Its own rate on that of what it hangs on.
+  // Adds its own rate to the rate of its parent.
   EXPECT_EQ(with("/bodies/1/angular_velocity", {0, 1e-5, 0}),
             "bodies[1]: angular_velocity: off by 1e-05 from the body's other "
             "data");

@@ -276,7 +276,7 @@ TEST(Forest, MomentsThatFollowReactions) {
   }
 }
 
-// Of a body that has come off nothing of its last hinge is left.
+// A released body keeps no trace of its last hinge.
 TEST(Forest, ReleasedHasNoReaction) {
   const Tree t = trees().front();
   Forest forest(t.bodies);

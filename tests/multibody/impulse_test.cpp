@@ -87,7 +87,7 @@ class Tree {
     return motions(state);
   }
 
-  // Of body 0, the carrier, or body 1 +, inertial axes.
+  // Inertia of body 0, the carrier, or body 1 +, inertial axes.
   Matrix3d inertia(int body, const BodyMotion& at) const {
     if (body == 0) {
       return at.rotation * carrier_.inertia * at.rotation.transpose();

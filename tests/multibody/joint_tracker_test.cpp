@@ -204,8 +204,8 @@ TEST_P(JointTrackerSteps, TracksPaths) {
 INSTANTIATE_TEST_SUITE_P(Steps, JointTrackerSteps,
                          testing::Values(1e-3, 1e-4, 1e-5));
 
-// On paths that error() was not made with, some of which curve 20 times as
-// much. Measured: 0.62 of error().
+// On paths that were not used to calibrate error(), some of them 20 times more
+// curved. Measured: 0.62 of error().
 TEST(JointTracker, ErrorIsNotExceededOnOtherPaths) {
   for (const std::uint64_t seed : {11, 12, 13, 14, 15}) {
     const std::vector<Path> all = paths(seed, 200);
@@ -215,8 +215,8 @@ TEST(JointTracker, ErrorIsNotExceededOnOtherPaths) {
   }
 }
 
-// The window of a pin tells slope and curvature: what it predicts is of third
-// order in the step. Measured: 4.4e-10 and 7e-12, 0.007 step^3.
+// The window of a pin gives slope and curvature: the error of its prediction is
+// of third order in the step. Measured: 4.4e-10 and 7e-12, 0.007 step^3.
 TEST(JointTracker, PinsArePredictedToThirdOrder) {
   std::vector<Path> all = paths(12, 400);
   std::erase_if(all, [](const Path& path) { return !path.is_pin(); });
@@ -399,15 +399,16 @@ TEST(JointTracker, JointsWithoutClearanceAreTracked) {
   }
 }
 
-// Laws whose integrals are not those of the cosine alone. Measured: 1.8e-15.
+// Laws whose integrals differ from the integrals of the cosine. Measured:
+// 1.8e-15.
 TEST(JointTracker, EveryPressureLawIsTrackedThroughItsWindows) {
   for (const char* const law : {"sqrt_tan", "sqrt_theta", "mixture", "exact"}) {
     const double largest = largest_error(growing({.pressure = law}));
     std::printf("%s: %.1e\n", law, largest);
     EXPECT_LT(largest, 1e-14) << law;
   }
-  // Through 90 degrees, where sine and cosine tell the angle. Its integrals
-  // have errors of their own. Measured: 5.6e-15.
+  // Through 90 degrees, where sine and cosine determine the angle. Its
+  // integrals have errors of their own. Measured: 5.6e-15.
   const LawNames wide = {.pressure = "sqrt_theta", .limit_half_angle = 115};
   EXPECT_LT(largest_error(growing(wide, 3e6, 1.6e6)), 2e-14);
 }
@@ -554,7 +555,7 @@ TEST(JointTracker, KnowsWhenItIsLost) {
   JointSolution resting = all[0].solve(all[0].reaction, Vector3d(0, 0, 0));
   tracker.start(0, resting, Vector3d(0, 0, 0));
   EXPECT_FALSE(tracker.is_tracked(0));
-  // Nor does one lead on that has not come to its end.
+  // A solution without convergence cannot start the next one either.
   JointSolution sliding = all[0].solve(0);
   for (const Status status : {Status::not_converged, Status::out_of_range}) {
     sliding.status = status;
@@ -637,7 +638,7 @@ TEST(JointTracker, AContactThatJumpsIsNotTrusted) {
   }
 }
 
-// Wherever in its packet it is, and whatever kinds of joints there are.
+// At any place in its packet, among joints of any kind.
 TEST(JointTracker, OneThatIsLostIsSeenInTheLargest) {
   for (const bool pins : {false, true}) {
     std::vector<Path> many = paths(9, pins ? 100 : 9);

@@ -14,7 +14,7 @@
 #include "multibody/motion/stepper.hpp"
 #include "multibody_support/friction_parts.hpp"
 
-// Motions whose contacts come to the end of their law, and steps that meet it.
+// Motions whose contacts reach the end of their law, and steps that reach it.
 namespace multibody::test::motion_contact_test {
 namespace {
 
@@ -222,7 +222,7 @@ TEST_P(ContactEnds, WhereForcesJump) {
   }
 }
 
-// A lock needs no friction, and no contact is looked at.
+// A lock needs no friction, and no contact is evaluated.
 TEST_P(ContactEnds, WhenTheLockOpens) {
   for (const Hinge& hinge : hinges()) {
     SCOPED_TRACE(hinge.name);

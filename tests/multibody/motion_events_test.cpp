@@ -38,7 +38,7 @@ TEST(MotionEvents, TimesBeforeAnEventInTheSameStepAreTheirOwn) {
   const auto with = run(true);
   const auto without = run(false);
   for (std::size_t i = 0; i < with.size(); ++i) {
-    // The tolerances of the steps, and of what interpolates between them.
+    // The tolerances of the steps, and of the interpolation between them.
     EXPECT_NEAR(with[i], without[i], 1e-7) << i;
   }
 }
@@ -93,9 +93,9 @@ TEST(MotionEvents, EventsThatCrossTwiceWithinAStepAreFound) {
 }
 
 // A wheel that goes to and fro within a step: its angle is a polynomial of
-// degree 4, which rk4 follows exactly, with three crossings of 0.
-// At the points of the step it is below -0.24, and the polynomial through them
-// stays below -0.16, of which it is unsure by 0.39.
+// degree 4, which rk4 follows exactly, with three crossings of 0. At the points
+// of the step it is below -0.24. The polynomial through them stays below -0.16,
+// with an uncertainty of 0.39.
 TEST(MotionEvents, CrossingsThatThePolynomialMissesAreFound) {
   MotionOptions options = on_fixed_carrier(Integrator::rk4, 1);
   Motion motion(System(heavy_carrier(), {wheel(20, 0.4)}), {}, nullptr,

@@ -105,8 +105,8 @@ TEST(MotionFriction, RampedTorqueStartsSlidingAtTheRightInstant) {
   }
 }
 
-// Neither a coefficient of 0 nor a joint without body holds anything: a torque
-// that grows from exactly 0 turns the wheel from the beginning.
+// Neither a coefficient of 0 nor a joint without inertia holds a moment: a
+// torque that grows from exactly 0 turns the wheel from the beginning.
 TEST(MotionFriction, WithoutFrictionATorqueTurnsTheWheelAtOnce) {
   const double slope = 1.7;
   const auto torque =
@@ -366,7 +366,7 @@ TEST(MotionFriction, TraditionalEstimateBrakesTooHard) {
   for (const bool node : {false, true}) {
     const double consistent = stop(FrictionEstimate::consistent, node);
     const double traditional = stop(FrictionEstimate::traditional, node);
-    // The half-angle of R_n is a little smaller than that of R.
+    // The half-angle for R_n is slightly smaller than the half-angle for R.
     EXPECT_NEAR(consistent / traditional, std::hypot(1, f), 2e-3);
   }
 }
@@ -399,8 +399,8 @@ TEST(MotionFriction, BallJointsHoldAndLetGoTogether) {
   };
   Motion motion(System(carrier, bodies), friction, std::make_shared<Thrust>(),
                 start);
-  // Thrust moment m a 0.05 m against f rho m a: it slides at once or never,
-  // whatever the thrust.
+  // Thrust moment m a 0.05 m against f rho m a: the hinge slides at once or
+  // never, for any thrust.
   EXPECT_EQ(motion.sample().mode(0), HingeMode::sliding);
   for (int i = 1; i < 4; ++i) {
     EXPECT_EQ(motion.sample().mode(i), motion.sample().mode(0));
@@ -414,8 +414,8 @@ TEST(MotionFriction, BallJointsHoldAndLetGoTogether) {
   }
 }
 
-// Two arms on ball joints about a tumbling body: their joints stop and let go
-// just above their limits, where friction turns with next to no velocity.
+// Two arms on ball joints about a tumbling body: their joints stop, and begin
+// to slide just above their limits, where friction turns with a tiny velocity.
 Motion two_arms(double friction, double tolerance) {
   std::vector<Body> bodies;
   std::vector<HingeFriction> joints;
@@ -464,7 +464,7 @@ TEST(MotionFriction, OnsetsOfBallJointsDoNotChatter) {
       }
       std::printf("f %g, %g: %zu changes, %d near, %.1e apart\n", friction,
                   tolerance, changes.size(), near, apart);
-      // Stops where a joint goes on at once are two changes.
+      // A stop at which the joint continues at once counts as two changes.
       EXPECT_LE(changes.size(), 20u) << friction << " " << tolerance;
       EXPECT_LE(near, 4) << friction << " " << tolerance;
       // An error grows some thousandfold in 10 s, ten times more where strong
@@ -491,7 +491,7 @@ TEST(MotionFriction, AHingeThatChangesAgainAndAgainStopsTheMotion) {
   EXPECT_NE(motion.failure()->message().find("more than 3 changes"),
             std::string::npos)
       << motion.failure()->message();
-  // A saved failure is no reason to go on.
+  // A saved failure cannot be continued.
   motion.save();
   ASSERT_TRUE(motion.failure());
   EXPECT_EQ(motion.advance_to(101), Stop::failed);
@@ -534,8 +534,8 @@ TEST(MotionFriction, ASlipThatTurnsAboutGoesOn) {
               0.05 * w);
 }
 
-// In a step at whose ends and middle the hinge needs 0.99, 0.01 and 0.85 of
-// what it holds, 1.02 just after its beginning.
+// At the ends and in the middle of a step the hinge needs 0.99, 0.01 and 0.85
+// of the moment that it holds, but 1.02 just after the beginning.
 TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
   Motion motion = wheel_motion(
       [](double t) { return held * (1.02 - 1.4 * (t - 0.15) * (t - 0.15)); },
@@ -546,9 +546,9 @@ TEST(MotionFriction, APeakNearTheBeginningOfAStepEndsTheRest) {
   EXPECT_NEAR(motion.changes()[0].time, 0.15 - std::sqrt(0.02 / 1.4), 1e-9);
 }
 
-// Sliding comes to a stop and would have gone on within the same step: the
-// rate would be w ((t - 1)^2 - 1e-4) if friction drove as it brakes. It stops
-// at 0.99 s and is held until the torque is what friction holds, at 1 s.
+// Sliding stops and would have continued within the same step: the rate would
+// be w ((t - 1)^2 - 1e-4) if friction drove as it brakes. It stops at 0.99 s
+// and is held until the torque reaches the limit of friction at 1 s.
 TEST(MotionFriction, AShortStopWithinAStepIsFound) {
   const double w = 2;
   for (const Integrator integrator : integrators) {

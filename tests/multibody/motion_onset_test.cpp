@@ -11,9 +11,9 @@
 #include "multibody_support/random_instant.hpp"
 #include "multibody_support/wheel.hpp"
 
-// Hinges that begin to slide beside others that slide: which way they go is
-// known, whatever the tolerance of friction leaves of the small acceleration
-// that they begin with.
+// Hinges that begin to slide beside sliding ones: their direction is well
+// defined, although the tolerance of friction is of the size of their small
+// initial acceleration.
 namespace multibody::test::motion_onset_test {
 namespace {
 

@@ -120,7 +120,8 @@ TEST(MotionSeat, AtTheRimsIsTheEquationOfOneAngle) {
   EXPECT_NEAR(angle_of(motion), state[0], 1e-10);
   EXPECT_NEAR(hinge.relative_angular_velocity.z(), state[1], 1e-9);
   EXPECT_LT(hinge.relative_angular_velocity.head<2>().norm(), 1e-9);
-  // At both rims of the ring; friction there is not that of the whole ball.
+  // At both rims of the ring; friction there differs from the friction of the
+  // whole ball.
   const RimContact at = *seat.rims(hinge.joints[0]);
   EXPECT_EQ(at.rims[0].gap, 0);
   EXPECT_EQ(at.rims[1].gap, 0);

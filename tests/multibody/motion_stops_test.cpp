@@ -87,8 +87,8 @@ TEST(Stops, FreeCarriersTakePart) {
   EXPECT_NEAR(motion.sample().carrier().angular_velocity.z(), 0, 1e-10);
 }
 
-// A latch takes out the relative velocity and keeps the momentum: 7.488 N m s,
-// and the bus has turned by -27.5757 deg when all stands still.
+// A latch removes the relative velocity and conserves the momentum: 7.488 N m
+// s; when all is at rest, the bus has turned by -27.5757 deg.
 TEST(Latches, KeepMomentum) {
   const Carrier bus{200, 35 * Eigen::Matrix3d::Identity()};
   Body body = on_axis(5, 3.75, 1.5);

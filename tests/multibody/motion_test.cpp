@@ -14,8 +14,8 @@
 #include "multibody_support/wheel.hpp"
 #include "support/error_message.hpp"
 
-// Motions against closed forms: energies and momenta add up, a run goes on as
-// it was saved.
+// Motions against closed forms: energies and momenta are balanced, and a saved
+// run continues bit-identically.
 namespace multibody::test::motion_test {
 namespace {
 
@@ -182,7 +182,7 @@ TEST(Motion, RandomSystemsRunThrough) {
 }
 
 // All bodies fall alike under forces in proportion to their masses: hinges
-// carry nothing but rounding, whatever they do.
+// carry only rounding.
 class Fall : public ForceModel {
  public:
   explicit Fall(std::vector<double> masses) : masses_(std::move(masses)) {}
@@ -294,9 +294,9 @@ TEST(Motion, AnglesOfAxesCountFullTurns) {
   }
 }
 
-// Gyrostat: a free body with a balanced wheel. Without forces the wheel's
-// spin in space about its axis and the total momentum stay; the body's
-// precession is that of a symmetrical body with the wheel's momentum.
+// Gyrostat: a free body with a balanced wheel. Without forces the wheel's spin
+// in space about its axis and the total momentum stay constant; the body
+// precesses like a symmetrical body with the wheel's momentum.
 TEST(Motion, GyrostatPrecessesAsItShould) {
   const double across = 4, along = 6, wheel_along = 0.5, wheel_across = 0.3;
   Carrier carrier{50, Matrix3d::Zero()};
@@ -363,7 +363,7 @@ TEST(Motion, ForcesJumpWhereTheySay) {
     }
     EXPECT_GE(static_cast<long>(seen.size()), motion.counts().steps);
     const double rate = 3 * (0.7013 - 0.25) / about;
-    // Constant accelerations are integrated exactly, but for rounding.
+    // Constant accelerations are integrated exactly, except for rounding.
     EXPECT_NEAR(motion.sample().hinge(0).angle_rate, rate, 1e-12 * rate);
     if (integrator == Integrator::adaptive) {
       EXPECT_LT(motion.counts().steps, 30);
@@ -371,8 +371,8 @@ TEST(Motion, ForcesJumpWhereTheySay) {
   }
 }
 
-// The wheel whose damper keeps explicit steps short is known, and a motion that
-// is halted goes on as if it had not been.
+// The wheel whose damper limits explicit steps is reported, and a halted motion
+// continues as if it had not been halted.
 TEST(Motion, HaltsBetweenStepsAndKnowsWhatHoldsThem) {
   class Damper : public ForceModel {
    public:
@@ -458,7 +458,7 @@ TEST(Motion, RotationsStayOrthogonalOverAMillionSteps) {
   }
 }
 
-// All that can be asked of it, where it is and back in its step.
+// All queries at its present time, and back in its step.
 void look_around(const Motion& motion, multibody::test::Random& random,
                  double& seen) {
   const auto ask = [&](const MotionSample& sample) {

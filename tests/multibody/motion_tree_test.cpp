@@ -404,7 +404,7 @@ TEST(MotionTree, ReleasedSubtreesGoOn) {
   const BodyMotion tip = motion.sample().body(7);
   motion.release(5);
   EXPECT_LE((motion.sample().body(7).velocity - tip.velocity).norm(), 1e-13);
-  motion.latch(7);  // whose impulse the released body feels
+  motion.latch(7);  // the released body receives its impulse
   expect_same(p, all(), 1e-12);
   motion.release(1);
   const MotionState saved = motion.save();

@@ -136,8 +136,7 @@ TEST(OperationCount, PlainFormulasAgreeWithTheResolution) {
   }
 }
 
-// Those that hinge-table prints; libcontact/docs/internals/equations.md has
-// them.
+// Counts printed by hinge-table and in libcontact/docs/internals/equations.md.
 TEST(OperationCount, IsWhatTheProgramsSay) {
   const auto evaluation = [](Mix mix) {
     return line_of([=](int l) { return Exploiting(mix, l).evaluate(); });

@@ -29,7 +29,7 @@ struct Rod {
   double mass, inertia, length, com;  // com: from its hinge
   double angle, rate;                 // absolute
   Vector2d force;                     // at the centre of mass
-  double radius, coefficient;         // of its pin
+  double radius, coefficient;         // pin's
 };
 
 contact::Joint pin_of(const Rod& rod, const contact::ElasticPair& pair) {
@@ -71,8 +71,8 @@ struct Chain {
     return rods[i].rate < (i == 0 ? 0 : rods[0].rate) ? -1 : 1;
   }
 
-  // |R| on both pins for moments of these sizes against the sliding: the
-  // moments of rod 2 about its hinge, those of both about the first.
+  // |R| on both pins for moments of these sizes against the sliding: for rod 2
+  // the moment about its hinge, for both rods the moment about the first hinge.
   Vector2d loads(const Vector2d& sizes) const {
     const auto cross = [](const Vector2d& a, const Vector2d& b) {
       return a.x() * b.y() - a.y() * b.x();
@@ -277,7 +277,7 @@ struct Ours {
   }
 };
 
-// The library finds all of them, and none of two is said to be the only one.
+// The library finds all solutions, and never calls one of two the only one.
 TEST(Uniqueness, TwoPinsInAChain) {
   std::vector<int> counts(3);
   int proven = 0;
@@ -309,8 +309,8 @@ TEST(Uniqueness, TwoPinsInAChain) {
       for (const Vector2d& y : found) {
         nearest = std::min(nearest, (x - y).norm() / x.norm());
       }
-      // Where two are near each other the tolerance of 1e-10 of the library's
-      // equations lets them move further.
+      // Near double solutions move further within the tolerance of 1e-10 of the
+      // library's equations.
       EXPECT_LT(nearest, 1e-7) << seed;
     }
   }

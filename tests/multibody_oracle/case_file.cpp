@@ -23,10 +23,10 @@ using Keys = std::vector<std::string_view>;
 // Redundant data may come from seven printed digits.
 constexpr double agreement = 1e-6;
 
-// What the two formats call the same.
+// Names that differ between the two formats.
 struct Format {
   std::string schema;
-  std::string list;  ///< of bodies
+  std::string list;  ///< key of the list with bodies
   std::string from_parent_com, to_body, to_parent_zero, to_parent;
   bool is_tree = false;
 };
@@ -230,7 +230,7 @@ ordered_json to_json(const BodyInstant& body, const BodyResult& result,
 }
 
 const Format& format_of(const json& file) {
-  // A file without one is a star, whose keys are looked at next.
+  // A file without a schema is a star; its keys are read next.
   const std::string schema = file.value("schema", star.schema);
   if (schema == star.schema) return star;
   if (schema == tree.schema) return tree;

@@ -5,7 +5,7 @@
 
 namespace multibody::test {
 
-/// The largest error of a result and where it is.
+/// The largest error of a result, and its place.
 struct CaseError {
   double error = 0;
   std::string quantity;

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
-/// A double that counts what is done with it.
+/// A double that counts the operations on it.
 namespace multibody::test {
 
 struct OperationCount {
@@ -27,7 +27,7 @@ class Counted {
   }
   double value() const { return value_; }
 
-  /// Changes of sign are not counted: they cost nothing beside an addition.
+  /// Changes of sign are not counted: they are free in an addition.
   Counted operator-() const { return -value_; }
   friend Counted operator+(const Counted& a, const Counted& b) {
     ++count().additions;
@@ -64,14 +64,14 @@ class Counted {
 
 }  // namespace multibody::test
 
-/// So that it can be an element of a matrix.
+/// Required for elements of a matrix.
 template <>
 struct Eigen::NumTraits<multibody::test::Counted>
     : Eigen::GenericNumTraits<multibody::test::Counted> {
   using Real = multibody::test::Counted;
   using NonInteger = multibody::test::Counted;
   using Nested = multibody::test::Counted;
-  // Eigen's names.
+  // Names required by Eigen.
   // NOLINTBEGIN(readability-identifier-naming)
   enum {
     IsComplex = 0,

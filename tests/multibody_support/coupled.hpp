@@ -4,7 +4,7 @@
 
 namespace multibody::test {
 
-/// Friction along a motion: with a memory and an instant of its own.
+/// Friction along a motion, with its own memory and instant.
 class Coupled {
  public:
   Coupled(const System& system, const std::vector<HingeFriction>& friction)
@@ -34,7 +34,7 @@ class Coupled {
     now_.forces = forces;
     return coupled_.evaluate(state.data(), memory_, now_);
   }
-  /// The same, and all is forgotten.
+  /// As above, after all memory is discarded.
   const CoupledReport& evaluate_aside(const std::vector<double>& state,
                                       const ActiveForces<double>& forces) {
     FrictionMemory copy = memory_;

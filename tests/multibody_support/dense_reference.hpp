@@ -6,11 +6,11 @@
 
 #include "multibody_support/instant.hpp"
 
-/// The traditional way, section 1.3 of the paper: the conditions of all joints
-/// at once, a symmetric system of 3 (ball), 5 (axis) or 6 (held)
-/// equations for each body, solved by Cholesky. Moments of the bodies about
-/// their centres of mass, in body axes: another formulation than the
-/// library's, in any real type.
+/// The traditional method, section 1.3 of the paper: the conditions of all
+/// joints at once, a symmetric system of 3 (ball), 5 (axis) or 6 (held)
+/// equations for each body, solved by Cholesky. Moments are about the centres
+/// of mass, in body axes: another formulation than the library's, for any real
+/// type.
 namespace multibody::test {
 
 template <class Real>
@@ -38,7 +38,7 @@ struct DenseBody {
   V r, r0, w, friction, force, moment;
   Rows body_rows;     ///< conditions on the body's accelerations
   Rows carrier_rows;  ///< and on the carrier's
-  Multipliers bias;   ///< conditions: rows * accelerations + bias = 0
+  Multipliers bias;   ///< bias: rows * accelerations + bias = 0
 
   DenseBody(const BodyInstant& body, const V& w0)
       : mass(body.body.mass),

@@ -7,17 +7,17 @@
 
 namespace multibody::test {
 
-/// The traditional resolution made as fast as it reasonably gets, for
-/// benchmarks: all joints' conditions at once with the reactions as unknowns,
-/// Eigen's Cholesky factorisation, storage and everything constant prepared.
-/// Reactions in carrier axes, so that only what turns changes in the matrix.
-/// Bodies on ball joints or on axes, all turning.
+/// The traditional method, optimised as far as is reasonable, for benchmarks:
+/// all joints' conditions at once with the reactions as unknowns, Eigen's
+/// Cholesky factorisation, and storage and constants prepared. Reactions are in
+/// carrier axes, so that only parts that rotate change in the matrix. Bodies
+/// turn on ball joints or axes.
 class DenseSolver {
  public:
   explicit DenseSolver(const System& system);
 
-  /// State and what acts as in Dynamics; accelerations of the carrier and
-  /// relative ones of the bodies out.
+  /// Takes state and loads as Dynamics does; returns accelerations of the
+  /// carrier and relative accelerations of the bodies.
   void evaluate(const double* state, const ActiveForces<double>& forces);
   const Eigen::Vector3d& linear() const { return linear_; }
   const Eigen::Vector3d& angular() const { return angular_; }
@@ -36,7 +36,7 @@ class DenseSolver {
     Eigen::Matrix3d inverse_i0_r0;   ///< I_0^-1 r~_0
     Eigen::Matrix3d hinge_mobility;  ///< E/m - r~ I^-1 r~
     Eigen::Matrix3d turn_mobility;   ///< - r~ I^-1
-    // state of one evaluation
+    // Evaluates the state of one instant.
     Eigen::Matrix3d c;
     Eigen::Vector3d w0, relative_w, free_linear, free_angular, relative;
   };

@@ -84,8 +84,8 @@ BodyResult body_result(const BodyInstant& body, const Link& link,
   return result;
 }
 
-// Accelerations of the centres of mass where bodies hang on bodies, from that
-// of the carrier: the reactions of light links cancel.
+// Accelerations of the centres of mass of bodies on bodies, computed outward
+// from the carrier, because the reactions of light links cancel.
 void accelerate_outward(const Instant& instant, const System& system,
                         InstantResult& result) {
   std::vector<Vector3d> velocities(instant.bodies.size());

@@ -5,17 +5,16 @@
 
 #include "multibody/system/state_layout.hpp"
 
-/// One instant of a carrier with bodies in their own axes: body axes, friction
-/// moments on an axis in hinge axes. It is how cases come in and how results go
-/// out; motions work in link axes.
+/// One instant of a carrier with bodies in body axes, friction moments on an
+/// axis in hinge axes: the form of cases and results. Motions use link axes.
 namespace multibody {
 
 /// A body at one instant, body axes.
 struct BodyInstant {
   Body body;
   JointMode mode = JointMode::turning;
-  /// C: body axes to carrier axes. On an axis it and the relative
-  /// angular velocity follow from angle and rate and are not looked at.
+  /// C: body axes to carrier axes. On an axis C and the relative angular
+  /// velocity follow from angle and rate, and are ignored here.
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Eigen::Vector3d relative_angular_velocity = Eigen::Vector3d::Zero();
   double angle = 0;                                        ///< axis only, rad
@@ -44,8 +43,8 @@ struct Instant {
 struct BodyResult {
   Eigen::Vector3d acceleration;          ///< centre of mass, m/s^2
   Eigen::Vector3d angular_acceleration;  ///< absolute, rad/s^2
-  /// Derivative in link axes of the relative angular velocity; 0 for a body
-  /// of its own.
+  /// Derivative in link axes of the relative angular velocity; 0 for a released
+  /// body.
   Eigen::Vector3d relative_angular_acceleration;
   double angle_acceleration;              ///< axis only
   Eigen::Vector3d reaction_force;         ///< N

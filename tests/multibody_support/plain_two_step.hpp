@@ -5,11 +5,10 @@
 
 #include "multibody_support/instant.hpp"
 
-/// The two-step resolution as the paper writes it, (1.3)-(1.8), matrix by
-/// matrix in body axes, in any scalar: an independent check of the one that
-/// exploits the structure, and the count of operations it is compared with.
-/// What does not change during a motion is precomputed there too; where a
-/// product is symmetric, all of it is computed.
+/// The two-step resolution as in the paper, (1.3)-(1.8), matrix by matrix in
+/// body axes, for any scalar: an independent check of the optimised version,
+/// and the reference for its operation count. Constants of a motion are
+/// precomputed here too; symmetric products are computed in full.
 namespace multibody::test {
 
 template <class T>

@@ -5,8 +5,8 @@
 
 #include "multibody_support/instant.hpp"
 
-/// Carriers with random bodies for tests and benchmarks: the same numbers from
-/// the same seed on every machine.
+/// Carriers with random bodies for tests and benchmarks: equal seeds give equal
+/// numbers on every machine.
 namespace multibody::test {
 
 /// Uniform numbers, vectors and rotations.
@@ -18,7 +18,7 @@ class Random {
   }
   Eigen::Vector3d vector(double size);
   Eigen::Matrix3d rotation();
-  /// Inertia of a body that could exist, moments around `size`.
+  /// A physically possible inertia, with moments around `size`.
   Eigen::Matrix3d inertia(double size);
 
  private:
@@ -28,8 +28,8 @@ class Random {
 /// Joints of the bodies of a random instant.
 enum class Mix { balls, axes, held, all };
 
-/// Bodies of a few kilograms and decimetres on a carrier of twice that for
-/// each body; everything moves and is acted upon.
+/// Bodies of a few kilograms and decimetres on a carrier of twice that for each
+/// body, with random motions and loads.
 Instant random_instant(Mix mix, int bodies, std::uint64_t seed);
 
 }  // namespace multibody::test

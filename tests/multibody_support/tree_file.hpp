@@ -25,8 +25,8 @@ inline Eigen::Matrix3d matrix_of(const nlohmann::json& j) {
   return m;
 }
 
-/// Loads that are constant in the axes of the bodies (0: the carrier), and
-/// moments between a body and its parent.
+/// Loads that are constant in body axes (0: the carrier), and moments between a
+/// body and its parent.
 struct BodyLoads : ForceModel {
   struct Load {
     int parent = -1;  ///< place; -1: none
@@ -90,7 +90,7 @@ inline void read_body(const nlohmann::json& b, TreeFile& tree) {
   tree.forces->loads.push_back(load);
 }
 
-/// @param file  joints of its friction are beside it
+/// @param file  the joints of its friction are in the same folder
 inline TreeFile read_tree(const std::filesystem::path& file) {
   std::ifstream stream(file);
   const nlohmann::json all = nlohmann::json::parse(stream);

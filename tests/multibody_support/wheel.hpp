@@ -7,7 +7,7 @@
 
 #include "multibody/motion/motion.hpp"
 
-/// A wheel on a carrier, and what turns it: for tests of motions.
+/// A wheel on a carrier, and its driving forces, for tests of motions.
 namespace multibody::test {
 
 using Eigen::Matrix3d;

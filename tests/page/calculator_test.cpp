@@ -1,5 +1,5 @@
-// The calculator of the page beside hinge-joint and hinge-pressure, run as its
-// users run them.
+// Compares the calculator of the page with hinge-joint and hinge-pressure,
+// called as their users call them.
 #include "page/answer.hpp"
 
 #include <gtest/gtest.h>
@@ -52,8 +52,8 @@ class EveryJoint : public testing::TestWithParam<std::string> {
   const Json answer_ =
       Json::parse(page::Calculator(data).answer(text_, state(pin_)));
 
-  // The page takes pins level and without end, and says so: [relief], which
-  // ends a file, is left out.
+  // The page assumes level pins without ends, with a note: [relief], the last
+  // table of a file, is removed.
   std::size_t relief_ = text_.find("\n[relief]");
 
   ProgramResult run(const std::string& command) const {

@@ -181,8 +181,8 @@ TEST(JointGeometry, NotesAClearanceThatIsNotSmall) {
       JointGeometry::pin(1, std::nextafter(1e-5, 0.0), 1).validity_notes();
   ASSERT_EQ(small.size(), 1u);
   EXPECT_EQ(small[0],
-            "relative clearance 1e-05 is below 1e-05: errors of form and "
-            "warmth change clearances as small as this");
+            "relative clearance 1e-05 is below 1e-05: form errors and "
+            "temperature change such small clearances");
 }
 
 TEST(JointGeometry, NominalPressureIsThatOfTheProjectedArea) {
@@ -332,7 +332,8 @@ double tolerance_um(char grade, double size_mm) {
   return largest_um(Fit(hole, shaft, size_mm / 1e3)) / 2;
 }
 
-// A class beside the nominal size: a fit with H5 or h5 without those.
+// A class other than the nominal position: a fit with H5 or h5 but without
+// those.
 struct Class {
   Fit fit;
   double near_um;
@@ -355,7 +356,7 @@ TEST(Fit, ClassesArePublishedOnes) {
     SCOPED_TRACE(row.label());
     std::string name = row.text("class");
     const bool letter_alone = name.size() == 1;
-    // Letters that are pressed in stand above the nominal size.
+    // Letters of press fits lie above the nominal size.
     const bool pressed = std::string("kmnprs").find(name[0]) != name.npos;
     if (letter_alone) name += pressed ? '6' : '7';
     const bool hole = Fit::holes.contains(name);

@@ -154,8 +154,8 @@ TEST(ImpactContract, SaysWhereTheModelEnds) {
   const Impact beyond = impact(damping, 1e6, 20);
   EXPECT_TRUE(std::isnan(beyond.penetration));
   ASSERT_EQ(impact.notes(beyond, 0).size(), 1u);
-  EXPECT_TRUE(impact.notes(beyond, 0)[0].starts_with(
-      "the impact has more energy than"));
+  EXPECT_TRUE(
+      impact.notes(beyond, 0)[0].starts_with("the impact exceeds the energy"));
   EXPECT_ERROR(impact(damping, 0, 1), "impact: mass = 0 must be above 0 kg");
   EXPECT_ERROR(impact(damping, 1, -1),
                "impact: speed = -1 must be above 0 m/s");

@@ -18,7 +18,7 @@ inline JointSpec reference_joint(const ReferenceTable::Row& row) {
       .outer = bodies.outer};
 }
 
-/// A steel pin of 9.5 mm in a steel ring of its own thickness, play 0.5 mm, as
+/// A steel pin of 9.5 mm in a steel ring of the same thickness, play 0.5 mm, as
 /// in slider_crank.csv.
 inline JointSpec slider_crank_joint() {
   const Material steel = {207e9, 0.3};
@@ -27,7 +27,7 @@ inline JointSpec slider_crank_joint() {
           .outer = {{{0.0095, steel}}, Backing::held()}};
 }
 
-/// A steel ball of 12.5 mm in a steel seat without end, play 0.1 mm.
+/// A steel ball of 12.5 mm in an unbounded steel seat, play 0.1 mm.
 inline JointSpec steel_ball() {
   const Material steel = {207e9, 0.3};
   return {.geometry = JointGeometry::ball(0.0125, 1e-4),

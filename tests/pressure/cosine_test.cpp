@@ -19,8 +19,8 @@ namespace contact::test::cosine_test {
 namespace {
 
 using Real = boost::multiprecision::cpp_bin_float_100;
-// The formulas of (3.2) to (3.4) as they stand lose five times the digits of
-// theta0: 100 digits leave 50 down to 1e-10 rad, 800 down to 1e-150 rad.
+// Evaluated literally, the formulas (3.2) to (3.4) lose five times the digits
+// of theta0: 100 digits leave 50 down to 1e-10 rad, 800 down to 1e-150 rad.
 using LongReal =
     boost::multiprecision::number<boost::multiprecision::cpp_bin_float<800>>;
 constexpr double smallest_for_real = 1e-10;

@@ -731,13 +731,13 @@ TEST(ContactNotes, SayWhereTheSeatEnds) {
   EXPECT_EQ(notes(ring, 0.5),
             std::vector<std::string>{
                 "half-angle 28.65 deg is beyond 25.1 deg, where a contact in "
-                "the middle of the seat reaches a rim: its pressures are not "
-                "confined here, and too low"});
+                "the middle of the seat reaches a rim: the contact is not "
+                "confined here, and the printed pressures are too low"});
   // A cup has one rim; what has none ends nowhere.
   EXPECT_TRUE(notes(whole.with_seat(SeatZone::cup(1)), 0.99).empty());
   EXPECT_EQ(notes(whole.with_seat(SeatZone::cup(1)), 1.01).size(), 1u);
   EXPECT_TRUE(notes(whole.with_seat(SeatZone(0, std::numbers::pi)), 1).empty());
-  // Other clearances leave the seat as it is.
+  // Other clearances leave the seat unchanged.
   EXPECT_EQ(ring.with_clearance(2e-5).seat(), ring.seat());
   // A joint that leaves the seat out says the same.
   const auto endless = ring.without_seat().with_clearance(2e-5);
@@ -801,8 +801,8 @@ TEST(ContactNotes, SayWhatTheLayersBelowBear) {
   ASSERT_EQ(passed.size(), 2u);
   EXPECT_EQ(passed[0],
             "peak pressure 60 MPa is above 20 MPa, the limit pressure of the "
-            "outer body 1 mm under the contact, polymer: less comes down to "
-            "it, how much is not computed");
+            "outer body 1 mm under the contact, polymer: the pressure there is "
+            "lower, but not computed");
   EXPECT_EQ(
       passed[1].substr(0, 68),
       "peak pressure 60 MPa is above 50 MPa, 5 % of Young's modulus of the ");

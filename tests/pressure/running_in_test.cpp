@@ -104,8 +104,8 @@ TEST(RunningInPressure, MixesTwoLaws) {
   }
 }
 
-// Friction is linear in the pressure that carries the load: whatever way the
-// mixture takes to it, the integrals mix as the pressures do.
+// Friction is linear in the pressure that carries the load: integrals mix as
+// the pressures do, for any path of the mixture.
 TEST(RunningInPressure, FrictionMixesLikewise) {
   // Own laws are good to 1e-9; the others' ways through one sum and through
   // two differ by rounding.

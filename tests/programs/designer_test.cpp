@@ -112,7 +112,7 @@ TEST_F(Designer, TextbookMomentIsCoefficientTimesLoadTimesRadius) {
               8, 1e-14);
 }
 
-// A pin's load is a force if its length is known, by whatever program.
+// The load of a pin with a known length is a force in all programs.
 TEST_F(Designer, LoadsOfPinsSayWhatTheyAre) {
   const std::string angle = "hinge-angle --pressure exact" + pin_;
   const std::string peak = "p_peak_fitted_by_exact_Pa";
@@ -156,7 +156,7 @@ TEST_F(Designer, NominalPressuresAreOfTheProjectedArea) {
     EXPECT_NEAR(value(program + "2e4" + of_pin, "p_nominal_Pa") / pin, 1, 1e-15)
         << program;
   }
-  // Peak, mean and nominal of one contact stand in one row.
+  // Peak, mean and nominal pressure of one contact are in one row.
   const std::string row =
       "hinge-joint --friction 0 --reaction 1e4 --beta 90" + ball_;
   EXPECT_GT(value(row, "p_peak_Pa"), value(row, "p_mean_Pa"));
@@ -214,8 +214,8 @@ TEST_F(Designer, HalfAnglesOfWallsAreComparedWithTheirOwnLimit) {
   EXPECT_TRUE(has_text(beyond.err, "half-angle 88 deg is beyond 87.3"));
 }
 
-// Independent solutions to three digits, by whatever program; a pin's stiffness
-// is for its length.
+// Independent solutions to three digits from all programs; a pin's stiffness
+// refers to its length.
 TEST_F(Designer, ApproachAndStiffness) {
   folder_.write("bush.toml",
                 "name = \"bush\"\nkind = \"pin\"\n[geometry]\n"

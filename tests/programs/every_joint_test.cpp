@@ -172,8 +172,8 @@ TEST_F(EveryJoint, StudiesAnswerAsTheLibrary) {
   }
 }
 
-// A body on the joint that swings for half a second and goes on from a
-// checkpoint: what joints differ in decides whether it may.
+// A body on the swinging joint runs for half a second and continues from a
+// checkpoint; it must be rejected if the joints differ.
 TEST_F(EveryJoint, CasesTakeIt) {
   for (const JointText& joint : some_joints()) {
     const bool ball = joint.name[0] == 'b';
@@ -202,7 +202,7 @@ TEST_F(EveryJoint, CasesTakeIt) {
   }
 }
 
-// An FMU has no place to say so later.
+// An FMU cannot print this later.
 TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
   const std::pair<const char*, bool> left_out[] = {
       {"hinge-fmu data/joints/ball_stud.toml", false},
@@ -213,7 +213,7 @@ TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
   for (const auto& [command, is_said] : left_out) {
     const ProgramResult made = folder_.run(command);
     EXPECT_EQ(made.status, 0) << made.err;
-    EXPECT_EQ(has_text(made.err, "the relief of the ends is left out"), is_said)
+    EXPECT_EQ(has_text(made.err, "the relief of the ends is ignored"), is_said)
         << made.err;
     EXPECT_FALSE(has_text(made.err, "[seat] is left out")) << made.err;
   }

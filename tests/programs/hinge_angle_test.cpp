@@ -184,8 +184,8 @@ TEST(HingeAngle, WaysToGiveAJointAgree) {
   EXPECT_NEAR(over_x.at(2, theta0), table.at(4, theta0), 1e-13);
 }
 
-// A fit, by options and from a file, is the joint with its clearance, and is
-// said.
+// A fit, by options and from a file, gives the joint with its clearance, and a
+// note.
 TEST(HingeAngle, Fits) {
   const ProgramFolder folder;
   const std::string materials = "data/materials/steel_bronze.toml";
@@ -323,7 +323,7 @@ TEST(HingeAngle, HertzBeyondItsRange) {
     EXPECT_EQ(table.text(3, "theta0_hertz_deg"), "");
     EXPECT_EQ(table.text(5, "theta0_hertz_deg"), "");
   }
-  // Beside a law that goes on nothing has failed.
+  // A missing value beside a law with a value is no failure.
   folder.run_well(command + "--law tanh");
   const auto json =
       nlohmann::json::parse(folder.run(command + "--format json").out);

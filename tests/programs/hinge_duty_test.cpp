@@ -183,7 +183,7 @@ TEST_F(HingeDuty, Cycles) {
   const CsvTable blocks(folder_.read("blocks.csv"));
   ASSERT_GE(blocks.size(), 20u);
   for (const std::string& name : blocks.names()) {
-    // For pins, and for loads that stand still.
+    // For pins, and for stationary loads.
     if (name == "clearance_mm" || name == "worn_share") {
       EXPECT_EQ(blocks.text(blocks.size(), name), "");
       continue;
@@ -200,8 +200,8 @@ TEST_F(HingeDuty, Cycles) {
 }
 
 // A pin that swings by 10 deg to each side: four times 10 deg of the rim, in
-// rows enough. The moment about Z lies between the rows; the contact stays
-// where it is in the seat but for friction.
+// enough rows. The moment about Z lies between the rows; except for friction
+// the contact stays at its place in the seat.
 TEST_F(HingeDuty, PathAndSpread) {
   std::string rows = "time_s,R_x_N,R_y_N,R_z_N,angle_deg\n";
   for (int i = 0; i < 200; ++i) {
@@ -273,8 +273,8 @@ TEST_F(HingeDuty, InterferenceKeepsItsDebris) {
       "cycle.csv");
   EXPECT_EQ(result.status, 0);
   EXPECT_TRUE(has_text(result.err,
-                       "the contact is closed all round under 2838 N and less: "
-                       "wear debris cannot leave it"))
+                       "the contact is closed all round up to 2838 N: wear "
+                       "debris cannot leave"))
       << result.err;
   // All friction is f0 p.
   EXPECT_NEAR(value(result.out, "energy_J") /
@@ -322,8 +322,8 @@ TEST_F(HingeDuty, LastRowThatRepeatsTheFirst) {
   EXPECT_EQ(twice.out, once);
   EXPECT_EQ(twice.err,
             "hinge-duty: warning: cycle.csv: the last row repeats the first "
-            "and is left out: the period is 2 s; state a longer one if it is a "
-            "row of its own\n");
+            "and is left out: the period is 2 s; give a longer period if it is "
+            "a separate row\n");
   EXPECT_EQ(folder_.run(run + "cycle.csv --period 2s").out, once);
   const ProgramResult longer = folder_.run(run + "cycle.csv --period 2.025s");
   EXPECT_EQ(longer.err, "");
@@ -553,8 +553,8 @@ TEST_F(HingeDuty, OpenSim) {
                   value(expected, "energy_J"),
               1, 1e-14);
   EXPECT_THAT(folder_.read("said"),
-              HasSubstr("radians.mot: no inDegrees in its head: angles are "
-                        "taken for radians"));
+              HasSubstr("radians.mot: no inDegrees in its header: angles are "
+                        "read as radians"));
 }
 
 // Keys of OpenSim's heads in any case; degrees without the key are noted.
@@ -574,9 +574,9 @@ TEST_F(HingeDuty, OpenSimKeysInAnyCase) {
   }
   out("grep -v '^inDegrees' data/duty/hip_cycle.sto > none.sto");
   out(run + "none.sto 2> said");
-  EXPECT_THAT(folder_.read("said"), HasSubstr("no inDegrees in its head"));
+  EXPECT_THAT(folder_.read("said"), HasSubstr("no inDegrees in its header"));
   EXPECT_THAT(folder_.read("said"),
-              HasSubstr("are they degrees that were taken for radians"));
+              HasSubstr("are these degrees read as radians"));
 }
 
 TEST_F(HingeDuty, Picture) {

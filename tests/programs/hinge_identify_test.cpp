@@ -73,8 +73,8 @@ TEST(HingeIdentify, ReadsWhatHingeJointPrints) {
   }
 }
 
-// Fits are of the joint without its seat: how far a load reaches beyond a rim
-// is said where its direction in the seat is known.
+// Fits use the joint without its seat: a note reports how far a load reaches
+// beyond a rim if its direction in the seat is known.
 TEST(HingeIdentify, SaysWhereALoadReachesARim) {
   const ProgramFolder folder;
   const std::string vectors =
@@ -95,8 +95,8 @@ TEST(HingeIdentify, SaysWhereALoadReachesARim) {
                    "' | hinge-identify --joint data/joints/" + joint +
                    ".toml --data - --sigma-rel 0.01 --fit f0");
     EXPECT_EQ(result.status, 0) << result.err;
-    EXPECT_EQ(result.err.find("deg beyond a rim of its seat, where its load "
-                              "points") != result.err.npos,
+    EXPECT_EQ(result.err.find("deg beyond a rim of its seat in the direction "
+                              "of the load") != result.err.npos,
               says)
         << joint << ' ' << rows << result.err;
   }
@@ -115,8 +115,8 @@ TEST(HingeIdentify, ErrorsOfTheData) {
   EXPECT_NEAR(residuals.at(3, "sigma_N_m"), std::hypot(3, 3.1), 1e-14);
 }
 
-// A seal's 0.65 N m on top of the torques of the rig: said, and found if it is
-// asked for, to two of its standard errors.
+// A seal's 0.65 N m in addition to the torques of the rig: a note reports it,
+// and a fit of the drag finds it to two standard errors.
 TEST(HingeIdentify, FindsADrag) {
   const ProgramFolder folder;
   const std::string seal =
@@ -125,7 +125,7 @@ TEST(HingeIdentify, FindsADrag) {
       "| " +
       rig + "--data - ";
   EXPECT_THAT(folder.run_well(seal).err,
-              HasSubstr("residuals are 1.58 times as large as sigma says, "
+              HasSubstr("residuals are 1.58 times as large as sigma suggests, "
                         "chi2/dof 2.51: "));
   const ProgramResult found = folder.run_well(seal + "--fit f0,A,drag");
   EXPECT_THAT(found.err, Not(HasSubstr("residuals")));
@@ -142,11 +142,12 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
     return "grep '^set,\\|^" + name + ",' data/reference/duty/identify.csv | " +
            rig + "--data - ";
   };
-  EXPECT_THAT(says(set("narrow")),
-              HasSubstr("hinge-identify: warning: the data cannot tell the "
-                        "parameters apart: condition 116, largest over "
-                        "smallest load 1.15, correlation -0.9999; vary the "
-                        "load more, or take f0_effective\n"));
+  EXPECT_THAT(
+      says(set("narrow")),
+      HasSubstr(
+          "hinge-identify: warning: the data do not determine the parameters: "
+          "condition 116, largest over smallest load 1.15, correlation "
+          "-0.9999; vary the load more, or use f0_effective\n"));
   EXPECT_THAT(says(set("wide_outliers")),
               HasSubstr("4 of 40 residuals are beyond 5 standard errors by "
                         "their median; --huber reduces their weight\n"));
@@ -158,9 +159,9 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
   EXPECT_THAT(says("printf 'R_N,b_deg,torque_N_m\\n1e3,90,2\\n4e3,90,9\\n"
                    "1e4,90,26\\n2e4,90,55\\n' | " +
                    rig + "--data - --sigma-rel 0.01"),
-              HasSubstr("A is held at 0: the data ask for a negative value; "
-                        "intervals of the others take it for known and are "
-                        "too short, those of --profile are not\n"));
+              HasSubstr("A is held at 0: the data would give a negative value; "
+                        "intervals of the other parameters treat it as known "
+                        "and are too short, intervals of --profile are not\n"));
 }
 
 // Moments of a pin with f0 = 0.12 and A = 1 MPa, with errors of 1 %.

@@ -377,8 +377,8 @@ TEST(HingePressure, OfInterferenceIsThereWithoutLoad) {
   }
 }
 
-// A liner has a peak of 56 MPa with the 0.3 mm that it is; taken without
-// end, 32.
+// A liner has a peak of 56 MPa with its true 0.3 mm; as an unbounded body 32
+// MPa.
 TEST(HingePressure, WarnsOfALinerWithoutAWall) {
   const ProgramFolder folder;
   const std::string bush =
@@ -386,8 +386,8 @@ TEST(HingePressure, WarnsOfALinerWithoutAWall) {
       "--diameter 20mm --clearance 20um --length 20mm --load 10kN "
       "--summary --pressure exact --law exact";
   const std::string warning =
-      "the outer body, woven PTFE liner, is taken without end, and is a "
-      "liner: ";
+      "the outer body, woven PTFE liner, is a liner, but modelled as "
+      "unbounded: ";
   EXPECT_TRUE(has_text(folder.run_well(bush).err, warning));
   const std::string wall =
       " --wall 0.3mm --backing data/backings/carbon_steel.toml";

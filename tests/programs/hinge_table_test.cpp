@@ -108,7 +108,7 @@ TEST(HingeTable, SaysWhichPointsMissTheTolerance) {
   EXPECT_EQ(result.status, 1);
   EXPECT_EQ(result.err,
             "hinge-table: warning: points that missed the tolerance: 1; their "
-            "rows have the best values found\n");
+            "rows contain the best values found\n");
   EXPECT_EQ(csv_rows(result.out).size(), 3U);
 }
 
@@ -134,7 +134,7 @@ TEST(HingeTable, APointThatIsNotFiniteIsAnErrorInItsPlace) {
     EXPECT_EQ(hinge_table::run(options, method, ""), cli::some_bad);
     EXPECT_EQ(testing::internal::GetCapturedStderr(),
               "hinge-table: warning: points whose numbers are not finite: 1; "
-              "ERROR stands in their place\n");
+              "the table shows ERROR\n");
     return folder.read("table.csv");
   };
   hinge_table::Options options;

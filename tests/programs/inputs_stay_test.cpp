@@ -1,4 +1,4 @@
-// No program writes over a file that it has read, whatever it is called.
+// No program overwrites a file that it has read, under any name.
 #include <gtest/gtest.h>
 
 #include <string>

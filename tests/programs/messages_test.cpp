@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(Of, Messages,
                                          "identify", "study", "fmu"),
                          [](const auto& name) { return name.param; });
 
-// Every example in every program's --help runs as it is printed.
+// Every example in every program's --help runs as printed.
 class HelpExamples : public testing::TestWithParam<const char*> {};
 
 TEST_P(HelpExamples, Run) {

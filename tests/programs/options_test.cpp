@@ -49,7 +49,7 @@ TEST(InstructionSet, IsThatOfTheProcess) {
   }
 }
 
-// All three in mm, as one may slip: a ball of 28 m, which is said.
+// All three in mm by mistake: a ball of 28 m, with a note.
 TEST(LengthOptions, MetresThatAreHardlyMeant) {
   const ProgramFolder folder;
   const std::string angle =
@@ -81,20 +81,18 @@ TEST(NumberOptions, ThousandsThatAreLists) {
   for (const char* loads : {"2,500", "1,500", "12,500"}) {
     EXPECT_TRUE(has_text(said(angle, loads),
                          std::string("hinge-angle: note: --load ") + loads +
-                             " is a list of numbers: "
-                             "thousands are written without commas, "
-                             "decimals with a point\n"));
+                             " is read as a list of numbers: write thousands "
+                             "without commas, decimals with a point\n"));
   }
   EXPECT_TRUE(has_text(said(joint, "2,500"), "note: --reaction 2,500 is"));
   EXPECT_TRUE(has_text(said(joint, "0,5kN"), "note: --reaction 0,5kN is"));
   for (const char* loads :
        {"100,000", "1,000,000", "2,000", "0,05", "0,05kN"}) {
-    folder.run_ill(angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml",
-                   2,
-                   std::string("hinge-angle: --load ") + loads +
-                       " must be a list of numbers without zeros in front: "
-                       "thousands are written without commas, decimals with a "
-                       "point\n");
+    folder.run_ill(
+        angle + loads + " --joint data/joints/hip_cocr_uhmwpe.toml", 2,
+        std::string("hinge-angle: --load ") + loads +
+            " must be a list of numbers without leading zeros: write thousands "
+            "without commas, decimals with a point\n");
   }
   for (const char* loads :
        {"500,2000", "100,200,300", "100,200", "2,5", "1,20,300", "0,500"}) {
@@ -215,7 +213,7 @@ TEST_P(TableOptions, ColumnsAsTheyAreAskedFor) {
   }
 }
 
-// The same characters but for these two: no cell of these has a comma.
+// The same characters except these two; none of the cells has a comma.
 TEST_P(TableOptions, DecimalCommas) {
   std::string expected = out("");
   std::ranges::replace(expected, ',', ';');
@@ -267,7 +265,7 @@ TEST(Help, HasAShortName) {
   }
 }
 
-// A column of a history in HDF5 that is not asked for is not there.
+// A column of an HDF5 history that is not requested is not written.
 TEST(Columns, OfAHistoryInHdf5) {
   const ProgramFolder folder;
   const std::string run =

@@ -1,4 +1,4 @@
-// Pictures of the programs: whole or not there, with every text as it is, and
+// Pictures of the programs: complete or absent, with every text unchanged, and
 // axes that end where the data end.
 #include <fmt/format.h>
 #include <fmt/ranges.h>

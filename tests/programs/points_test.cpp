@@ -274,8 +274,8 @@ TEST(Points, FilesOfOtherPrograms) {
   EXPECT_EQ(kept.texts("place"), (Texts{"x", "y", "z"}));
 }
 
-// A comma that may be of thousands is not guessed, nor is a decimal comma
-// beside commas.
+// A comma that may separate thousands is not interpreted, nor a decimal comma
+// if commas separate fields.
 TEST(Points, OpenCommasAreRefused) {
   const ProgramFolder folder;
   const auto said = [&](const std::string& text,

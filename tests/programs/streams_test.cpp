@@ -198,7 +198,7 @@ TEST(Signals, LeaveNoTemporaryFolder) {
   EXPECT_GT(ended, 3);
 }
 
-// A pipe that is looked at first still has all of the table.
+// A pipe that is inspected first still delivers the whole table.
 TEST(UnwritableOutput, PipesAreNotOpenedTwice) {
   const ProgramFolder folder;
   const std::string run = "hinge-table --theta0 0:90:1 --alpha 0:90:9";
@@ -354,8 +354,8 @@ TEST(FullDisk, CheckpointsAreWholeOrNotThere) {
   }
 }
 
-// Wherever the disk is full, the rows before are kept, and the same command
-// goes on to the same bytes.
+// Wherever the disk is full, earlier rows are kept, and the same command
+// continues to identical bytes.
 TEST(FullDisk, JournalsGoOn) {
   const ProgramFolder folder;
   const std::string run =

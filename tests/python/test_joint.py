@@ -423,7 +423,7 @@ class Files(unittest.TestCase):
             kind="pin", diameter_mm=20, radial_clearance_um=20, length_mm=20,
             pair=str(libcontact.examples["materials/steel_ptfe_liner.toml"]))
         bush = libcontact.Joint(**keys)
-        said = "outer body, woven PTFE liner, is taken without end"
+        said = "outer body, woven PTFE liner, is a liner, but modelled as unbounded"
         with self.assertWarnsRegex(libcontact.ContactWarning, said):
             bush.peak_pressure(1e4)
         of_materials = {k: v for k, v in keys.items() if k != "pair"} | {

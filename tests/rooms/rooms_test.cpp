@@ -69,12 +69,12 @@ const std::vector<std::string> rooms = {
     "apps/python",
 };
 
-// Folders and headers that the repository's own programs may include beside the
-// installed ones: hinge-table compares the routes of the friction integrals,
-// hinge-angle prints Hertz' peak, hinge-joint traces the paper's loop, the
-// multibody library tracks joints by the kernels, cases and studies are TOML
-// files too, hinge-fmu looks at files as an FMU does. What is said of laws
-// stands in their registries.
+// Folders and headers that the repository's own programs may include in
+// addition to the installed ones: hinge-table compares the routes of the
+// friction integrals, hinge-angle prints Hertz' peak, hinge-joint traces the
+// paper's loop, the multibody library tracks joints by the kernels, cases and
+// studies are TOML files too, hinge-fmu reads files as an FMU does. The texts
+// on laws are in their registries.
 const std::vector<std::string> for_programs = {
     "libcontact/base",
     "libcontact/friction/elliptic",
@@ -221,8 +221,8 @@ std::string text_of(const fs::path& file) {
   return {std::istreambuf_iterator<char>(stream), {}};
 }
 
-// Names that a header declares at namespace scope, but for namespace detail: by
-// our format that begins in the first column.
+// Names that a header declares at namespace scope, except in namespace detail:
+// with the project's formatting they begin in the first column.
 std::vector<std::string> public_names(const std::string& header) {
   static const std::regex declared(
       "^(?:(?:class|struct|enum class) (\\w+)\\b(?!;)|using (\\w+) =|"
@@ -268,7 +268,7 @@ bool is_letter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
 }
 
-// Whether a text has a word that stands alone.
+// True if the text contains this word as a whole.
 bool has_word(const std::string& text, const std::string& word) {
   for (std::size_t at = text.find(word); at != std::string::npos;
        at = text.find(word, at + 1)) {
@@ -290,7 +290,7 @@ TEST(Rooms, NoFileHasANameThatIsGone) {
     gone.emplace(line.substr(0, tab), line.substr(tab + 1));
   }
   ASSERT_FALSE(gone.empty());
-  // The tables of gone names that users are told of, and this one.
+  // The tables of gone names that users see, and this one.
   const std::set<std::string> may = {"apps/cli/gone.hpp",
                                      "apps/python/libcontact/__init__.py",
                                      "tests/rooms/gone_names.txt"};

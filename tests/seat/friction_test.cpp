@@ -57,7 +57,7 @@ TEST(SeatFriction, MatchesTheReference) {
   const ReferenceTable friction("edges/edges_ball_friction.csv");
   ASSERT_EQ(friction.size(), 4 * table.size());
   // Harmonics converge slowly for axes that pierce the contact beside a rim:
-  // 7e-4 and 2.3e-3 there; else it is the usual grid's error.
+  // 7e-4 and 2.3e-3 there; elsewhere the error is the usual grid's.
   AccuracyReport many("f and m over the load, 130 degrees", 1e-3);
   AccuracyReport few("f and m over the load, 64 degrees", 3e-3);
   // The ends of the contact are known to a part of a cell, its area to 4e-2.

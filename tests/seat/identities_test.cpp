@@ -76,8 +76,8 @@ TEST(Seat, SaysWhatItCannotCarry) {
   EXPECT_EQ(seat.under(towards(10, 0, NAN)).status, SeatStatus::no_load);
 }
 
-// The pressures at places add up to the load, at rims as elsewhere, and agree
-// with what is reported.
+// The pressures at places integrate to the load, at rims and elsewhere, and
+// agree with the reported values.
 TEST(Seat, PressuresAddUpToTheLoad) {
   const SeatContact seat(bearing(), cup(60));
   for (const Eigen::Vector3d& load :
@@ -256,8 +256,9 @@ TEST(Seat, PeaksAreAboveTheMeanOrThereIsNone) {
     EXPECT_TRUE(std::isnan(state.peak_pressure)) << direction;
     EXPECT_TRUE(std::isnan(state.peak_place.polar_angle));
     EXPECT_GT(state.intensity(), 0);
-    EXPECT_TRUE(has_text(seat.notes(state).at(0),
-                         "no largest pressure: 0.66 mm or more from the rims"));
+    EXPECT_TRUE(
+        has_text(seat.notes(state).at(0),
+                 "no largest pressure: at the reported distance of 0.66 mm"));
     const ContactPv pv = seat.pv(state, {0.2, 0.1, 0.3});
     EXPECT_GT(pv.total, 0);
     EXPECT_TRUE(std::isnan(pv.largest));

@@ -157,9 +157,9 @@ TEST(JointInSeat, FreeContactIsTheJointWithoutEnd) {
             endless.solve_contact(known).friction_moment);
 }
 
-// Friction too is continuous where the contact reaches the rim, dry, with
-// adhesion and viscous: within the grid's accuracy, for the area that of its
-// ends.
+// Friction too is continuous where the contact reaches the rim: dry, with
+// adhesion, and viscous. The tolerance is the grid's accuracy; for the area it
+// is the accuracy of the ends.
 TEST(JointInSeat, ReachesTheRimWithoutAJump) {
   const struct {
     FrictionModel friction;
@@ -176,7 +176,7 @@ TEST(JointInSeat, ReachesTheRimWithoutAJump) {
     const auto at = [&](double more) {
       const double v = 60 * degree - theta0 + more;
       const Vector3d w(0.02, -0.01, 0.03);
-      // R for which F has this direction, by the joint without end.
+      // R for which F has this direction, by the joint without rims.
       const Vector3d force = load * Vector3d(std::sin(v), 0, std::cos(v));
       JointSpec endless = spec.without_seat();
       endless.half_angle_law = "exact";
@@ -373,8 +373,8 @@ TEST(JointInSeat, WithoutItAnOverlapIsKnown) {
   }
 }
 
-// Vectors in other axes than those of the body with the seat: the same answers
-// in these, at a rim and free.
+// Vectors in other axes than the axes of the body with the seat give the same
+// results in these axes, at a rim and free.
 TEST(JointInSeat, TakesVectorsInAnyAxes) {
   const Joint joint(bearing());
   const Placement placement{
@@ -508,7 +508,7 @@ TEST(JointInSeat, StepHoldsAndLetsGo) {
                     .norm(),
                 1e-9 * moved.moment.norm());
       if (moved.holds) continue;
-      // The moment is that of the contact at the end's rate.
+      // The moment equals the moment of the contact at the final rate.
       const JointSolution at_end = joint.solve_contact(
           {.normal_force = moved.solution.normal_force * moved.solution.normal,
            .angular_velocity = moved.angular_velocity,
@@ -618,7 +618,7 @@ TEST(SeatTable, AnswersAsTheContact) {
       const RimContact of_exact = *without.rims(exact);
       const RimContact of_read = *with.rims(read);
       ASSERT_FALSE(of_exact.is_free);
-      // Not found anew.
+      // Not solved again.
       EXPECT_NE(of_read.shift, of_exact.shift);
       EXPECT_LT((read.friction_moment - exact.friction_moment).norm() /
                     exact.friction_moment.norm(),
@@ -635,8 +635,8 @@ TEST(SeatTable, AnswersAsTheContact) {
   }
 }
 
-// A table read again is the same table, to the last bit; that of another joint
-// and half of one are refused.
+// A table read again is bit-identical; a table of another joint and a truncated
+// one are rejected.
 TEST(SeatTable, IsReadAgain) {
   const JointSpec spec = bearing();
   const Gridded joint(spec, {.cells = 10, .longitudes = 30});

@@ -28,7 +28,7 @@ JointSpec bearing(const SeatZone& zone) {
           .friction = FrictionLaw(f0)};
 }
 
-// The seat's axis is not that of the reaction's axes.
+// The seat's axis is tilted in the axes of the reaction.
 SeatZone tilted_cup() {
   return SeatZone::cup(60 * degree).about({0.6, 0, 0.8});
 }

@@ -16,8 +16,8 @@
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
 
-// What is said of the side faces of rims, against finite elements of cups
-// whose side faces are free.
+// Checks the statements of the rim warnings against finite elements of cups
+// with free side faces.
 namespace contact::test::rim_warning_test {
 namespace {
 
@@ -32,7 +32,7 @@ std::string said_of(const SeatContact& contact, const SeatState& state) {
 // 0.3 and 0.1 % on both sides.
 TEST(RimWarning, HoldsWhatFiniteElementsFind) {
   const std::regex band(
-      R"(larger by (up|-1\.2) to ([0-9.]+) %, the approach by up to ([0-9.]+) %)");
+      R"(larger by (up|-1\.2) to ([0-9.]+) %, an approach larger by up to ([0-9.]+) %)");
   int warned = 0, with_numbers = 0, not_known = 0;
   for (const auto row : ReferenceTable("side_face/cups.csv")) {
     const Cup cup = cup_of(row);
@@ -42,7 +42,7 @@ TEST(RimWarning, HoldsWhatFiniteElementsFind) {
     const double pressure = row.value("dp_percent");
     const double approach = row.value("da_percent");
     if (row.given("p_MPa")) {
-      // p is that of the cell about the axis.
+      // p is the pressure of the cell about the axis.
       EXPECT_NEAR(row.value("p_MPa") * 1e6 / state.pressure_at_load,
                   1 + pressure / 100, 1e-2)
           << row.label();
@@ -194,7 +194,7 @@ TEST(RimWarning, IsSaidEarlierWhereSeatsYieldMore) {
                        "are smaller"));
   const Cup sharp{.corner = 65};
   EXPECT_TRUE(has_text(warning(sharp, sharp.zone()).sentence(1, true, 0, 1),
-                       "the largest is not there"));
+                       "the peak is elsewhere"));
 }
 
 }  // namespace

@@ -26,15 +26,14 @@ double value_or(const ReferenceTable::Row& row, const char* name,
   return row.given(name) ? row.value(name) : other;
 }
 
-// The contact does not lie about the load, but at a rim beside it.
+// The contact is not centred on the load, but at a rim beside it.
 bool is_on_rim_alone(const ReferenceTable::Row& row) {
   const double direction = row.value("dir_deg");
   const double v1 = row.value("v1_deg"), v2 = row.value("v2_deg");
   return direction < v1 || direction > v2 || v2 - direction < 3;
 }
 
-// Errors over what is asked for: the row's own accuracy, or the bar if that is
-// more.
+// Errors over their limits: the row's own accuracy, or the bar if it is larger.
 struct Limits {
   double load = 1, pressure = 1, rim = 1, sum = 1, area = 1, stiffness = 1,
          ends = 1, arcs = 1;
@@ -93,8 +92,8 @@ void compare_rims(const ReferenceTable::Row& row, const SeatState& state,
   const double expected[] = {row.value("K_rim1"), row.value("K_rim2")};
   const double arcs[] = {value_or(row, "rim1_half_arc_deg", 0),
                          value_or(row, "rim2_half_arc_deg", 0)};
-  // A rim that is hardly touched has 1e-2 of what it would have if the reported
-  // peak were that of its singularity.
+  // A rim that is hardly touched has 1e-2 of the peak that its singularity
+  // would have for the reported pressure.
   const double slight =
       state.peak_pressure * std::sqrt(2 * pi * row.value("rim_distance"));
   const double scale = std::max({expected[0], expected[1], slight});
@@ -160,8 +159,8 @@ SeatState compare(const ReferenceTable::Row& row, const SeatContact& seat,
   return state;
 }
 
-// What the pressures at places, on points that are dense beside rims, leave of
-// the force.
+// Relative difference between the force and the integral of the pressures at
+// points that are dense beside rims.
 double left_of_force(const SeatContact& seat, const SeatState& state) {
   const double from = seat.zone().from(), to = seat.zone().to();
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
@@ -181,9 +180,9 @@ double left_of_force(const SeatContact& seat, const SeatState& state) {
   return (force - state.force).norm() / state.force.norm();
 }
 
-// All rows on the grid that there is by default, whose limits are the column
-// Grid{} of docs/explanation/seats.md over the bars, and a little; every fourth
-// one on a finer grid, and what takes as long as that.
+// All rows on the default grid; the limits are the column Grid{} of
+// docs/explanation/seats.md over the bars, with a small margin. Every fourth
+// row also on a finer grid, and the slow rows too.
 TEST(Seat, MatchesTheReference) {
   const ReferenceTable table("edges/edges_ball.csv");
   Reports usual(Limits{.load = 5.5,

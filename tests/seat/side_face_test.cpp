@@ -20,8 +20,8 @@
 #include "support/reference_table.hpp"
 #include "support/seat.hpp"
 
-// Seats whose side faces are free, against finite elements of another program
-// and what has to hold of the elements themselves.
+// Seats with free side faces against finite elements of another program, and
+// identities of the elements themselves.
 namespace contact::test::side_face_test {
 namespace {
 
@@ -106,8 +106,8 @@ TEST(SideFace, OfARingMatchesFiniteElements) {
 // twice as much.
 TEST(SideFace, OfCupsOfAllSizesMatchesFiniteElements) {
   // 5.6e-3 and 2.5e-2 seen in 26 rows, the latter where the approach is 2.8
-  // times that of the confined contact; the reference's mesh keeps these
-  // differences within 3 % of themselves.
+  // times the confined contact's approach. The error of the reference's mesh is
+  // within 3 % of these differences.
   AccuracyReport pressure("p in the middle", 2e-2);
   AccuracyReport approach("approach", 4e-2);
   AccuracyReport confined("p of the confined contact", 1e-2);
@@ -190,7 +190,7 @@ TEST(SideFace, PressuresMakeUpTheLoad) {
     }
   }
   sum *= 1e-4 * 50 * degree / parts * 360 * degree / parts;
-  // That of pressure(), and the midpoint rule at the contact's end.
+  // Tolerance of pressure(), and of the midpoint rule at the contact's end.
   EXPECT_NEAR((sum - state.force).norm(), 0, 2e-3 * state.force.norm());
 }
 
@@ -204,7 +204,7 @@ TEST(SideFace, YieldsAndIsSymmetric) {
   const std::vector<Eigen::MatrixXd> all = of.on(cells);
   ASSERT_EQ(all.size(), 25U);
   for (const int m : {0, 1, 2, 5, 10, 13, 20, 24}) {
-    // What is interpolated is so to 1e-2 of itself: -1.3e-3 seen.
+    // Interpolation is accurate to 1e-2: -1.3e-3 seen.
     const double least = m == 10 || m == 20 ? -3e-3 : -1e-12;
     const Eigen::MatrixXd& more = all[m];
     const double size = more.norm();
@@ -239,8 +239,8 @@ double last_far_load(const SeatContact& seat, const Eigen::Vector3d& direction,
   return low;
 }
 
-// A cup as thick as its radius yields more as a whole, by 4 % of the approach:
-// its far contacts have that, and join those of the grid.
+// A cup as thick as its radius is more compliant as a whole, by 4 % of the
+// approach: its far contacts include this and join the contacts of the grid.
 TEST(SideFace, FarContactsJoinThoseOfTheGrid) {
   Cup cup{1, 35, 90};
   const SeatZone zone = with_corner(cup.zone(), cup.corner);
@@ -350,22 +350,21 @@ TEST(SideFace, IsInTheJoint) {
 TEST(SideFace, SaysWhichCornerWasTaken) {
   const SeatContact seat(ring_joint(),
                          with_side_face(ring(25), SideFace::free));
-  EXPECT_TRUE(is_said(seat, seat.under({300, 0, 0}),
-                      "at its upper rim, a corner of 65 deg, of a side face "
-                      "that is taken to be flat"));
+  EXPECT_TRUE(is_said(
+      seat, seat.under({300, 0, 0}),
+      "at its upper rim, a corner of 65 deg, assuming a flat side face"));
   double load = 0.1;
   while (seat.under({load, 0, 0}).is_free) load *= 1.5;
   const SeatState beside = seat.under({3 * load, 0, 0});
   ASSERT_FALSE(beside.is_free || beside.is_at_rim());
-  EXPECT_TRUE(is_said(seat, beside, "beside its upper rim, whose side face"));
+  EXPECT_TRUE(is_said(seat, beside, "beside its upper rim, and its side face"));
   const SeatContact known(ring_joint(), with_corner(ring(25), 65));
-  EXPECT_FALSE(is_said(known, known.under(beside.force), "taken"));
+  EXPECT_FALSE(is_said(known, known.under(beside.force), "assuming"));
   const SeatContact socket(
       ring_joint(),
       with_side_face({62 * degree, 158 * degree}, SideFace::free));
   EXPECT_TRUE(is_said(socket, socket.under({0, 0, -300}),
-                      "upper rim, a corner of 112 deg, of a side face that is "
-                      "taken to be a bore"));
+                      "upper rim, a corner of 112 deg, assuming a bore"));
 }
 
 TEST(SideFace, TheWarningSaysWhyItCannotBeFree) {

@@ -1,4 +1,4 @@
-// Case files: what a good one means. What is said of bad ones: tests/messages.
+// Case files: the meaning of valid ones. For messages see tests/messages.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 

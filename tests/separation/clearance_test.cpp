@@ -34,8 +34,8 @@ using separation::Shape;
 using separation::ShapeKind;
 using separation::Solid;
 
-// Solids and places, generic ones and such as drawings have: round numbers,
-// right angles, and these but for a little.
+// Solids and places: generic ones, and typical ones of drawings with round
+// numbers and right angles, exact and slightly perturbed.
 class Draw {
  public:
   explicit Draw(unsigned seed) : random_(seed) {}
@@ -111,7 +111,7 @@ class Draw {
     return {static_cast<ShapeKind>(kind - 4), from, from + span,
             round ? 0.25 * whole(1, 3) : number(0.1, 0.5)};
   }
-  // 0 generic, 1 of right angles, 2 of right angles but for a little.
+  // 0 generic, 1 with right angles, 2 with nearly right angles.
   RelativePlace place(int kind) {
     if (kind == 0) return {rotation(), vector(4)};
     const RelativePlace right{right_angles(), round_vector(16)};
@@ -199,7 +199,7 @@ Nearest nearest_of(const Shape& a, const Shape& b, const RelativePlace& place) {
 }
 
 // Points in the solids and planes between them prove a distance from above and
-// from below, whatever found it.
+// from below, independent of the algorithm.
 TEST(Clearance, TenThousandDistancesAreProven) {
   Draw draw(1);
   double widest = 0;
@@ -476,7 +476,7 @@ TEST(Clearance, OfAFairingIsContinuous) {
         fastest,
         std::abs(rows.at(i, distance) - rows.at(i - 1, distance)) / time);
   }
-  // Both tips fly apart with 4.4 m/s each when the hinges let go.
+  // Both tips separate with 4.4 m/s each when the hinges are released.
   EXPECT_LT(fastest, 9);
 }
 
@@ -586,8 +586,9 @@ BodyMotion moved(const BodyMotion& start, double time) {
   return now;
 }
 
-// Arms that turn by half a turn and more pass the other body between two looks
-// that see nothing of it: in the axes of one that turns the other one moves.
+// Arms that turn by half a turn and more pass the other body between two
+// evaluations that do not show it: in the axes of a rotating body the other one
+// moves.
 TEST(Clearance, BoundsKnowWhatTurnsBetweenTwoLooks) {
   const auto capsule = [](const Vector3d& to) {
     return Shape{.kind = ShapeKind::capsule,

@@ -1,5 +1,5 @@
-// Forces of a case: what each kind does against figures worked out by hand, and
-// what all kinds have in common.
+// Forces of a case: each kind against hand calculations, and the properties
+// common to all kinds.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -98,7 +98,7 @@ TEST(CaseForces, AppliedInBothAxes) {
 }
 
 // At a jump a table has its second value, and just before it its first,
-// whatever rounding makes of the time since the force began.
+// independent of rounding of the time since the force began.
 TEST(CaseForces, JumpsOfTablesOverTime) {
   for (const double begin : {0.0, 0.1, 1 / 3.0, 0.7, 12.3}) {
     for (const double jump : {0.1, 0.2, 0.3, 0.7, 1 / 3.0}) {
@@ -186,7 +186,7 @@ TEST(CaseForces, AirByAngleAndPressure) {
                     "flow = [-3, -4, 0]\ndynamic_pressure_Pa = 10\n",
                 0);
   expect_force(between.body, {-20 * 0.75 * 2, 0, 0}, {0, 0, 0});
-  // Beyond them that of the nearest one.
+  // Beyond the tables the nearest table applies.
   for (const auto& [pressure, normal] : {std::pair(2, 1.0), {20, 2.0}}) {
     const Forces beyond = forces_of(
         air + "table_pressure_Pa = [4, 12]\nnormal = [[0, 2], [0, 4]]\n" +
@@ -283,7 +283,7 @@ carrier_point_m = [0.7, 0, 0]; direction = [1, 0, 0]; first_force_N = 40
   }
 }
 
-// A thousandth of the stroke is what figures of some digits leave.
+// A thousandth of the stroke is the rounding of figures with a few digits.
 TEST(Pusher, IsBehindByMoreThanAThousandthOfItsStroke) {
   for (const auto& [behind, fault] : {std::pair(0.9e-3, 0), {1.1e-3, 1}}) {
     const Simulated run(ball_text("a", 2, 1, 0) + R"(
@@ -326,7 +326,7 @@ other_body = "b"; other_point_m = [0.25, 0, 0]; damping_N_s_per_m = 1.5
     const double left = std::exp(-c * t / mu);
     const BodyMotion& a = sample.body(0);
     const BodyMotion& b = sample.body(1);
-    // Tolerances of the steps: 1e-9 of a number and 1e-8 beside it.
+    // Tolerances of the steps: 1e-9 of a number plus 1e-8.
     EXPECT_NEAR(a.velocity.x() - b.velocity.x(), u0 * left, 2e-8) << t;
     EXPECT_NEAR(a.position.x() - b.position.x(), 1 + u0 * mu / c * (1 - left),
                 2e-8);

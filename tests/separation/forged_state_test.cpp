@@ -48,8 +48,7 @@ std::string with_sum(const std::string& bytes) {
   return bytes + fmt::format("{:08x}", sum.checksum());
 }
 
-/// A run in the middle, and what becomes of it when it is restored from
-/// something else.
+/// A run in the middle, restored from manipulated states.
 class Forgery {
  public:
   explicit Forgery(const std::string& name, double part = 0.41)
@@ -67,7 +66,7 @@ class Forgery {
   const json& good() const { return good_; }
   double end_time() const { return case_.end_time; }
 
-  // The message; "" if the run takes the state, goes on and can be told of.
+  // The message; "" if the run accepts the state, continues and can be saved.
   std::string said(const json& forged) {
     return said_of_bytes(separation::packed(forged));
   }
@@ -181,7 +180,7 @@ TEST_P(Forged, ListsOfOtherLengthsAreRefused) {
     };
     json shorter = there;
     if (!there.empty()) shorter.erase(shorter.size() - 1);
-    // Nobody misses a note.
+    // A missing note has no effect on the run.
     const bool may_be_shorter = there.empty() || is_below(at, "/notes");
     EXPECT_TRUE(refused(shorter) || may_be_shorter) << at;
     EXPECT_TRUE(refused(json::array()) || may_be_shorter) << at;

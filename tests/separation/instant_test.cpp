@@ -34,9 +34,9 @@ std::string steel_joint(const std::string& kind, const std::string& keys) {
          keys;
 }
 
-// Two bodies on dry hinges of a free carrier, of which a spring moves one: at
-// 0.27 s the other begins to slide beside it, with a moment that is a part of
-// 1e-10 more than friction can hold.
+// Two bodies on dry hinges of a free carrier; a spring moves one of them. At
+// 0.27 s the other begins to slide too, with a moment that exceeds the limit of
+// friction by 1e-10 of it.
 std::string two_hinges(double friction) {
   const std::string dry =
       "friction = { coefficient = " + std::to_string(friction) +
@@ -129,8 +129,8 @@ TEST(Instant, MotorsEndWithTheirHinge) {
   }
 }
 
-// Two halves, mirror images of each other, on hinges that begin to slide when
-// their lock opens: all peaks are those of the rows, and of both halves alike.
+// Two mirror-image halves on hinges that begin to slide when their lock opens:
+// all peaks occur in rows, and are equal for both halves.
 TEST(Instant, PeaksAreNotOfStatesOnTheWay) {
   const std::string size = "geometry = { radial_clearance_um = 60, ";
   const std::string dry = "friction = { coefficient = 1, adhesion_MPa = 1 }\n";

@@ -1,5 +1,5 @@
-// Engines that burn the mass of their bodies, against closed forms and books of
-// momentum with what has left.
+// Engines that burn the mass of their bodies, against closed forms and momentum
+// balances that include the escaped mass.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -110,8 +110,8 @@ direction = [0, 1, 0]; thrust_N = 30; exhaust_speed_m_per_s = 100
 }
 
 // Momentum and angular momentum of a tumbling body whose centre of mass moves,
-// with what has left and with the impulse that steady flow needs none of: to
-// the order of Simpson's rule over the rows.
+// including the escaped mass; steady flow needs no impulse of its own. Accurate
+// to the order of Simpson's rule over the rows.
 TEST(MassFlow, KeepsMomentaWithWhatLeaves) {
   const double step = 0.001, end = 1;
   const Outcome outcome = run_of(run_for(end, step) +
@@ -152,7 +152,8 @@ propellant_kg = 20; empty_com_m = [0.5, -0.1, 0.05]; empty_principal_inertia_kg_
     const Vector3d momentum = m * v + flow;
     const Vector3d turn =
         place.cross(momentum) + r * (full - slope * q * t) * w;
-    // Of what leaves in a second, and of what begins to flow.
+    // Momentum of the mass that leaves in a second, and of the flow that
+    // begins.
     const Vector3d out = q * (v + r * w.cross(arm)) - thrust * (r * along);
     const Vector3d begins = -2 * q * (r * moves);
     const Vector3d out_turn = (place + r * arm).cross(out) -
@@ -209,7 +210,8 @@ time_s = [0, 1, 1, 3]; thrust_N = [0, 20, 40, 80]
   EXPECT_EQ(run("propellant_kg = 9.5\n" + cut).memory.notes.size(), 0u);
 }
 
-// A saved run goes on to the last bit, before and after the end of the engine.
+// A saved run continues bit-identically, before and after the end of the
+// engine.
 TEST(MassFlow, SavedRunsGoOnTheSame) {
   const Case c = parse_case(run_for(8, 1) + stage +
                                 R"(

@@ -273,7 +273,7 @@ TEST_F(CheckpointFile, EveryDamageOfASavedRunIsSeen) {
   }
 }
 
-// Damage that SQLite does not see is in bytes that nobody reads.
+// SQLite misses only damage to bytes that are never read.
 TEST_F(CheckpointFile, DamageMakesNoOtherState) {
   const auto state = [this] {
     return separation::saved_bytes(

@@ -1,4 +1,5 @@
-// Two stages turn apart: where the stage is every half second, and what came.
+// Two stages turn apart: prints the stage's position every half second, and the
+// events.
 #include <cstdio>
 
 #include "separation/case/case_reader.hpp"

@@ -147,7 +147,7 @@ TEST_P(Runs, GoOnFromSavedBytesToTheSameEnd) {
   expect_same(c, first.outcome(), second.outcome(), false);
 }
 
-// Damaged ones are those of parts_test.cpp.
+// For damaged bytes see parts_test.cpp.
 TEST(SavedBytes, OfOthersAreRefused) {
   const Case c = case_of("two_stage_turn");
   const std::string bytes = separation::saved_bytes(CaseRun(c).save(), "own");
@@ -181,9 +181,9 @@ TEST_P(Runs, InTwoThreadsAreIndependent) {
   expect_same(other, outcomes[2], other_alone);
 }
 
-// At output times the row of the history; between them that of a run whose
-// output time it is, to the tolerance of the steps (1e-9, and what rates make
-// of it).
+// At output times the values are the row of the history. Between them they
+// equal the row of a run with this output time, to the tolerance of the steps
+// (1e-9, and its effect on rates).
 TEST(Run, ValuesAreRowsOfTheHistory) {
   Case c = case_of("soyuz");
   CaseRun run(c);

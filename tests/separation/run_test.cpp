@@ -75,7 +75,7 @@ TEST(ReliefOfCases, IsLeftOutAndSaysSo) {
   EXPECT_TRUE(joint.model.is_endless());
   EXPECT_TRUE(std::ranges::any_of(
       joint.contact().validity_notes(), [](const std::string& note) {
-        return note.starts_with("the relief of the ends is left out");
+        return note.starts_with("the relief of the ends is ignored");
       }));
   EXPECT_EQ(run_case(c, {}).failure, "");
 }
@@ -335,8 +335,8 @@ angle_deg = [0, 180]
   }
 }
 
-// A pusher that begins behind its stroke, on a body that comes fast: the work
-// of the first force up to the stroke, and that of the ramp on it.
+// A pusher that begins behind its stroke on a fast body does the work of the
+// first force up to the stroke, and then the work of the ramp.
 TEST(Pusher, ShortStrokesTakeTheirWork) {
   for (const double stroke : {1e-4, 1e-2}) {
     const Case c = parse_case(
@@ -411,7 +411,7 @@ shape = [{ kind = "capsule", from_m = [0, 0, -0.1], to_m = [0, 0, 0.1], radius_m
   }
 }
 
-// The time of a touch is not that of the next row.
+// The time of a touch differs from the time of the next row.
 TEST(SmallestClearance, TouchesHaveTheirTime) {
   const Case c = parse_case(R"(
 name = "re-contact"; run = { end_time_s = 4, output_step_s = 0.1 }
@@ -433,8 +433,8 @@ start = { position_m = [0.2, 3, 0], velocity_m_per_s = [0, -2, 0] }
   }
 }
 
-// Forces that jump three times, at times that rounding does not hit: momentum
-// and place are those of the table's integrals, to rounding.
+// Forces that jump three times, at times that are not exact in doubles:
+// momentum and position equal the table's integrals to rounding.
 class TimeTables : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Integrators, TimeTables,
                          testing::Values("adaptive", "rk4"));

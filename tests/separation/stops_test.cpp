@@ -152,7 +152,7 @@ TEST(CaseStops, WithConstantFriction) {
 // Linear momentum, angular momentum about the origin, kinetic energy.
 struct Motions {
   Vector3d linear = Vector3d::Zero(), angular = Vector3d::Zero();
-  double energy = 0, size = 0;  // of the parts' angular momenta
+  double energy = 0, size = 0;  // size: angular momenta
 };
 Motions motions_of(const Case& c, const Rows& rows, std::size_t row) {
   Motions sum;
@@ -305,7 +305,7 @@ TEST(CaseLatches, EngageBelowARate) {
   EXPECT_GT(last(past, "boom.angle_deg"), 90);
 }
 
-// What a later event opens goes on, and its lock is not the latch.
+// A body released by a later event moves on; its lock is not the latch.
 TEST(CaseLatches, OpenAgain) {
   const Outcome outcome = run_of(
       run_for(10) + boom() + latch("angle_deg = 0\n") +

@@ -50,15 +50,15 @@ stiffness_N_m_per_rad = 8; free_angle_deg = 20; preload_N_m = 0.6; damping_N_m_s
   EXPECT_NEAR(value(outcome, 1, "boom.angle_deg"), -39.85417873934, 1e-8);
   EXPECT_NEAR(value(outcome, 5, "boom.angle_deg"), 72.98950278062, 1e-8);
   EXPECT_NEAR(value(outcome, 10, "boom.angle_deg"), 2.79415273550, 1e-8);
-  // What the damper took is what is missing of the spring's energy.
+  // The damper dissipates exactly the missing energy of the spring.
   const double turn = 80 * degree;
   EXPECT_NEAR(value(outcome, 0, "energy.springs_J"),
               0.6 * turn + 4 * turn * turn, 1e-12);
   EXPECT_NEAR(value(outcome, 10, "energy.balance_J"), 0, 1e-9);
 }
 
-// Without damping what the spring stores is what is left of the work, whether
-// it is given by numbers or by a table, which is flat beyond its rows.
+// Without damping the spring stores the work done, whether it is given by
+// numbers or by a table, which is constant beyond its rows.
 TEST(Torsion, EnergyIsKept) {
   for (const std::string spring :
        {"stiffness_N_m_per_rad = 2\nfree_angle_deg = 10\n",
@@ -170,7 +170,7 @@ com_m = [0.5, 0, 0]
   const double textbook = 0.1 * 9.81 * 0.02;
   EXPECT_GT(friction, textbook * 0.99);
   EXPECT_LT(friction, textbook * 1.3);
-  // The same as that of a slow motion there.
+  // Equals the result of a slow motion there.
   Case slow = c;
   slow.bodies[0].start.angle = full.angle;
   slow.bodies[0].start.angle_rate = 1e-9;

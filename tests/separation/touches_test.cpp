@@ -169,8 +169,8 @@ TEST(Touches, ClearancesHaveTheirTimesAndShapes) {
   EXPECT_NEAR(falls.memory.pairs[0].time, 1, 1e-12);
 }
 
-// What is near when it begins to be watched does not come near; what comes near
-// after the end does not count either.
+// Bodies that are near when the watch begins do not come near; bodies that come
+// near after its end do not count either.
 TEST(Touches, OnlyCrossingsInTheirTimesAreEvents) {
   const auto notes = [](const std::string& keys) {
     return run_of(recontact +

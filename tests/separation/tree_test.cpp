@@ -1,5 +1,5 @@
-// Cases of bodies that hang on bodies: numbers of other routes, copies, orders
-// in the file, and cases of which numbers are drawn.
+// Cases with bodies on bodies: numbers from independent routes, copies, orders
+// in the file, and cases with drawn numbers.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -82,7 +82,7 @@ pattern = { count = 3, axis = [0, 0, 1] }
 [[force]]; name = "spring"; kind = "motor"; body = "tip"; moment_N_m = 0.3
 )"_toml;
 
-// What hangs on a body with copies is copied with it, and all move alike.
+// Bodies on a body with copies are copied with it, and all move alike.
 TEST(CaseTree, CopiesCarryWhatHangsOnThem) {
   const Case c = parse_case(arms, "c.toml");
   std::vector<std::string> names;
@@ -137,8 +137,8 @@ pattern = { count = 2, axis = [1, 0, 0] }
       1e-15);
 }
 
-// Drawn numbers of a body count for what hangs on it too: its centre of mass
-// is where the parent_point is from.
+// Drawn numbers of a body affect the bodies that hang on it: its centre of mass
+// is the origin of parent_point.
 TEST(CaseTree, DrawnNumbersReachWhatHangsOnABody) {
   const std::filesystem::path file =
       std::filesystem::path(testing::TempDir()) / "tree.toml";
@@ -162,8 +162,8 @@ TEST(CaseTree, DrawnNumbersReachWhatHangsOnABody) {
   EXPECT_EQ(nominal.bodies[0].hinge.parent_point[0], 0.5);
 }
 
-// Two halves on a stage that has left: clamps open at one instant, which is
-// not the same to the last bit as that of the springs' begin.
+// Two halves on a separated stage: clamps open at one instant, which differs in
+// the last bits from the begin of the springs.
 TEST(CaseTree, HalvesOpenAlike) {
   const Outcome outcome = run_case(
       separation::read_case(CONTACT_DATA_DIR "/cases/fairing_on_stage.toml"),

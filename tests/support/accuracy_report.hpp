@@ -6,8 +6,8 @@
 
 namespace contact::test {
 
-/// |computed - expected| / |expected|, computed in Real. Where the expected
-/// value is 0 only 0 is right; NaN is never right. Both give infinity.
+/// |computed - expected| / |expected|, computed in Real. If the expected value
+/// is 0, only 0 is correct; NaN is never correct. Both faults give infinity.
 template <class Real>
 double relative_error(const Real& computed, const Real& expected) {
   if (computed == expected) return 0;
@@ -18,11 +18,11 @@ double relative_error(const Real& computed, const Real& expected) {
   return error >= 0 ? error : std::numeric_limits<double>::infinity();
 }
 
-/// Collects the errors of one quantity over a table and holds them against a
-/// written budget, at the end of its life or before: it prints one line
+/// Collects the errors of one quantity over a table and compares them with a
+/// stated budget, at the latest in its destructor. It prints one line
 /// (quantity, rows, max, RMS, budget, worst row), records the two numbers as
-/// properties of the running test and fails it if the budget is exceeded or no
-/// row was added.
+/// properties of the running test, and fails the test if the budget is exceeded
+/// or no row was added.
 class AccuracyReport {
  public:
   /// @param quantity  what is compared, as printed
@@ -30,7 +30,7 @@ class AccuracyReport {
   ///                  test, where it comes from
   AccuracyReport(std::string quantity, double budget)
       : quantity_(std::move(quantity)), budget_(budget) {}
-  /// The report moved from is not checked.
+  /// A moved-from report is not checked.
   AccuracyReport(AccuracyReport&& other) noexcept : AccuracyReport(other) {
     other.is_checked_ = true;
   }
@@ -45,11 +45,10 @@ class AccuracyReport {
     add_error(relative_error(computed, expected), label);
   }
 
-  /// One row by an error measured in the caller's own way. NaN counts as
-  /// infinite.
+  /// Adds a row with an error measured by the caller. NaN counts as infinite.
   void add_error(double error, const std::string& label);
 
-  /// No row is no failure.
+  /// Allows a report without rows.
   void may_be_empty() { may_be_empty_ = true; }
 
   double max() const { return max_; }
@@ -57,7 +56,7 @@ class AccuracyReport {
   std::size_t size() const { return count_; }
   const std::string& worst() const { return worst_; }
 
-  /// The check of the destructor, now.
+  /// Runs the destructor's check now.
   void check();
 
  private:

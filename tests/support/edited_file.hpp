@@ -9,7 +9,7 @@
 
 namespace contact::test {
 
-/// The files that messages are about, and the messages.
+/// Files and the messages about them.
 inline std::filesystem::path messages_folder() {
   return CONTACT_DATA_DIR "/../tests/messages";
 }
@@ -22,7 +22,7 @@ inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   return lines;
 }
 
-/// A file with some lines replaced; @DATA@ in it is the folder data.
+/// A file with replaced lines; @DATA@ in it stands for the folder data.
 class EditedFile {
  public:
   EditedFile() = default;
@@ -30,8 +30,8 @@ class EditedFile {
   explicit EditedFile(const std::string& name)
       : lines_(lines_of(messages_folder() / name)) {}
 
-  /// Puts `text` in the place of line "4", of line 4 and all below it, "4...",
-  /// at the end, "+", or below the text of the last call, "".
+  /// Replaces line "4", or line 4 and all below it, "4...", by `text`; appends
+  /// it at the end, "+", or below the text of the last call, "".
   EditedFile& edit(const std::string& where, const std::string& text) {
     if (where.empty()) {
       lines_.at(last_) += '\n' + text;

@@ -19,7 +19,7 @@ struct PairCase {
   }
 };
 
-/// Both ends and the middle of everything; on both sides of the switches of
+/// Both ends and the middle of all ranges, and both sides of the switches of
 /// the exact law's number of terms (theta0* = 95 and 138 deg).
 inline constexpr PairCase exact_pairs[] = {
     {1, 0.3, 0.3},   {1, 0.3, 0.2},       {0, 0.3, 0.3}, {infinity, 0.3, 0},
@@ -29,7 +29,7 @@ inline constexpr PairCase exact_pairs[] = {
     {0, 0.497, 0.3}, {0.001, 0.499, 0.3},
 };
 
-/// Some of everything.
+/// A selection of all cases.
 inline constexpr PairCase fitted_pairs[] = {
     {1, 0.3, 0.3},   {0, 0.3, 0.3},    {infinity, 0.3, 0.25}, {0.01, 0.49, 0.2},
     {100, 0.2, 0.4}, {0.5, 0.1, 0.45}, {0, 0.5, 0.3},         {1, 0, 0.5}};

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-/// Joint files of every kind of friction, with every kind of wall, for tests
-/// that all doors take them.
+/// Joint files with every kind of friction and every kind of wall, to test that
+/// all interfaces accept them.
 namespace contact::test {
 
 struct JointText {

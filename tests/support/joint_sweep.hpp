@@ -8,7 +8,7 @@
 
 namespace contact::test {
 
-/// Counts of whole numbers; the last bin takes all beyond it.
+/// Counts of integers; the last bin counts all larger ones.
 class Histogram {
  public:
   static constexpr int bins = 64;
@@ -43,8 +43,8 @@ struct JointSweep {
   std::uint64_t fixed_point_slow = 0;   ///< more than 50 steps
   std::uint64_t fixed_point_never = 0;  ///< not within 500 steps
   Histogram fixed_point;                ///< steps where it converges
-  /// The same by the friction coefficient f of the solution and |b - 90 deg|:
-  /// upper edges of the bins.
+  /// The same counts by the friction coefficient f of the solution and by |b -
+  /// 90 deg|; upper edges of the bins.
   static constexpr std::array<double, 6> f_edges = {0.1, 0.3, 1, 3, 10, 1e300};
   static constexpr std::array<double, 5> b_edges_deg = {0.1, 3, 20, 60, 90};
   struct Bin {
@@ -56,23 +56,23 @@ struct JointSweep {
 
   std::uint64_t scanned = 0;
   std::uint64_t several_roots = 0;
-  /// Smallest limit half-angle of a joint that has several, rad.
+  /// Smallest limit half-angle of a joint with several roots, rad.
   double several_roots_limit = 1e300;
 
   std::uint64_t paths = 0;
   std::uint64_t path_steps = 0;
-  /// Largest change of n, R_t/R, M_t/max M_t between inputs 1e-12 apart,
-  /// found by halving the steps of the paths; over (1 + f)/min(1, theta0): at
-  /// b = 90 deg n turns over within angles of 1/f, at b = 0 the moment of a
-  /// small contact within theta0.
+  /// Largest change of n, R_t/R, M_t/max M_t between inputs 1e-12 apart, found
+  /// by halving the steps of the paths, over (1 + f)/min(1, theta0): at b = 90
+  /// deg n reverses within angles of 1/f, at b = 0 the moment of a small
+  /// contact within theta0.
   double jump = 0;
-  /// Paths that do jump, of joints whose limit half-angle is above 90 deg: from
-  /// one of several roots to another. They do not count above.
+  /// Number of paths that jump from one of several roots to another, for joints
+  /// whose limit half-angle is above 90 deg. They are not counted above.
   std::uint64_t folds = 0;
 };
 
-/// |f/tan g - 1| of the contact that a solution of dry friction names, by the
-/// friction integrals alone: the definition of a solution.
+/// |f/tan g - 1| of a solution of dry friction, from the friction integrals
+/// alone: the definition of a solution.
 double true_residual(const Joint& joint, const JointSolution& s);
 
 /// Solves `inputs` inputs of RandomSlips(seed), scans each for further roots,

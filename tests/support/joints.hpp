@@ -11,7 +11,7 @@ namespace contact::test {
 
 inline const ElasticPair steel_in_steel({2e11, 0.3}, {2e11, 0.3});
 
-/// With the law tanh unless another one is named.
+/// Uses the law tanh by default.
 inline Joint steel_ball(const FrictionModel& friction,
                         JointBody inner = JointBody::carrier,
                         const char* law = "tanh") {

@@ -17,7 +17,7 @@ inline constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 inline constexpr double epsilon = std::numeric_limits<double>::epsilon();
 inline constexpr JointKind kinds[] = {JointKind::ball, JointKind::pin};
 
-/// Whether all of them are NaN; else it names the first that is not.
+/// True if all numbers are NaN; else it reports the first other one.
 inline testing::AssertionResult all_nan(std::initializer_list<double> numbers) {
   int place = 0;
   for (const double number : numbers) {

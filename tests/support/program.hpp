@@ -20,15 +20,15 @@ std::vector<Texts> csv_rows(std::string_view text);
 /// is none of that name.
 Texts csv_column(const std::vector<Texts>& rows, std::string_view name);
 
-/// csv_rows() by column; rows count from 1, and the first is meant where none
-/// is named. Numbers are NaN where a cell has none.
+/// csv_rows() by column. Rows count from 1; the first row is the default. A
+/// cell without a number is NaN.
 class CsvTable {
  public:
   explicit CsvTable(std::string_view csv) : rows_(csv_rows(csv)) {}
 
   std::size_t size() const { return rows_.size() - 1; }
   const std::vector<std::string>& names() const { return rows_.front(); }
-  /// A column as it stands, and its numbers.
+  /// A column as text, and as numbers.
   Texts texts(std::string_view column) const {
     return csv_column(rows_, column);
   }
@@ -54,15 +54,15 @@ class CsvTable {
   mutable std::map<std::string, std::vector<double>> numbers_;
 };
 
-/// How a program ended and its output.
+/// Exit and output of a program.
 struct ProgramResult {
   int status;  ///< exit status, or -1 for a signal
   std::string out;
   std::string err;
 };
 
-/// An empty folder with the project's data folder in it as "data", in which
-/// programs of the project are run by name; removed at the end.
+/// An empty folder with the project's data folder as "data", in which programs
+/// of the project are run by name; removed at the end.
 class ProgramFolder {
  public:
   ProgramFolder();
@@ -73,9 +73,9 @@ class ProgramFolder {
   /// Runs a shell command with the folder as working directory and the built
   /// programs first on PATH.
   ProgramResult run(const std::string& command) const;
-  /// The same of one whose status has to be 0.
+  /// As above; the exit status must be 0.
   ProgramResult run_well(const std::string& command) const;
-  /// The same of one that ends with another status and says this.
+  /// As above; the program must end with this status and message.
   void run_ill(const std::string& command, int status,
                const std::string& said) const;
   /// Standard output of run_well().
@@ -88,9 +88,9 @@ class ProgramFolder {
   std::string read(const std::string& name) const;
   bool has(const std::string& name) const;
   bool has_gnuplot() const { return run("command -v gnuplot").status == 0; }
-  /// three.js and dygraphs, which pages of replays need.
+  /// three.js and dygraphs, required for pages of replays.
   bool has_page_libraries() const;
-  /// Names of the files that are there, hidden ones too, without "data".
+  /// Names of the existing files, including hidden ones, without "data".
   Texts files() const;
 
  private:

@@ -19,9 +19,9 @@ struct RandomSlip {
   }
 };
 
-/// Random inputs over all that a joint can meet: f0 from 0 to 5, A rho^2/R
-/// from 0 to 1e4 (f0 = 0 with A > 0 too), b from 0 to 180 deg, its ends, 90
-/// deg and their neighbourhoods included, reactions from 1e-12 to 1e12 N,
+/// Random inputs over the whole range of a joint: f0 from 0 to 5, A rho^2/R
+/// from 0 to 1e4 (also f0 = 0 with A > 0), b from 0 to 180 deg including both
+/// ends, 90 deg and their neighbourhoods, reactions from 1e-12 to 1e12 N,
 /// clearances from 1e-5 to 1e-2, half-angle laws tanh, arctan and blend with
 /// limits from 30 to 115 deg, the ball on either side.
 class RandomSlips {
@@ -30,7 +30,7 @@ class RandomSlips {
 
   RandomSlip next();
 
-  /// Uniform in [0, 1): the same numbers with every standard library.
+  /// Uniform in [0, 1), equal for every standard library.
   double uniform() {
     return std::min(static_cast<double>(random_()) * 0x1p-64, 1 - 0x1p-53);
   }

@@ -16,11 +16,11 @@ class ReferenceTable {
   /// @param path  file name, relative to data/reference/ of this project
   explicit ReferenceTable(const std::filesystem::path& path);
 
-  /// A row, as long as its table is there.
+  /// A row; its table must outlive it.
   class Row {
    public:
     const std::string& text(std::string_view column) const;
-    /// Whether there is such a column and something in the cell.
+    /// True if the column exists and the cell is not empty.
     bool given(std::string_view column) const {
       return table_->has(column) && !text(column).empty();
     }

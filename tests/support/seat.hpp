@@ -34,8 +34,8 @@ inline Eigen::Vector3d force_of(const ReferenceTable::Row& row) {
   return row.value("load") * Eigen::Vector3d(at.sin, 0, at.cos);
 }
 
-// The reference solved this row in a window of latitudes that ends at 82 deg,
-// where it cuts the contact off: v_high_deg is 82.000. Seat.TheCutRow has it.
+// The reference truncated the contact of this row at 82 deg, the end of its
+// window of latitudes: v_high_deg is 82.000. Seat.TheCutRow tests it.
 inline bool is_cut(const ReferenceTable::Row& row) {
   return row.text("id") == "ge50_steel" && row.text("load") == "300000" &&
          row.text("dir_deg") == "60";

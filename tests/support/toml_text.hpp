@@ -5,8 +5,8 @@
 
 namespace contact::test {
 
-/// TOML with several lines in one: "; " ends a line as a newline does, so that
-/// a case is seen at a glance and messages have the numbers of TOML's lines.
+/// TOML with several lines in one: "; " ends a line like a newline, so that a
+/// case fits on a line and messages still count lines of TOML.
 inline std::string operator""_toml(const char* text, std::size_t size) {
   std::string lines(text, size);
   for (auto at = lines.find("; "); at != lines.npos; at = lines.find("; ")) {

@@ -10,10 +10,9 @@ namespace contact::test {
 /// Frictionless contact of a pin or a ball on its whole circumference as a
 /// complementarity problem, without an assumption on the half-angle: at every
 /// node p >= 0, gap >= 0, p gap = 0. Pressure and displacement are expanded in
-/// all harmonics that the nodes carry (cosines; Legendre polynomials), the
-/// compliances of body 1 and 2 belong to a disc, a hole, a ball and a cavity,
-/// written down one by one. Shares nothing with libcontact/conforming but the
-/// elastic constants.
+/// all harmonics resolved by the nodes (cosines; Legendre polynomials). The
+/// compliances of disc, hole, ball and cavity are written out separately.
+/// Shares nothing with libcontact/conforming except the elastic constants.
 struct UnilateralContact {
   Eigen::VectorXd theta;     ///< nodes, rad, increasing, within (0, pi)
   Eigen::VectorXd pressure;  ///< in units of P/rho or R_n/rho^2

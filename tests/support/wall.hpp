@@ -8,7 +8,7 @@
 
 namespace contact::test {
 
-/// One layer of modulus 1 and radius 1 around a body that is 50 times as stiff.
+/// A layer of modulus 1 and radius 1 around a body 50 times as stiff.
 struct Wall {
   double thickness;
   double nu;

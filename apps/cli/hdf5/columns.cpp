@@ -7,7 +7,7 @@
 namespace cli {
 namespace {
 
-// HDF5 answers with negative numbers.
+// HDF5 reports errors by negative numbers.
 template <class Answer>
 Answer check(Answer answer) {
   if (answer < 0) throw contact::Error("HDF5 failed");
@@ -58,7 +58,7 @@ void write(const Hdf5Column& column, hid_t file, hid_t space, hid_t links,
 
 std::string hdf5_image(const std::vector<Hdf5Column>& columns, std::size_t rows,
                        const std::function<void(std::size_t, double*)>& fill) {
-  // Its own messages would go to standard error.
+  // HDF5 would print messages of its own to standard error.
   check(H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr));
   const Handle in_memory(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
   constexpr std::size_t growth = 1 << 20;
@@ -67,7 +67,7 @@ std::string hdf5_image(const std::vector<Hdf5Column>& columns, std::size_t rows,
                     H5Fclose);
   const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
   check(H5Pset_create_intermediate_group(links, 1));
-  // The same columns are the same bytes, whenever they are written.
+  // Equal columns give equal bytes, independent of the time.
   const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
   check(H5Pset_obj_track_times(creation, false));
   const hsize_t size = rows;

@@ -30,7 +30,7 @@ std::string form_of(const Option& row) {
   return *row.kind == 0 ? row.flag : fmt::format("{} {}", row.flag, row.kind);
 }
 
-// Paragraphs of a text, which empty lines part.
+// Paragraphs of a text, separated by empty lines.
 std::vector<std::string> paragraphs(std::string_view text) {
   std::vector<std::string> all(1);
   for (const std::string_view line : split(text, "\n")) {
@@ -75,7 +75,7 @@ std::string quoted(std::string_view text) {
   return shown;
 }
 
-// Words that a kind or a meaning names, as enumerations do.
+// Words listed in a kind or a meaning, such as the values of an enumeration.
 std::string words_of(const Option& row) {
   const std::string_view given = row.flag;
   if (given == "--law") {
@@ -170,7 +170,7 @@ std::string fish(const ProgramHelp& program) {
   return text;
 }
 
-// Text that troff leaves alone.
+// Escapes text for troff.
 std::string troff(std::string_view text) {
   std::string shown;
   for (const std::string_view line : split(text, "\n")) {
@@ -187,7 +187,7 @@ std::string troff(std::string_view text) {
 
 std::string short_help(const ProgramHelp& program) {
   std::string text = fmt::format("{}\n\n", program.does);
-  // The first ones are used most.
+  // The first examples are the most useful ones.
   auto shown = examples(program.text);
   shown.resize(std::min<std::size_t>(shown.size(), 3));
   for (const std::string_view example : shown) {

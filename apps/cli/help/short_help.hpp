@@ -6,7 +6,7 @@
 
 #include "cli/option.hpp"
 
-/// Help texts of programs, made from the rows of their options and their
+/// Builds the help texts of programs from their rows of options and their
 /// help.txt.
 namespace cli {
 
@@ -27,14 +27,14 @@ struct ProgramHelp {
 /// --help: at most 40 lines with three examples and the options in groups.
 std::string short_help(const ProgramHelp& program);
 
-/// --help-columns: the paragraphs on columns; all if there are none.
+/// --help-columns: the paragraphs on columns, or the whole text if it has none.
 std::string columns_help(std::string_view text);
 
-/// --completion: options, their files and words for a shell.
+/// --completion: completes options, file names and words in a shell.
 /// @param shell  "bash", "zsh" or "fish"
 std::string completion(std::string_view shell, const ProgramHelp& program);
 
-/// --man: the manual page, troff with the macros man.
+/// --man: the manual page, in troff with the man macros.
 std::string man_page(const ProgramHelp& program, std::string_view version);
 
 }  // namespace cli

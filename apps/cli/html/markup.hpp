@@ -7,17 +7,17 @@
 /// Parts of pages that need no network.
 namespace cli {
 
-/// Text as it stands in markup, not within quotes.
+/// Escapes text for markup outside quotes.
 std::string in_markup(std::string_view text);
 
-/// A text with every {{name}} replaced; what is put in is not looked at again.
+/// Replaces every {{name}} of a text; does not search the inserted text again.
 std::string fill_template(
     std::string_view text,
     const std::function<std::string_view(std::string_view name)>& of);
 
-/// The nonce of a page's content security policy: a hash of the content, so
-/// that the same run gives the same page. Text of a case that wanted to bring
-/// in a script would have to know it.
+/// The nonce of a page's content security policy is a hash of the content, so
+/// that equal runs give equal pages. A script smuggled in by the text of a case
+/// would have to contain this hash.
 std::string nonce_of(const std::string& content);
 
 /// A page without scripts.

@@ -14,7 +14,7 @@ std::string difference_text(const std::vector<Difference>& differences) {
   std::string text;
   for (const auto& [column, value] : differences) {
     text += text.empty() ? "" : ", ";
-    // A key without the tables that it stands in.
+    // The key without its tables.
     if (column != "joint") {
       text += column.substr(column.rfind('.') + 1);
       text += " = ";
@@ -26,8 +26,8 @@ std::string difference_text(const std::vector<Difference>& differences) {
 
 namespace {
 
-// The unit in the name of a joint's key that is a length, stress, ...; "" if
-// there is none.
+// The unit at the end of a key that is a length, stress, ...; "" if there is
+// none.
 std::string_view unit_ending(std::string_view key) {
   using contact::Dimension;
   std::string_view longest;

@@ -92,7 +92,7 @@ contact::FrictionModel make_friction(
     const std::optional<contact::FrictionModel>& of_joint,
     const JointOptions& joint) {
   if (options.viscous) return *options.viscous;
-  // A coefficient without an adhesion means none.
+  // A coefficient given without an adhesion means an adhesion of 0.
   if (options.coefficient) {
     return FrictionLaw(*options.coefficient, options.adhesion.value_or(0));
   }

@@ -11,11 +11,11 @@
 
 namespace cli {
 
-/// How far a load presses a ball or pin into the outer body, in SI units, as
-/// columns of tables.
+/// Approach of a ball or pin and its seat under load, in SI units, as columns
+/// of tables.
 class JointApproach {
  public:
-  /// Whether a law has it: exact.
+  /// True for the exact law, the only one that gives an approach.
   static bool of(const contact::HalfAngleLaw& law) {
     return law.name() == "exact";
   }
@@ -28,9 +28,9 @@ class JointApproach {
         geometry_(joint.spec.geometry),
         pair_(joint.pair) {}
 
-  /// approach, m, from first touch of the unloaded bodies; stiffness,
-  /// d load/d approach. NaN where there is none: without load, loaded through
-  /// the back, and for a pin in an infinite hole.
+  /// approach, m, from first touch of the unloaded bodies; stiffness d load/d
+  /// approach. NaN without load, for a load through the back, and for a pin in
+  /// an unbounded body.
   contact::ContactApproach operator()(double half_angle) const {
     return contact::JointContact::approach(*law_, geometry_, pair_, half_angle);
   }

@@ -33,7 +33,7 @@ struct KeyOption {
   Dimension dimension;  ///< number: a text
   /// Largest plausible length, m: a larger number without a unit is a slip.
   double most;
-  JointUse use;  ///< and those behind it
+  JointUse use;  ///< and later ones
   const char* kind;
   const char* meaning;
   std::string_view needs = {};
@@ -54,7 +54,7 @@ constexpr KeyOption key_options[] = {
      "--pair; --clearance, --diametral-clearance or --interference",
      "--diameter --hole"},
     {"--diameter", "geometry.diameter", as_length, 2, JointUse::contact,
-     "LENGTH", "diameter, in place of --radius; nominal size of a fit",
+     "LENGTH", "diameter instead of --radius; nominal size of a fit",
      "--pair; --clearance, --diametral-clearance, --interference, or --hole "
      "and "
      "--shaft"},
@@ -67,19 +67,20 @@ constexpr KeyOption key_options[] = {
      "--pair; --radius or --diameter", "--hole --interference"},
     {"--interference", "geometry.radial_interference", as_length, 1,
      JointUse::contact, "LENGTH",
-     "in place of a clearance: overlap of the radii, positive",
+     "instead of a clearance: overlap of the radii, positive",
      "--pair; --radius or --diameter", "--hole"},
     {"--hole", "geometry.hole", as_text, 0, JointUse::contact, "NAME",
-     "in place of a clearance: a fit by ISO 286, such as H7",
+     "instead of a clearance: hole of a fit by ISO 286, such as H7",
      "--pair; --shaft; --diameter"},
     {"--shaft", "geometry.shaft", as_text, 0, JointUse::contact, "NAME",
-     "the ball or pin in that hole, such as g6", "--pair; --hole"},
+     "the ball or pin in this hole, such as g6", "--pair; --hole"},
     {"--fit-clearance", "geometry.clearance", as_text, 0, JointUse::contact,
      "NAME",
      "of a fit or bearing: minimum, mean (default) or maximum clearance",
      "--pair; --hole or --bearing"},
     {"--bearing", "geometry.designation", as_text, 0, JointUse::contact, "NAME",
-     "in place of size and clearance: a spherical plain bearing, as GE50ES", "",
+     "instead of size and clearance: a spherical plain bearing, such as GE50ES",
+     "",
      "--radius --diameter --clearance --diametral-clearance --interference "
      "--hole"},
     {"--group", "geometry.clearance_group", as_text, 0, JointUse::contact,
@@ -102,11 +103,11 @@ constexpr KeyOption key_options[] = {
     {"--inner-body", "inner_body", as_text, 0, JointUse::friction, "NAME",
      "body with the ball or pin: carrier (default) or body"},
     {"--wall", wall_key, as_length, 2, JointUse::pressure, "LENGTH",
-     "thickness of the seat or hole; default: no end", "--backing"},
+     "thickness of the seat or hole; default: unbounded", "--backing"},
     {"--backing", "wall.backing", as_text, 0, JointUse::pressure, "NAME|FILE",
-     "the body behind the wall: rigid, held or a material", "--wall"}};
+     "body behind the wall: rigid, held or a material", "--wall"}};
 
-// The key of a joint file that an option is.
+// The key of a joint file that corresponds to an option.
 contact::KeySetting setting_of(const KeyOption& option, const std::string& text,
                                bool has_size) {
   const bool wall = option.key == wall_key;
@@ -139,7 +140,7 @@ std::vector<std::string> length_notes(const JointOptions& o) {
   return notes;
 }
 
-// Moduli with only the ratio known, which no joint file can give.
+// Moduli for a known ratio alone, which no joint file can express.
 contact::ElasticPair pair_of_modulus_ratio(const JointOptions& o) {
   using contact::detail::infinity;
   constexpr Allowed poisson{0, 0.5, ""};
@@ -163,11 +164,11 @@ contact::MaterialPair materials_of(const JointOptions& o) {
       o.use == JointUse::friction ? "--pair" : "--pair or --modulus-ratio";
   if (!o.joints.empty()) refuse_without(given("--joint", o.joint()), either);
   if (o.has("--wall")) refuse_without("--wall", either);
-  // Any pair will do for a pressure law that needs none.
+  // A pressure law without materials accepts any pair.
   return {"", contact::ElasticPair::from_modulus_ratio(1, 0.3, 0.3), {}};
 }
 
-// hinge-table's is a ball unless it says otherwise.
+// hinge-table uses a ball by default.
 bool is_pin(const JointOptions& o) {
   const std::string& kind = o.joint();
   if (kind == "pin" || kind == "ball" || kind.empty()) return kind == "pin";
@@ -193,7 +194,7 @@ bool check_size(const JointOptions& o, bool pin) {
   return has_size;
 }
 
-// The table of a joint file that a material's file is; "" of a word.
+// The table of a joint file that holds a material's file; "" for a word.
 std::string backing_table(const JointOptions& o) {
   const std::string backing =
       shipped_file(Shipped::backings, o.key("--backing"));
@@ -214,7 +215,7 @@ std::string backing_table(const JointOptions& o) {
   return "";
 }
 
-// A rejected number may have a wrong unit.
+// The unit of a rejected number may be wrong.
 contact::JointSpec spec_of(const std::string& text,
                            const contact::KeySettings& settings,
                            const contact::MaterialPair& materials,
@@ -231,7 +232,7 @@ contact::JointSpec spec_of(const std::string& text,
   }
 }
 
-// A joint file in memory, whose keys the options are.
+// A joint file in memory; its keys are the options.
 Joint joint_from_options(const JointOptions& o) {
   const bool pin = is_pin(o);
   const contact::MaterialPair materials = materials_of(o);
@@ -322,8 +323,8 @@ Joint joint_of(const JointOptions& o, const std::string& name,
   return joint;
 }
 
-// Joints by the names of the shipped ones; a bearing by its designation alone
-// is a ball of steel in steel.
+// Resolves the names of shipped joints; a bearing given by its designation
+// alone is a steel ball in steel.
 void settle_joint(const Program& program, JointOptions& o) {
   for (std::string& name : o.joints) {
     if (name == "ball" || name == "pin" || is_file(name)) continue;
@@ -351,7 +352,7 @@ void settle_joint(const Program& program, JointOptions& o) {
   }
 }
 
-// How a key of the file is set that an option is without one.
+// Hint for an option that exists only as a key of the file.
 std::string key_hint(const JointOptions& o, std::string_view flag) {
   if (o.use == JointUse::pressure) return {};
   const auto option =
@@ -377,11 +378,11 @@ void add_joint_options(Program& program, JointOptions& o) {
   program.add(
       "Joint",
       {pressure ? Option{"--joint", one, "KIND|FILE",
-                         "ball (default) or a ball joint's file;\n"
-                         "before a .toml the flag may be left out"}
+                         "ball (default) or a ball joint's file;\nthe flag may "
+                         "be omitted before a .toml file"}
                 : Option{"--joint", &o.joints, "KIND|FILE",
-                         "ball, pin, or a joint file; files more than once;\n"
-                         "before a .toml the flag may be left out"},
+                         "ball, pin, or a joint file; files more than "
+                         "once;\nthe flag may be omitted before a .toml file"},
        {"--loading", &o.loading, "NAME",
         "force on the ball or pin: centre (default) or back:PSI"}});
   program.add_check([&program, &o] { settle_joint(program, o); });
@@ -437,20 +438,20 @@ void add_law_options(Program& program, JointOptions& o, Laws half_angle,
     program.add(
         "Law",
         {{"--law", names(half_angle, o.laws), kind(o.one_law),
-          o.one_law ? "half-angle law; default the joint's, or fitted"
-                    : "a comma list or all; default the joint's, or fitted"},
+          o.one_law ? "half-angle law; default: the joint's law, or fitted"
+                    : "a comma-separated list or all; default: the joint's "
+                      "law, or fitted"},
          {"--limit-angle", &o.limit_angle, "NAME|ANGLE",
           "formula, linear, or degrees; default formula"}});
   }
   program.add(
       "Law",
       {{"--pressure", names(pressure, o.pressures), kind(o.one_pressure),
-        o.use == JointUse::pressure
-            ? "pressure law; default the joint's, or exact; cosine without "
-              "materials"
-        : o.one_pressure
-            ? "pressure law; default the joint's, or exact"
-            : "a comma list or all; default the joint's, or exact"}});
+        o.use == JointUse::pressure ? "pressure law; default: the joint's law, "
+                                      "or exact; cosine without materials"
+        : o.one_pressure ? "pressure law; default: the joint's law, or exact"
+                         : "a comma-separated list or all; default: the "
+                           "joint's law, or exact"}});
 }
 
 contact::JointContact Joint::contact(contact::FrictionModel friction,

@@ -11,17 +11,17 @@
 #include "cli/table.hpp"
 #include "libcontact/joint/spec.hpp"
 
-/// A joint as all programs take it from the command line.
+/// Describes a joint on the command line, alike in all programs.
 namespace cli {
 
-/// Parts of a joint that a program uses; each includes all before it.
+/// Parts of a joint that a program uses; each includes the parts before it.
 enum class JointUse {
   pressure,  ///< a ball's pressure law, and materials if that needs them
   contact,   ///< half-angles: materials, with a size or dimensionless
   friction,  ///< all
 };
 
-/// How many laws of a kind a program takes.
+/// Number of laws of one kind that a program takes.
 enum class Laws { one, several };
 
 /// The command line as it was written; "" for options that were not given.
@@ -37,11 +37,12 @@ struct JointOptions {
   std::map<std::string_view, std::string> keys = {};
   std::string loading = {};
 
-  // Without these: what the joint file says, or the library's defaults.
+  // Empty or none: the joint file decides, else the library's defaults.
   std::vector<std::string> laws = {};
   std::string limit_angle = {};
   std::vector<std::string> pressures = {};
-  /// A bearing by its designation alone, of steel in steel and greased.
+  /// True for a bearing given by its designation alone: steel on steel,
+  /// greased.
   bool is_plain_bearing = false;
   bool one_law = false;
   bool one_pressure = false;
@@ -59,13 +60,13 @@ struct JointOptions {
 
 /// Adds --joint, --set and --loading.
 void add_joint_options(Program& program, JointOptions& options);
-/// Adds what describes a joint without a file.
+/// Adds the options that describe a joint without a file.
 void add_fileless_joint_options(Program& program, JointOptions& options);
-/// Adds --law, --limit-angle (but for JointUse::pressure) and --pressure.
+/// Adds --law, --limit-angle (except for JointUse::pressure) and --pressure.
 void add_law_options(Program& program, JointOptions& options, Laws half_angle,
                      Laws pressure);
 
-/// Difference of a joint from the others of a run: a cell of tables.
+/// How a joint differs from the others of a run: a cell of tables.
 struct Difference {
   std::string column;  ///< "joint" or a key of --set
   std::string value;   ///< name of the file without its ending, or the key's
@@ -76,58 +77,59 @@ std::string difference_text(const std::vector<Difference>& differences);
 /// The same for pictures: "radius 20 mm, ..."
 std::string difference_label(const std::vector<Difference>& differences);
 
-/// A joint, and the laws that are asked for.
+/// A joint, and the laws asked for.
 struct Joint {
   contact::JointSpec spec;
-  /// The spec's; of --modulus-ratio with this ratio to the last digit.
+  /// As in the spec; with --modulus-ratio this ratio to the last digit.
   contact::ElasticPair pair;
-  /// Without a size, which is 1 m then, only dimensionless loads and pressures.
+  /// Without a size (taken as 1 m) only dimensionless loads and pressures
+  /// exist.
   bool has_size = true;
-  /// False for a pin without a length, which is 1 m then: loads are per length.
+  /// False for a pin without a length (taken as 1 m): its loads are per length.
   bool has_length = true;
   std::string title = {};  ///< title of pictures
   std::vector<Difference> differences = {};
   std::string among_several = {};  ///< its name in messages; "" if it is alone
-  std::vector<std::string> notes = {};  ///< on options that are hardly meant
+  std::vector<std::string> notes = {};  ///< on options probably mistaken
   std::vector<NamedLaw> laws = {};      ///< not for JointUse::pressure
   std::vector<NamedPressure> pressures = {};
 
   contact::JointKind kind() const { return spec.geometry.kind(); }
   bool is_pin() const { return kind() == contact::JointKind::pin; }
-  /// With a friction, and the first or other laws.
+  /// With a friction, and the first laws or others.
   contact::JointContact contact(contact::FrictionModel friction,
                                 std::size_t law = 0,
                                 std::size_t pressure = 0) const;
 };
 
-/// Text above pictures of joints: their common title, and the rest behind it.
+/// Title of pictures of several joints: the common part, then the differences.
 std::string shared_title(const std::vector<Joint>& joints,
                          const std::string& behind);
 
-/// The joints that the options describe: one, or one for each file of --joint
-/// and combination of the values of --set. Throws contact::Error if they do
-/// not fit together or a value is not allowed.
+/// The joints that the options describe: one for each file of --joint and each
+/// combination of the values of --set. Throws contact::Error for options that
+/// conflict and values that are not allowed.
 std::vector<Joint> make_joints(const JointOptions& options);
-/// The only one.
+/// The only joint.
 Joint make_joint(const JointOptions& options);
 
-/// Columns of the differences, then the columns of the tables of some joints,
-/// which must be the same. Throws contact::Error if they are not.
+/// Columns of the differences, then the columns of the joints' tables. Throws
+/// contact::Error if these tables have different columns.
 std::vector<std::string> joint_columns(
     const std::vector<Joint>& joints,
     const std::vector<std::vector<std::string>>& columns);
-/// The cells of a joint's differences.
+/// Writes the cells of a joint's differences.
 void write_differences(const std::vector<Difference>& differences,
                        RowWriter& row);
 
-/// Area of the nominal pressure in units of rho^2 (ball) or of rho times the
-/// length (pin): from pressures in pressure units to those over the nominal.
+/// Area of the nominal pressure in units of rho^2 (ball) or rho times length
+/// (pin); converts pressures in pressure units to multiples of the nominal one.
 inline double nominal_area(contact::JointKind kind) {
   return kind == contact::JointKind::ball ? std::numbers::pi : 2;
 }
 
-/// Says which clearances fits give; warns of the use of joints and of their
-/// half-angle laws outside their ranges, once for each reason.
+/// Prints the clearances that fits give. Warns once for each reason if joints
+/// or their half-angle laws are used outside their ranges.
 void warn_of_validity(std::string_view program,
                       const std::vector<Joint>& joints);
 

@@ -17,7 +17,7 @@ namespace cli {
 /// tables: contact_state and contact::preload_quantities().
 class JointPreload {
  public:
-  /// Whether one of the joints has a size and no clearance: then the tables of
+  /// True if one of the joints has a size and no clearance; then the tables of
   /// all of them have the columns.
   static bool any_of(const std::vector<Joint>& joints) {
     return std::ranges::any_of(joints, [](const Joint& joint) {
@@ -26,8 +26,8 @@ class JointPreload {
   }
 
   /// @param joint     with a size
-  /// @param law       which of its half-angle laws
-  /// @param pressure  which of its pressure laws
+  /// @param law       index of its half-angle law
+  /// @param pressure  index of its pressure law
   explicit JointPreload(const Joint& joint, std::size_t law = 0,
                         std::size_t pressure = 0)
       : contact_(joint.contact(contact::FrictionLaw(0), law, pressure)),
@@ -50,14 +50,14 @@ class JointPreload {
     return names;
   }
 
-  /// The cells under a normal force, N; empty where it is NaN. The moment of a
-  /// joint whose friction is not known is empty too.
+  /// Writes the cells for a normal force, N; empty if the force is NaN. The
+  /// moment is also empty if the joint's friction is not known.
   void write(double force, double half_angle, RowWriter& row) const {
     if (std::isnan(force)) {
       for (std::size_t i = 0; i < columns().size(); ++i) row.empty();
       return;
     }
-    // A load that was found from 180 deg may be off by a rounding.
+    // A load computed from a half-angle of 180 deg may differ by rounding.
     const bool closed =
         contact_.has_interference() && half_angle == std::numbers::pi;
     row.text(to_string(closed ? contact::ContactState::closed

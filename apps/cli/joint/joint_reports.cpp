@@ -5,8 +5,8 @@
 namespace cli {
 namespace {
 
-// Calls with the column and the cell of each number of a report, and of the
-// numbers beside it.
+// Calls a function with the column and the cell of each number of a report, and
+// of the numbers beside it.
 template <class Call>
 void for_cells(const Report& report, const Call& call) {
   const std::vector<std::string> columns = report.columns();

@@ -7,18 +7,18 @@
 #include "cli/stream/report.hpp"
 #include "libcontact/base/error.hpp"
 
-/// Reports on each of several joints.
+/// Reports on several joints.
 namespace cli {
 
-/// The report of the only joint, a line for each of its numbers, or of several
-/// joints a row for each: its differences, then the numbers under their names,
-/// and the numbers beside them as NAME_COLUMN. Throws contact::Error if the
-/// reports have different lines.
+/// Writes the report of a single joint with a line for each number. With
+/// several joints it has a row for each: the differences, the numbers under
+/// their names, and the numbers beside them as NAME_COLUMN. Throws
+/// contact::Error if the reports have different lines.
 void write_reports(const std::vector<Joint>& joints,
                    const std::vector<Report>& reports, Output& output,
                    const TableStyle& style);
 
-/// Message on one joint, which is named if there are several.
+/// Message on one joint; names the joint if there are several.
 std::string said_of(const Joint& joint, const std::string& text);
 
 /// Result of `make`; its contact::Error names the joint.
@@ -31,7 +31,7 @@ auto made_of(const Joint& joint, const Make& make) {
   }
 }
 
-/// Throws contact::Error if joints that share an input are not of one kind.
+/// Throws contact::Error if joints that share an input differ in kind.
 void check_one_kind(const std::vector<Joint>& joints);
 
 }  // namespace cli

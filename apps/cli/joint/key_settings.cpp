@@ -16,7 +16,7 @@ namespace cli {
 namespace {
 
 constexpr const char* option = "--set";
-// Each may have laws of its own, which take some milliseconds.
+// Each joint may need laws of its own, which take some milliseconds.
 constexpr std::size_t most_joints = 10'000;
 
 bool is_number(std::string_view part) {
@@ -38,7 +38,7 @@ std::vector<std::string> values_of(std::string_view text) {
   return values;
 }
 
-// The text as it is, of a key that is not among the earlier ones.
+// Takes the text unchanged; the key must not occur before.
 contact::KeySetting setting_of(const std::string& text, const char* rule,
                                const contact::KeySettings& earlier) {
   const auto equals = text.find('=');

@@ -17,7 +17,7 @@
 namespace cli {
 namespace {
 
-// The names asked for, `all` for the word "all".
+// The names given, or `all` for the word "all".
 std::vector<std::string> law_names(std::string_view option,
                                    const std::vector<std::string>& asked,
                                    std::vector<std::string> otherwise,
@@ -33,7 +33,7 @@ std::vector<std::string> law_names(std::string_view option,
   refuse(option, text, "\"all\" alone, or names of laws");
 }
 
-// Laws that "all" stands for under these conditions.
+// Laws that "all" selects under these conditions.
 template <class Entries>
 std::vector<std::string> all_names(
     const Entries& entries, const contact::ContactConditions& conditions) {
@@ -42,8 +42,7 @@ std::vector<std::string> all_names(
   });
 }
 
-// Whether the law of this name, if it is one of these, is another one with
-// another loading.
+// True if the law with this name is one of these and depends on the loading.
 template <class Entries>
 bool depends_on_loading(const Entries& entries, std::string_view name) {
   return std::ranges::any_of(entries, [&](const auto* entry) {

@@ -24,7 +24,7 @@ using contact::Dimension;
 using contact::JointSolution;
 using Eigen::Vector3d;
 
-// Columns of a quantity of `get`(state), a pointer; NaN for null.
+// Adds the columns of a quantity of `get`(state), a pointer; NaN if null.
 template <class T, class Get>
 void add_columns(const contact::Quantity<T>& quantity, const Get& get,
                  std::vector<PlacedColumn>& to) {
@@ -37,7 +37,7 @@ void add_columns(const contact::Quantity<T>& quantity, const Get& get,
   }
 }
 
-// The joint of a row: of seats the axis is z, and their laws are exact.
+// The joint of a row. For seats the axis is z and the laws are exact.
 contact::Joint without_friction(const Joint& joint, bool in_seat) {
   contact::JointSpec spec = joint.spec;
   spec.friction = contact::FrictionLaw(0);
@@ -135,7 +135,7 @@ class Rows {
   }
 
  private:
-  // What all states share is left out.
+  // Leaves out everything that all states share.
   std::string label(std::size_t load, const std::string& place) const {
     std::string text = difference_label(given_.differences);
     const auto add = [&text](const std::string& more) {

@@ -10,12 +10,12 @@
 #include "cli/joint/tilted_pins.hpp"
 #include "libcontact/joint/joint.hpp"
 
-/// Tables of joints whose contact ends, under normal forces and without
-/// friction: pins as they lie, balls in their seats.
+/// Tables of joints with contacts that end, under normal forces and without
+/// friction: pins with a position, balls in their seats.
 namespace cli {
 
-/// A joint of such a table under one load. Loads of pins are along x; loads of
-/// seats lie in the plane of x and z, the seat's axis.
+/// A joint of such a table under one load. Pins are loaded along x, seats in
+/// the plane of x and z, the seat's axis.
 struct PlacedState {
   const contact::Joint& joint;
   double load;  ///< N
@@ -28,8 +28,8 @@ struct PlacedColumn {
   std::string name;
   std::function<double(const PlacedState&)> value;
 };
-/// Add columns of a quantity of the solution, of the pin's position, of all of
-/// the seat.
+/// Add the columns of a quantity of the solution, of the pin's position, or of
+/// everything about the seat.
 void add_solution_column(std::string_view key, std::vector<PlacedColumn>& to);
 void add_lie_column(std::string_view key, std::vector<PlacedColumn>& to);
 void add_seat_columns(std::vector<PlacedColumn>& to);
@@ -38,20 +38,20 @@ struct PlacedTable {
   std::string_view program;
   std::string loads;  ///< sweep of --load
   TiltOptions tilt = {};
-  std::string direction = {};  ///< sweep of --direction, in the place of tilt
+  std::string direction = {};  ///< sweep of --direction, replaces the tilt
   std::vector<PlacedColumn> columns = {};
-  /// Maps: names of their columns, and the function that writes their rows,
-  /// each begun by `begin`, which writes the cells of the load.
+  /// Maps: names of their columns, and the function that writes their rows;
+  /// `begin` writes the cells of the load at the start of each row.
   std::vector<std::string> map_columns = {};
   std::function<void(const PlacedState&, const std::function<void()>& begin,
                      RowWriter&)>
       write_map = {};
-  /// Is shown every state, for a picture, with its label: "2000 N, 45 deg".
+  /// Called with every state and its label, for pictures: "2000 N, 45 deg".
   std::function<void(const PlacedState&, const std::string& label)> show = {};
 };
 
-/// Rows of each load and placement, with warnings where the theory does not
-/// hold; some_bad if rows have no value.
+/// Writes a row for each load and placement. Warns where the theory does not
+/// hold; returns some_bad if rows have no value.
 ExitStatus write_placed(const std::vector<Joint>& joints,
                         const PlacedTable& table, const OutputOptions& output);
 

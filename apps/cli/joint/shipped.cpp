@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "" if it is not there.
+// "" if it does not exist.
 fs::path folder_of(Shipped kind) {
   constexpr std::array<const char*, 3> names = {"joints", "materials",
                                                 "backings"};
@@ -26,7 +26,7 @@ fs::path folder_of(Shipped kind) {
   const fs::path programs =
       fs::read_symlink("/proc/self/exe", none).parent_path();
   if (none) return {};
-  // In an installation, in a build directory of the tree.
+  // Relative to an installation, and to a build directory of the source tree.
   for (const char* data : {"../share/libcontact", "../../data"}) {
     const fs::path folder =
         programs / data / names[static_cast<std::size_t>(kind)];
@@ -74,7 +74,7 @@ std::string shipped_hint(Shipped kind, std::string_view name,
   return contact::detail::did_you_mean(meant);
 }
 
-// Its first table ends what stands at the top.
+// The first table ends the keys at the top level.
 void refuse_joint_file(std::string_view program, const std::string& file,
                        std::string_view wanted) {
   std::ifstream in(file);

@@ -6,25 +6,25 @@
 
 namespace cli {
 
-/// A shipped folder of data/, and the term for its files.
+/// A folder of data/ that is shipped with the programs.
 enum class Shipped { joints, materials, backings };
 
-/// The names of its files without their endings, sorted; none where the
-/// programs are neither in their tree nor installed with it.
+/// Sorted names of its files without endings; empty if the programs find
+/// neither the source tree nor the installation.
 std::vector<std::string> shipped_names(Shipped kind);
 
-/// The file of such a name, in the folder data of the tree or of the
-/// installation that the program is from; `name` itself if there is none or it
-/// is a file's already, with an ending or a slash.
+/// Path of the shipped file with such a name, in the folder data of the source
+/// tree or the installation. Returns `name` itself if there is no such file, or
+/// if it is already a path (with an ending or a slash).
 std::string shipped_file(Shipped kind, const std::string& name);
 
-/// `: did you mean "steel_bronze"?` for a name that is none, among the shipped
-/// ones and other words; "" if nothing is near.
+/// `: did you mean "steel_bronze"?` for an unknown name, if a shipped name or
+/// another word is similar; else "".
 std::string shipped_hint(Shipped kind, std::string_view name,
                          std::vector<std::string> words = {});
 
 /// Throws contact::Error if a file that cannot be read as `wanted` ("a case
-/// file") is a joint's: "FILE is a joint file; PROGRAM takes WANTED".
+/// file") is a joint file: "FILE is a joint file; PROGRAM takes WANTED".
 void refuse_joint_file(std::string_view program, const std::string& file,
                        std::string_view wanted);
 

@@ -31,7 +31,7 @@ void add_tilt_options(Program& program, TiltOptions& o, std::string_view needs,
   program.add(
       "Tilt",
       {{"--tilt", &o.tilt, "ANGLES",
-        "tilt of a pin that ends in the plane of the load, deg, -10 to 10",
+        "tilt of a finite-length pin in the plane of the load, deg, -10 to 10",
         needs, excludes},
        {"--twist", number("--twist", o.twist, Dimension::angle, allowed_tilt),
         "ANGLE", "tilt across that plane, deg; default 0", "--tilt"},

@@ -36,7 +36,7 @@ bool takes_prefix(std::string_view unit) {
 
 std::string plain(double value) { return fmt::format("{:.12g}", value); }
 
-// Whether no label touches the next one or the end of the canvas' margin.
+// True if no label touches the next one or leaves the canvas' margin.
 bool fit(const Ticks& ticks, Run run, double room, bool logarithmic) {
   constexpr double apart = 0.8;    // distance of neighbours' ends
   constexpr double height = 1.15;  // distance of lines
@@ -99,7 +99,7 @@ Ticks linear_ticks(const Axis& axis, const Extent& extent, Run run, double room,
   return ticks;
 }
 
-// Digits of each decade, or of each n-th decade its power alone.
+// Numbered digits in each decade, or only every n-th power of ten.
 std::vector<double> in_decades(const Extent& e, std::span<const double> digits,
                                int each) {
   std::vector<double> places;
@@ -240,7 +240,7 @@ std::string Ticks::script(std::string_view axis, bool labels_too) const {
 Ticks ticks_of(const Axis& axis, const Extent& extent, Run run, double room,
                bool whole) {
   if (extent.is_empty()) return {{0, 1}};
-  // A single value, or as good as one, gets some room of its own.
+  // Widens the range of a single value, or of nearly equal values.
   const double span = extent.high - extent.low;
   const double size = std::max(std::abs(extent.low), std::abs(extent.high));
   if (!(span > 1e-9 * size)) {

@@ -16,7 +16,7 @@ struct Axis {
   bool logarithmic = false;
 };
 
-/// A quantity of the tables, in its printed unit: "peak pressure" in "Pa".
+/// A quantity of the tables in its printed unit: "peak pressure" in "Pa".
 Axis axis_of(std::string_view symbol, std::string_view meaning,
              contact::Dimension dimension);
 template <class T>
@@ -26,25 +26,25 @@ Axis axis_of(const contact::Quantity<T>& q) {
       q.is_vector() && !q.length_meaning.empty() ? q.length_meaning : q.meaning,
       q.dimension);
 }
-/// Short, for panels: its symbol alone.
+/// Short axis for panels: the symbol alone.
 template <class T>
 Axis short_axis_of(const contact::Quantity<T>& q) {
   return axis_of(q.stem(), "", q.dimension);
 }
 
-/// A symbol of the tables as it is printed in pictures: "θ₀" of "theta0",
-/// "Mₜ" of "M_t".
+/// A symbol of the tables as pictures print it: "θ₀" for "theta0", "Mₜ" for
+/// "M_t".
 std::string shown_symbol(std::string_view symbol);
-/// A unit's symbol with µ: "µm" of "um".
+/// A unit's symbol with µ: "µm" for "um".
 std::string with_micro(std::string unit);
 
-/// A unit's prefix, and the factor of the numbers for it.
+/// A unit's prefix and the factor that it stands for.
 struct Prefix {
   std::string_view name = "";
   double factor = 1;
 };
 
-/// The smallest and the largest of the values that an axis has a place for.
+/// The smallest and the largest value that an axis can show.
 struct Extent {
   double low;
   double high;
@@ -53,40 +53,40 @@ struct Extent {
 Extent extent_of(std::span<const double> values, bool logarithmic);
 Extent joined(const Extent& a, const Extent& b);
 
-/// The one with which numbers of an axis are short: of a linear one up to 10^4
-/// and not below 10^-2, of a logarithmic one in its middle. None for units that
-/// take none (deg, s, m²).
+/// The prefix that gives short labels: on a linear axis numbers from 10^-2 to
+/// 10^4, on a logarithmic one in its middle. None for units without prefixes
+/// (deg, s, m²).
 Prefix prefix_of(const Axis& axis, const Extent& extent);
 
 /// "peak pressure, MPa"
 std::string label_of(const Axis& axis, const Prefix& prefix);
 
-/// Numbers at places of an axis, as many as there is room for.
+/// Numbered ticks of an axis, as many as fit.
 struct Ticks {
   Extent range = {0, 1};  ///< from end to end of the axis
   std::vector<double> places = {};
   std::vector<std::string> labels = {};
 
-  /// Position of a number: 0 at the low end, 1 at the high one; 0.5 for NaN.
+  /// Position of a number: 0 at the low end, 1 at the high end; 0.5 for NaN.
   double share(double number, bool logarithmic) const;
   /// Width of the widest label.
   double width() const;
-  /// gnuplot's range and labels of "x" or "y"; without labels marks alone.
+  /// gnuplot's range and labels for "x" or "y"; without labels only marks.
   std::string script(std::string_view axis, bool labels_too = true) const;
 };
 
-/// gnuplot's marks, with which numbers stand where the next two have them.
+/// gnuplot's style of ticks, which the next two distances assume.
 inline constexpr std::string_view tick_style =
     "set tics scale 0.5\nset xtics offset 0,0.65\n";
-/// From y to the ends of its numbers, em.
+/// Distance of the y axis from the ends of its numbers, em.
 inline constexpr double beside_axis = 1.4;
-/// From x to the end of its label, em.
+/// Distance of the x axis from the lower end of its label, em.
 inline constexpr double under_axis = 2.9;
 
 enum class Run { across, up };
 
-/// @param room    length of the axis, em
-/// @param whole   the axis ends with ticks, not with the data; of linear ones
+/// @param room   length of the axis, em
+/// @param whole  the axis ends at ticks, not at the data; linear axes only
 Ticks ticks_of(const Axis& axis, const Extent& extent, Run run, double room,
                bool whole);
 

@@ -25,8 +25,9 @@ double width_of(const std::vector<LegendEntry>& legend) {
   return sample + sample_gap + widest;
 }
 
-// The heights nearest to these that are a line apart, in the room: lines that
-// touch lie about the mean of their wishes.
+// Spreads labels so that they are at least a line apart within the room and as
+// near as possible to their wished heights: touching labels are centred on the
+// mean of their wishes.
 std::vector<double> apart(const std::vector<double>& sorted, const Box& room) {
   struct Block {
     double top;  // mean of its lines' wishes for its first line
@@ -139,7 +140,7 @@ std::string Canvas::upward(double x, const Box& beside,
   const auto lines = wrapped(text, beside.height());
   std::string script;
   for (std::size_t i = 0; i < lines.size(); ++i) {
-    // The canvas has room above the highest plot and below the lowest.
+    // The canvas leaves room above the highest plot and below the lowest one.
     const double half = text_width(lines[i]) / 2;
     const double middle = std::clamp(
         (beside.top + beside.bottom) / 2, margin + half,

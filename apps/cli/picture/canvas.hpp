@@ -6,7 +6,7 @@
 
 namespace cli {
 
-/// A part of a picture; em from its left and its top.
+/// A rectangle of a picture, in em from the left and the top.
 struct Box {
   double left;
   double right;
@@ -19,46 +19,47 @@ struct Box {
 /// Entry of a legend for one curve.
 struct LegendEntry {
   std::string label;
-  std::string line = {};   ///< gnuplot's style of it; "" for none
-  std::string point = {};  ///< the same
+  std::string line = {};   ///< gnuplot's line style; "" for none
+  std::string point = {};  ///< gnuplot's point style; "" for none
 };
 
 enum class Anchor { left, center, right };
 
-/// Layout of a picture's texts: each is placed by its measured size, so that
-/// none leaves the canvas or lies over another one.
+/// Layout of a picture's texts. Each text is placed by its measured size, so
+/// that it stays on the canvas and overlaps no other.
 class Canvas {
  public:
-  /// Takes the room of the title, in as many lines as it needs, and of the
-  /// legend: to the right of the plots, or, where it is wide, below them on a
-  /// canvas that is higher.
+  /// Reserves room for the title, in as many lines as needed, and for the
+  /// legend: to the right of the plots or, if it is wide, below them on a
+  /// higher canvas.
   explicit Canvas(std::string_view title,
                   const std::vector<LegendEntry>& legend = {});
 
   /// Room that is still free.
   const Box& room() const { return room_; }
-  /// Height over the height of a canvas without a legend below the plots.
+  /// Height relative to a canvas without a legend below the plots.
   double stretch() const { return stretch_; }
-  /// The title and the legend. One beside the plots has its entries, from the
-  /// top of the canvas, at the heights of their curves' ends as far as there is
-  /// room; in the middle without heights.
+  /// The title and the legend. The entries of a legend beside the plots stand
+  /// at the heights of their curves' ends as far as there is room; without
+  /// heights the legend is centred.
   std::string script(std::vector<double> heights = {}) const;
 
-  /// A text, its anchor and the middle of its height at a place.
+  /// A text with its anchor and its vertical middle at (x, y).
   std::string text(double x, double y, std::string_view text,
                    Anchor anchor = Anchor::center) const;
-  /// Upwards, in as many lines as it needs, the last with its middle at x.
+  /// Text upwards, in as many lines as needed; the middle of the last one is at
+  /// x.
   std::string upward(double x, const Box& beside, std::string_view text) const;
-  /// How much room upward() takes beside its last line's middle.
+  /// Room that upward() takes to the left of the middle of its last line.
   static double upward_width(double room, std::string_view text);
-  /// Above a plot, in as many lines as it needs.
+  /// Text above a plot, in as many lines as needed.
   std::string above(const Box& plot, std::string_view text) const;
   static double above_height(const Box& plot, std::string_view text);
-  /// gnuplot's margins of a plot.
+  /// gnuplot's margins for a plot.
   std::string margins(const Box& plot) const;
-  /// Place of gnuplot's colours.
+  /// gnuplot's placement of the colour box.
   std::string colour_box(const Box& box) const;
-  /// "X,Y" of gnuplot's screen.
+  /// "X,Y" in gnuplot's screen coordinates.
   std::string at(double x, double y) const;
 
  private:
@@ -67,7 +68,7 @@ class Canvas {
   Box room_;
   double stretch_ = 1;
   std::string script_;
-  std::vector<LegendEntry> beside_;  // at the right of the room
+  std::vector<LegendEntry> beside_;  // drawn to the right of the room
 };
 
 }  // namespace cli

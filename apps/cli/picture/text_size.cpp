@@ -15,8 +15,8 @@ constexpr std::array<int, 95> ascii = {
     685, 611, 685, 390, 337,  390, 838, 500, 500, 613, 635, 550, 635, 615,
     352, 635, 634, 278, 278,  579, 278, 974, 634, 612, 635, 635, 411, 521,
     392, 634, 592, 818, 592,  592, 525, 636, 337, 636, 838};
-// Widths of the Greek letters and signs of our labels are 0.3 to 0.84; Chinese
-// characters, from the lead byte 0xe3 on, are squares.
+// Greek letters and signs of the labels have widths of 0.3 to 0.84; Chinese
+// characters (lead byte 0xe3 and above) are squares.
 constexpr double other = 0.7;
 constexpr double square = 1;
 

@@ -15,13 +15,13 @@
 namespace cli {
 namespace {
 
-// The longest time that a statement waits for another program's, ms.
+// Longest time that a statement waits for another program, ms.
 constexpr int patience = 60'000;
 
 [[noreturn]] void fail(const std::string& name, sqlite3* database) {
   const int extended = sqlite3_extended_errcode(database);
   const int code = extended & 0xff;
-  // SQLite forgets the number that says of a full disk that it is full.
+  // SQLite discards the error code that tells that a disk is full.
   const int cause =
       code == SQLITE_FULL ? ENOSPC : sqlite3_system_errno(database);
   std::string what = sqlite3_errmsg(database);
@@ -76,7 +76,7 @@ void Statement::bind_bytes(int place, std::string_view bytes) {
                             SQLITE_TRANSIENT));
 }
 
-// A statement at its end is reset at once: it keeps no lock.
+// Resets a finished statement at once, so that it holds no lock.
 bool Statement::next() {
   const int code = sqlite3_step(statement_.get());
   if (code == SQLITE_ROW) return true;
@@ -102,8 +102,8 @@ std::string Statement::text(int column) const {
   return {static_cast<const char*>(bytes), static_cast<std::size_t>(size)};
 }
 
-// As an absolute path no name has a meaning of its own, as ":memory:" has. To
-// be read after its writer was killed a database is brought back first.
+// An absolute path has no special meaning, unlike ":memory:". A database whose
+// writer was killed is recovered before it is read.
 Database::Database(const std::string& name, Use use) : name_(name) {
   const int flags =
       SQLITE_OPEN_READWRITE | (use == Use::write ? SQLITE_OPEN_CREATE : 0);
@@ -113,7 +113,7 @@ Database::Database(const std::string& name, Use use) : name_(name) {
   database_.reset(database);
   if (code != SQLITE_OK) fail(name_, database);
   sqlite3_busy_timeout(database, patience);
-  // As sqlite.org/security.html recommends for files of strangers.
+  // As sqlite.org/security.html recommends for untrusted files.
   sqlite3_db_config(database, SQLITE_DBCONFIG_DEFENSIVE, 1, nullptr);
   sqlite3_db_config(database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
 }
@@ -144,7 +144,7 @@ std::int64_t Database::ask(const std::string& sql) const {
   return statement.run() ? statement.integer(0) : 0;
 }
 
-// SQLite does not wait itself while another program changes this mode.
+// SQLite itself does not wait while another program changes this mode.
 void Database::write_ahead() const {
   using namespace std::chrono_literals;
   for (auto waited = 0ms; waited < std::chrono::milliseconds(patience);
@@ -154,7 +154,7 @@ void Database::write_ahead() const {
     if ((code & 0xff) != SQLITE_BUSY) break;
     std::this_thread::sleep_for(10ms);
   }
-  // The log is written back every 16 MB.
+  // Writes the log back every 16 MB.
   run("PRAGMA synchronous = NORMAL; PRAGMA wal_autocheckpoint = 4000");
 }
 

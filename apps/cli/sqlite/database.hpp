@@ -13,13 +13,13 @@ struct sqlite3_stmt;
 
 namespace cli {
 
-/// Error of SQLite, with its primary result code.
+/// An error of SQLite with its primary result code.
 class DatabaseError : public contact::Error {
  public:
   DatabaseError(const std::string& message, int code)
       : contact::Error(message), code_(code) {}
   int code() const { return code_; }
-  /// Whether the file is none of SQLite's.
+  /// True if the file is not an SQLite database.
   bool is_stranger() const;
 
  private:
@@ -28,13 +28,13 @@ class DatabaseError : public contact::Error {
 
 class Database;
 
-/// One SQL statement, compiled once and run with values as often as wanted.
+/// An SQL statement, compiled once and run with values any number of times.
 class Statement {
  public:
   Statement(const Database& database, const std::string& sql);
 
-  /// The values of the parameters from left to right, then the first row.
-  /// @returns whether there is one
+  /// Binds the parameters from left to right and steps to the first row.
+  /// @returns true if there is a row
   template <class... Values>
   bool run(const Values&... values) {
     begin();
@@ -43,12 +43,12 @@ class Statement {
     return next();
   }
   void begin();
-  /// NaN is NULL, as SQLite has none.
+  /// Binds NaN as NULL, because SQLite has no NaN.
   void bind(int place, double value);
   void bind(int place, std::int64_t value);
   void bind(int place, std::string_view text);
   void bind_bytes(int place, std::string_view bytes);
-  /// @returns whether there is another row
+  /// @returns true if there is another row
   bool next();
 
   double number(int column) const;
@@ -66,31 +66,31 @@ class Statement {
   std::unique_ptr<sqlite3_stmt, Finalize> statement_;
 };
 
-/// A file of SQLite, used by one thread at a time. Other programs may read and
-/// write it meanwhile; a statement waits for theirs. A file may contain SQL of
-/// any origin: check has_only() before reading its tables.
+/// An SQLite file, used by one thread at a time. Other programs may read and
+/// write it at the same time; a statement waits for them. A file of foreign
+/// origin may contain any SQL: call has_only() before reading its tables.
 class Database {
  public:
   enum class Use { write, read };
 
-  /// @throws DatabaseError if the file cannot be opened, or made to be written
+  /// @throws DatabaseError if the file cannot be opened, or made for writing
   Database(const std::string& name, Use use);
 
   const std::string& name() const { return name_; }
   sqlite3* handle() const { return database_.get(); }
-  /// Statements without parameters and results.
+  /// Runs statements without parameters and results.
   void run(const std::string& sql) const;
-  /// Whether it has the tables of these CREATE statements and nothing else: no
-  /// view in the place of one, and no trigger.
+  /// True if the file has exactly the tables of these CREATE statements: no
+  /// view in place of a table, and no trigger.
   bool has_only(std::vector<std::string> tables) const;
-  /// The first number of a statement's first row.
+  /// The first number of the first row of a statement's result.
   std::int64_t ask(const std::string& sql) const;
 
-  /// Commits cost one write each and readers go on meanwhile: as long as it is
-  /// open, the database keeps what is new in NAME-wal. Where a file system has
-  /// no memory shared by programs it stays as it is.
+  /// Write-ahead logging: each commit costs one write, and readers are not
+  /// blocked. While it is open, the database keeps new data in NAME-wal. No
+  /// effect on a file system without memory shared by programs.
   void write_ahead() const;
-  /// Brings all of it back into the one file if no other program has it open.
+  /// Merges the log into the database file if no other program has it open.
   void write_back() const noexcept;
 
  private:
@@ -101,7 +101,7 @@ class Database {
   std::unique_ptr<sqlite3, Close> database_;
 };
 
-/// Changes that commit() keeps; without it they are undone.
+/// Changes that commit() makes permanent; without commit() they are undone.
 class Transaction {
  public:
   explicit Transaction(const Database& database) : database_(database) {

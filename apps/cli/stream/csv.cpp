@@ -25,8 +25,7 @@ std::size_t end_of_quotes(std::string_view text) {
   return std::string_view::npos;
 }
 
-// A number whose only mark is a comma, with a point in its place; "" if it is
-// none.
+// A number whose only mark is a comma, with a point instead; "" for other text.
 std::string with_point(std::string_view value) {
   const std::size_t at = value.find(',');
   if (at == value.npos || value.find_first_of(",.", at + 1) != value.npos) {
@@ -62,7 +61,7 @@ char find_separator(std::string_view header, char hint) {
     if (!quoted && at != separators.npos) ++counts[at];
   }
   const auto* const most = std::ranges::max_element(counts);
-  // A file of one column has none.
+  // A file with one column has no separator.
   const bool take_hint =
       hint != ',' && (*most == 0 || counts[separators.find(hint)] > 0);
   return take_hint ? hint : separators[most - counts.begin()];

@@ -9,7 +9,7 @@
 namespace cli {
 namespace {
 
-// Marks of byte order, and the encodings after them.
+// Byte order marks, and their encodings.
 constexpr std::pair<std::string_view, const char*> marks[] = {
     {"\xEF\xBB\xBF", nullptr},
     {"\xFF\xFE", "UTF-16LE"},
@@ -74,7 +74,7 @@ void TextDecoder::decode_utf16(std::string_view bytes, std::string& to) {
                          static_cast<std::size_t>(-1);
     const int why = is_done ? 0 : errno;
     to.append(made.data(), end);
-    if (why == EINVAL) break;  // the rest is to come
+    if (why == EINVAL) break;  // incomplete character: wait for more
     if (why != EILSEQ) continue;
     to += replacement;
     from += 2;

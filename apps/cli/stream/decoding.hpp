@@ -8,15 +8,16 @@
 
 namespace cli {
 
-/// Text of a file as UTF-8 whose lines end with "\n" or "\r\n", piece by piece:
-/// a byte order mark is taken off, UTF-16 that has one (as spreadsheets save
-/// "Unicode text") becomes UTF-8, and "\r" alone ends a line. Other bytes stay.
+/// Decodes a file piece by piece into UTF-8 lines that end with "\n" or "\r\n".
+/// It removes a byte order mark, converts UTF-16 with a mark (which
+/// spreadsheets save as "Unicode text"), and ends a line at "\r" alone. Other
+/// bytes stay.
 class TextDecoder {
  public:
-  /// Appends the text of these bytes, which follow the last ones.
-  /// @throws contact::Error of UTF-16 where the system cannot convert it
+  /// Appends the text of the next bytes.
+  /// @throws contact::Error for UTF-16 if the system cannot convert it
   void decode(std::string_view bytes, std::string& to);
-  /// Appends what was kept back for bytes that do not come.
+  /// Appends incomplete characters at the end of the input.
   void finish(std::string& to);
 
  private:

@@ -14,8 +14,8 @@
 namespace cli {
 namespace {
 
-// Large against the cost of a system call and of passing a block between
-// threads, small enough for the cache: some 3,000 lines.
+// Large compared with the cost of a system call and of passing a block between
+// threads, but small enough for the cache: some 3,000 lines.
 constexpr std::size_t block_size = 1 << 16;
 
 int opened(const std::string& path) {
@@ -68,7 +68,7 @@ bool LineReader::fill(std::string& text) {
   return text.size() > size;
 }
 
-// Has a whole line in rest_, or the last, or what is longer than lines may be.
+// Fills rest_ with a whole line, the last line, or more than a line may have.
 void LineReader::fetch_line() {
   while (rest_.find('\n') == std::string::npos) {
     if (rest_.size() > longest_line || !fill(rest_)) return;
@@ -109,8 +109,8 @@ bool LineReader::next(LineBlock& block) {
   block.first_line = next_number_;
   block.text.swap(rest_);
   rest_.clear();
-  // Whole lines that came with a header are not kept back until more come: who
-  // writes them may wait for the answer.
+  // Returns the whole lines that came with a header without waiting for more:
+  // their writer may wait for the answer.
   std::size_t end = block.text.rfind('\n') + 1;
   while (end == 0 && block.text.size() <= longest_line) {
     if (!fill(block.text)) {

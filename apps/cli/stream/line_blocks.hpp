@@ -9,25 +9,24 @@
 
 namespace cli {
 
-/// Characters that a line may have; what is longer is a mistake, such as a file
-/// without line ends.
+/// Largest number of characters in a line. Longer lines are mistakes, such as a
+/// file without line ends.
 inline constexpr std::size_t longest_line = 1'000'000;
 
 /// Some whole lines of a text.
 struct LineBlock {
-  /// Text of the lines; one longer than longest_line may be cut, but stays
-  /// longer than that.
+  /// Text of the lines. A line longer than longest_line may be truncated, but
+  /// stays longer than that.
   std::string text;
-  /// Number of the first of them, from 1.
+  /// Number of the first line, from 1.
   std::size_t first_line = 1;
 };
 
-/// Takes the first line off `text`: without its end ("\n" or "\r\n").
+/// Removes the first line from `text` and returns it without "\n" or "\r\n".
 std::string_view next_line(std::string_view& text);
 
-/// Reads a file or standard input in blocks of whole lines, UTF-8 whatever its
-/// encoding is (TextDecoder); memory stays at one block however long the input
-/// is.
+/// Reads a file or standard input in blocks of whole lines, converted to UTF-8
+/// (TextDecoder). Memory is one block for input of any length.
 class LineReader {
  public:
   /// @param path  file name, "-" for standard input
@@ -40,12 +39,11 @@ class LineReader {
   /// The next line alone (a header), no value at the end. Throws
   /// contact::Error if it is longer than longest_line.
   std::optional<std::string> line();
-  /// The part that has been read of the lines that come next, at least one if
-  /// there is one.
+  /// The following lines read so far: at least one unless the input has ended.
   std::string_view ahead();
-  /// Number of the line that comes next, from 1.
+  /// Number of the next line, from 1.
   std::size_t next_number() const { return next_number_; }
-  /// The next lines; false at the end. Throws contact::Error if the input
+  /// Reads the next lines; false at the end. Throws contact::Error if the input
   /// cannot be read.
   bool next(LineBlock& block);
 
@@ -62,7 +60,7 @@ class LineReader {
   bool at_end_ = false;
   std::string bytes_ = {};  ///< as they are in the file
   TextDecoder decoder_ = {};
-  std::string rest_;  ///< read, not yet handed out
+  std::string rest_;  ///< read, but not returned yet
   std::size_t next_number_ = 1;
 };
 

@@ -9,16 +9,16 @@
 
 namespace cli {
 
-/// Works on blocks in `jobs` threads and hands them on in their order.
+/// Works on blocks in `jobs` threads and passes them on in their order.
 ///
 /// Every thread has one Block of its own, so memory does not grow with the
 /// number of blocks.
-/// @param next   bool(Block&): fills the block, false when there is no more;
-///               called by one thread at a time, in order
+/// @param next   bool(Block&): fills the block, false at the end; called by one
+///               thread at a time, in order
 /// @param work   void(Block&): called by all threads at once
 /// @param write  void(const Block&): called by one thread at a time, in the
 ///               order of `next`
-/// An exception in any of them ends the work and is thrown here.
+/// An exception in any of them ends the work and is rethrown here.
 template <class Block, class Next, class Work, class Write>
 void ordered_blocks(int jobs, const Next& next, const Work& work,
                     const Write& write) {

@@ -28,11 +28,11 @@ std::string shown(std::string_view raw) {
   return text.empty() ? "(empty)" : contact::detail::printable(text, longest);
 }
 
-// Commas of decimals where commas separate.
+// The rule for decimal commas in a file separated by commas.
 constexpr std::string_view point_rule =
     "where commas separate, decimals have a point";
 
-// The number in a field; NaN and a text in `why` if it is none.
+// Parses a field; for other text returns NaN and the reason in `why`.
 double number(const PointColumn& column, std::string_view raw, CsvForm form,
               std::string& why) {
   const bool plain = raw.find_first_of("\",") == raw.npos;
@@ -62,7 +62,7 @@ double number(const PointColumn& column, std::string_view raw, CsvForm form,
   return nan;
 }
 
-// Names of a header's columns; a text in `why` if it is none.
+// Names of a header's columns; for a bad header returns the reason in `why`.
 std::vector<std::string> header_names(const PointHeader& header,
                                       std::string_view& why) {
   std::vector<std::string_view> fields;
@@ -85,7 +85,7 @@ std::string list_of(std::span<const PointColumn> columns) {
   return text;
 }
 
-// The column of a name: as it is written, or else without regard to capitals;
+// Index of the column with this name, exactly or else ignoring case;
 // names.size() if there is none.
 std::size_t find_name(const std::vector<std::string>& names,
                       std::string_view name) {
@@ -97,7 +97,7 @@ std::size_t find_name(const std::vector<std::string>& names,
   return static_cast<std::size_t>(found - names.begin());
 }
 
-// A comment, and not a header that is written as one.
+// True for a comment that is not a header written as one.
 bool is_comment(std::string_view line, LineReader& reader) {
   if (!line.starts_with('#') && !line.starts_with('%')) return false;
   std::string_view next = reader.ahead();
@@ -107,7 +107,7 @@ bool is_comment(std::string_view line, LineReader& reader) {
   return next.find_first_of(",;|\t \r\n") != 0;
 }
 
-// The separator that spreadsheets are told by a first line "sep=;".
+// The separator given by a first line "sep=;" of a spreadsheet.
 std::optional<char> told_separator(std::string_view line) {
   const std::string value = field_value(line);
   constexpr std::string_view key = "sep=";

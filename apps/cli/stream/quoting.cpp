@@ -16,8 +16,8 @@ bool is_among(char c, std::string_view characters) {
   return characters.find(c) != characters.npos;
 }
 
-// Whether Markdown would make something of the character at this place. Within
-// names of keys, load_N and layer[1], it makes nothing of "_" and brackets.
+// True if Markdown would interpret the character at this place. Within names of
+// keys, load_N and layer[1], it does not interpret "_" and brackets.
 bool is_markup(std::string_view text, std::size_t at) {
   const char before = at > 0 ? text[at - 1] : ' ';
   const char after = at + 1 < text.size() ? text[at + 1] : ' ';

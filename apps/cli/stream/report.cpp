@@ -33,7 +33,7 @@ void Report::write_for_people(Output& output, const TableStyle& style) const {
   if (!has_report_lines(names)) {
     TableStyle shown = style;
     shown.columns = columns();
-    shown.columns.pop_back();  // its meaning stands with --all
+    shown.columns.pop_back();  // --all prints the meaning
     return write_lines(output, style.report.all ? style : shown);
   }
   write_table(style, names, output, [this](RowWriter& row) {

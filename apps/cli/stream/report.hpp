@@ -17,7 +17,7 @@ namespace cli {
 /// Nothing, a number, a whole number, a text.
 using Cell = std::variant<std::monostate, double, std::size_t, std::string>;
 
-/// Report of a program on a whole run: named numbers with their meaning.
+/// A program's report on a whole run: named numbers with their meaning.
 class Report {
  public:
   struct Line {
@@ -31,13 +31,13 @@ class Report {
   explicit Report(std::vector<std::string> beside = {})
       : beside_(std::move(beside)) {}
 
-  /// @param beside  as many as there are columns, or fewer
+  /// @param beside  one cell for each column, or fewer
   void add(std::string_view name, Cell value, std::string_view meaning,
            std::vector<Cell> beside = {}) {
     lines_.push_back({std::string(name), std::move(value), std::string(meaning),
                       std::move(beside)});
   }
-  /// The numbers of a quantity.
+  /// Adds the numbers of a quantity.
   template <class T>
   void add(const contact::Quantity<T>& quantity, const T& of) {
     for (const auto& column : contact::columns_of(quantity)) {
@@ -45,10 +45,10 @@ class Report {
     }
   }
 
-  /// quantity, value, those beside, meaning.
+  /// quantity, value, the columns beside it, meaning.
   std::vector<std::string> columns() const;
   const std::vector<Line>& lines() const { return lines_; }
-  /// A number that was added.
+  /// A number added before.
   double number(std::string_view name) const;
 
   void write(Output& output, const TableStyle& style) const;
@@ -63,8 +63,8 @@ class Report {
 
 void write_cell(const Cell& cell, RowWriter& row);
 
-/// Writes a table whose rows `write` makes, to a file that has to be committed.
-/// @param write  of a RowWriter
+/// Writes a table to a file that the caller commits.
+/// @param write  makes the rows with a RowWriter
 template <class Rows>
 void write_table(const TableStyle& style,
                  const std::vector<std::string>& columns, Output& output,
@@ -78,7 +78,7 @@ void write_table(const TableStyle& style,
   writer.finish();
 }
 
-/// The same of a program's table, whole or not at all.
+/// Writes a program's table, completely or not at all.
 template <class Rows>
 void write_table(const OutputOptions& options,
                  const std::vector<std::string>& columns, const Rows& write) {

@@ -11,15 +11,15 @@
 #include "cli/stream/ordered_blocks.hpp"
 #include "cli/table.hpp"
 
-/// The one loop over the rows of a table: by their numbers, or by the lines of
-/// a file (points.hpp).
+/// The loop over the rows of a table, used by all programs; rows come from
+/// their numbers or from the lines of a file (points.hpp).
 namespace cli {
 
-/// Some rows on their way through a program, one block for each thread, whose
-/// memory is used again for the rows that follow.
+/// A block of rows. Each thread has one and uses its memory again for the next
+/// rows.
 struct RowBlock {
   std::size_t first = 0;  ///< number of its first row, from 0
-  std::size_t last = 0;   ///< one behind its last row
+  std::size_t last = 0;   ///< number after its last row
   Text rows;              ///< their text
   std::string messages;   ///< on bad lines
   std::size_t bad_lines = 0;
@@ -27,10 +27,10 @@ struct RowBlock {
   std::size_t size() const { return last - first; }
 };
 
-/// Rows by their numbers, in blocks of some.
+/// Numbered rows in blocks.
 class NumberedRows {
  public:
-  /// Large against the cost of passing a block between threads.
+  /// Large compared with the cost of passing a block between threads.
   static constexpr std::size_t usual_block = 256;
 
   explicit NumberedRows(std::size_t count, std::size_t block = usual_block)
@@ -49,12 +49,13 @@ class NumberedRows {
   std::size_t taken_ = 0;
 };
 
-/// Works on the blocks of a source in `jobs` threads, says how far that is and
-/// which lines are bad.
+/// Works on the blocks of a source in `jobs` threads; reports progress and bad
+/// lines.
 /// @param source  bool next(Block&) fills a block; count(): 0 if not known
-/// @param what    "rows": what is counted of how far it is
+/// @param what    what progress counts: "rows"
 /// @param work    void(Block&): called by all threads at once
-/// @param done    void(const Block&): one block after the other, in order
+/// @param done    void(const Block&): called for one block after another, in
+///                order
 template <class Block, class Source, class Work, class Done>
 void row_blocks(int jobs, Source& source, const char* what, const Work& work,
                 const Done& done) {
@@ -74,7 +75,7 @@ void row_blocks(int jobs, Source& source, const char* what, const Work& work,
       });
 }
 
-/// The same of a table that is written.
+/// As above, for rows that are written to a table.
 /// @param work  void(Block&, RowWriter&)
 template <class Block, class Source, class Work, class Done>
 void write_rows(const OutputOptions& options, Output& output,

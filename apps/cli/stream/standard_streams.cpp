@@ -15,14 +15,15 @@
 namespace cli {
 
 void open_missing_streams() {
-  // The input is not written, the output not read.
+  // Standard input is opened write-only, output read-only, so that their use
+  // fails.
   constexpr std::array<std::pair<int, int>, 3> streams = {
       {{STDIN_FILENO, O_WRONLY},
        {STDOUT_FILENO, O_RDONLY},
        {STDERR_FILENO, O_WRONLY}}};
   for (const auto& [descriptor, mode] : streams) {
     if (fcntl(descriptor, F_GETFD) >= 0) continue;
-    // The lowest one that is free: this one.
+    // open() returns the lowest free descriptor, which is this one.
     if (open("/dev/null", mode) >= 0) continue;
     throw contact::Error(
         fmt::format("cannot open /dev/null: {}", std::strerror(errno)));

@@ -4,15 +4,14 @@
 
 namespace cli {
 
-/// Has standard input, output and error be open, if need be on /dev/null: a
-/// file that is opened later would take the place of one that is missing, and
-/// get the table or the warnings. To read a missing input or to write to a
-/// missing output fails as before.
+/// Opens standard input, output and error on /dev/null if they are closed.
+/// Otherwise a file opened later would take their descriptor and receive the
+/// table or the warnings. Reading a missing input and writing to a missing
+/// output still fail.
 /// @throws contact::Error if /dev/null cannot be opened
 void open_missing_streams();
 
-/// Writes to standard error. Where that cannot be written nothing is lost but
-/// the text.
+/// Writes to standard error; if that fails, the text is lost and nothing else.
 void say(std::string_view text);
 
 }  // namespace cli

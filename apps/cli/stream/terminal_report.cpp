@@ -14,12 +14,12 @@
 namespace cli {
 namespace {
 
-// Rows from which units and widths of a table are found.
+// Number of rows that decide the units and widths of a table.
 constexpr std::size_t first_rows = 200;
 constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_columns = 6;
 
-// Terminals count characters, not bytes: those that go on are not counted.
+// Terminals count characters, not bytes: skips continuation bytes.
 std::size_t width_of(std::string_view text) {
   return static_cast<std::size_t>(std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
@@ -62,7 +62,7 @@ std::size_t place_of(std::string_view name,
                                   names.begin());
 }
 
-// The number of a cell with its unit; "" of an empty one.
+// The number of a cell with its unit; "" for an empty cell.
 std::string with_unit(std::string_view cell, std::string_view column) {
   const auto number = parse_number(cell);
   if (!number || std::isnan(*number)) return std::string(cell);
@@ -94,7 +94,7 @@ bool has_report_lines(std::span<const std::string> names) {
 
 TerminalReport::TerminalReport(std::vector<std::string> names, Style style)
     : names_(std::move(names)), style_(std::move(style)) {
-  // Names in files speak to no terminal.
+  // Names in files must not control the terminal.
   style_.title = contact::detail::printable(style_.title, style_.title.npos);
 }
 
@@ -145,7 +145,7 @@ std::optional<TerminalReport::Line> TerminalReport::line(const ReportRow& of,
               with_unit(row[at], names_[at]), beside};
 }
 
-// Any column, and words in their colour.
+// Any column; words get their colour.
 std::optional<TerminalReport::Line> TerminalReport::plain_line(
     std::size_t at, const Row& row) const {
   if (row[at].empty()) return std::nullopt;
@@ -165,7 +165,7 @@ std::vector<TerminalReport::Line> TerminalReport::chosen_lines(
     }
   }
   if (chosen.size() < 2) return {};
-  // A verdict, and a status that is not what all hope for.
+  // A verdict, or a status other than the usual one.
   for (const char* word : {"state", "status", "contact_state"}) {
     const std::size_t at = place_of(word, names_);
     if (at == names_.size() || row[at] == "ok" || row[at] == "clearance") {
@@ -201,7 +201,7 @@ std::string TerminalReport::lines(const Row& row) const {
   return text;
 }
 
-// Differences of joints stand in front of all that is known, and are shown.
+// Columns before the known ones are differences of joints; they are shown.
 void TerminalReport::begin_table() {
   is_table_ = true;
   const auto known = [this](std::size_t at) {

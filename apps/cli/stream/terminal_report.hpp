@@ -11,10 +11,10 @@
 
 namespace cli {
 
-/// A table as people read it on a terminal: of one row the lines of
-/// report_rows, with engineering prefixes and units; of several rows the
-/// columns that matter. What is neither among them nor asked for by --all or
-/// --columns is left out; a table without any of them has its first columns.
+/// A table for people at a terminal. A single row is printed as the lines of
+/// report_rows, with engineering prefixes and units; several rows are printed
+/// with their important columns. Other columns need --all or --columns. A table
+/// without important columns shows its first ones.
 class TerminalReport {
  public:
   static constexpr char end_of_cell = '\n';
@@ -29,8 +29,8 @@ class TerminalReport {
   /// @param names  of the columns
   TerminalReport(std::vector<std::string> names, Style style);
 
-  /// Takes the cells of whole rows, an end behind each and none inside; returns
-  /// what can be printed.
+  /// Takes the cells of whole rows, each followed by an end and free of ends
+  /// inside; returns the text that can be printed.
   std::string add(std::string_view cells);
   std::string rest();
 

@@ -7,20 +7,20 @@
 
 namespace cli {
 
-/// A number beside the answer of a line.
+/// A number printed beside the answer of a line.
 struct ReportPart {
   std::string_view label = {};
   std::string_view column = {};
-  bool compares = false;  ///< how far the answer is from it, in percent
+  bool compares = false;  ///< prints the answer's deviation from it, in percent
 };
 
-/// A line of the report on one row: which columns people look for first, over
-/// the tables of all programs. A * in a column stands for the law.
+/// A line of the report on one row. The lines list the most important columns
+/// of the tables of all programs first. A * in a column stands for the law.
 struct ReportRow {
   std::string_view label;
   std::string_view column;
   std::array<ReportPart, 2> beside = {};
-  bool in_tables = true;  ///< a column of the report on several rows too
+  bool in_tables = true;  ///< also a column of a report on several rows
 };
 
 inline constexpr ReportRow report_rows[] = {
@@ -57,7 +57,7 @@ inline constexpr ReportRow report_rows[] = {
     {"contact area", "contact_area_m2", {}, false},
 };
 
-/// Whether a table of these columns, or numbers, has such lines.
+/// True if a table with these columns or numbers has such lines.
 bool has_report_lines(std::span<const std::string> names);
 
 }  // namespace cli

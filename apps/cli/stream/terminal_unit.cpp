@@ -11,14 +11,14 @@ namespace {
 
 using contact::Dimension;
 
-// The last one of Dimension.
+// Number of the last Dimension.
 constexpr int dimensions = static_cast<int>(Dimension::inverse_temperature);
 
 struct SiPrefix {
   double factor;
   std::string_view symbol;
 };
-// From the largest; µ as the programs' pictures have it.
+// Descending; µ as in the programs' pictures.
 constexpr std::array<SiPrefix, 7> si_prefixes = {{{1e9, "G"},
                                                   {1e6, "M"},
                                                   {1e3, "k"},
@@ -32,7 +32,8 @@ constexpr std::array<SiPrefix, 2> volume_prefixes = {{{1, ""}, {1e-9, "m"}}};
 
 template <class Prefixes>
 const SiPrefix& prefix_for(double value, const Prefixes& all) {
-  // Half a unit of the fourth digit: 999.96 is 1.000 of the next.
+  // Allows for half a unit of the fourth digit: 999.96 becomes 1.000 of the
+  // next prefix.
   const double size = std::abs(value) * (1 + 5e-5);
   for (const SiPrefix& prefix : all) {
     if (size >= prefix.factor) return prefix;
@@ -65,8 +66,8 @@ std::string ShownUnit::text(double value) const {
   }
   const std::string rounded = rounded_text(number, 4);
   const double shown = std::stod(rounded);
-  // Trailing zeros are kept of a number that was rounded, and only there; from
-  // 10^4 on rounded_text() would take an exponent.
+  // Keeps trailing zeros only of a rounded number; from 10^4 on rounded_text()
+  // would use an exponent.
   const bool is_long = std::abs(shown) >= 1e4 && std::abs(shown) < 1e7;
   return shown == number || is_long ? number_text(shown) : rounded;
 }
@@ -78,7 +79,8 @@ ShownUnit shown_unit(std::string_view column) {
     const auto dimension = static_cast<Dimension>(d);
     for (const contact::Unit& unit : contact::units_of(dimension)) {
       const std::string_view end = unit.ending;
-      // One letter of a symbol is no unit unless tables print it: f_t.
+      // A single letter of a symbol is a unit only if tables print it;
+      // counterexample: f_t.
       const bool prints = &unit == &contact::printed_unit(dimension);
       if (end.empty() || (end.size() == 1 && !prints)) continue;
       if (column.size() <= end.size() + 1 || !column.ends_with(end) ||

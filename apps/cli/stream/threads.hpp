@@ -4,9 +4,9 @@
 
 namespace cli {
 
-/// Calls `work`, which throws nothing, in so many threads at once, including
-/// the caller's, and returns when all are done. Where the system starts fewer
-/// of them these do the work, and a note says how many they are.
+/// Runs `work`, which must not throw, in `jobs` threads at once, including the
+/// caller's, and returns when all are done. If the system starts fewer threads,
+/// these do all the work, and a note gives their number.
 void in_threads(int jobs, const std::function<void()>& work);
 
 }  // namespace cli

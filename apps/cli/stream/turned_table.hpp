@@ -7,22 +7,22 @@
 
 namespace cli {
 
-/// A printed table that is too wide for a page: a row for each of its columns,
-/// and a column for each of its rows, in groups of as many as fit.
+/// Transposes a printed table that is too wide for a page: a row for each
+/// column, and a column for each row, in groups that fit the width.
 class TurnedTable {
  public:
   /// Line width up to which a table is not turned.
   static constexpr std::size_t widest = 100;
   static constexpr char end_of_cell = '\n';
 
-  /// @param names  of the columns, as they are printed
-  /// @param latex  markdown otherwise
+  /// @param names  printed names of the columns
+  /// @param latex  true: LaTeX; false: Markdown
   TurnedTable(std::vector<std::string> names, bool latex);
 
-  /// Takes the cells of whole rows, an end behind each and none inside; returns
-  /// the groups that are full.
+  /// Takes the cells of whole rows, each followed by an end and free of ends
+  /// inside; returns the complete groups.
   std::string add(std::string_view cells);
-  /// The last group.
+  /// Returns the last group.
   std::string rest();
 
  private:

@@ -20,7 +20,7 @@ void HingeFriction::add(Joint* joint, const std::string& file) {
        0});
 }
 
-// From the axes of the half that has the seat to those of the joint on the
+// Rotates from the axes of the half with the seat to the joint's axes on the
 // child.
 Eigen::Matrix<double, 3, 3, Eigen::RowMajor> HingeFriction::from_seat(
     const Hinge& h) {
@@ -34,7 +34,7 @@ Eigen::Matrix<double, 3, 3, Eigen::RowMajor> HingeFriction::from_seat(
   return axes;
 }
 
-// In the axes of the joint on the child.
+// Vectors are in the joint's axes on the child.
 void HingeFriction::update() {
   for (Hinge& h : hinges_) {
     const Eigen::Matrix3d to_joint =
@@ -63,7 +63,7 @@ void HingeFriction::update() {
   }
 }
 
-// Friction of a ball: M_t while it slides, a limit for each axis where a step
+// Friction of a ball: M_t while it slides, and a limit for each axis if a step
 // would stop it.
 void HingeFriction::rub(Hinge& h, const Vector3d& moment) {
   const auto* const body = h.joint->getChildBodyNode();

@@ -11,30 +11,32 @@
 
 namespace contact_hosts::dart {
 
-/// Friction of libcontact in revolute and ball joints of DART: DART's solver
-/// (World::step()) holds, libcontact says how much.
+/// Friction of libcontact in revolute and ball joints of DART. libcontact
+/// computes the largest friction moment; DART's solver (World::step()) applies
+/// it.
 ///
 ///     HingeFriction friction;
 ///     friction.add(hip, "hip.toml");
 ///     while (...) { friction.update(); world->step(); }
 ///
-/// Dry friction does not depend on |Dw|: the Coulomb friction of a revolute
-/// joint, set anew to |M_t| at each step, is this friction. A ball, for which
-/// DART has one for each axis only, gets M_t as a force while it slides, and
-/// three limits |M_t| where a step would stop it: at rest it holds up to
-/// sqrt(3) |M_t| between the axes. Reactions are those of the step before; in
-/// the first step there are none, and no friction. Hinges rest to rounding, not
-/// exactly. Viscous friction, which depends on |Dw|, is refused. The axis
-/// of a [seat] is in the axes of the BodyNode that has it; a load that the seat
-/// does not carry makes update() throw.
+/// Dry friction does not depend on |Dw|, so the Coulomb friction of a revolute
+/// joint, set to |M_t| before each step, represents it exactly. For a ball DART
+/// has only one limit per axis. A sliding ball therefore gets M_t as an
+/// external moment. Where a step would stop it, it gets the limit |M_t| on each
+/// of three axes, so at rest it holds up to sqrt(3) |M_t| in directions between
+/// the axes. Reactions come from the previous step; the first step has neither
+/// reactions nor friction. Hinges come to rest to rounding, not exactly.
+/// Viscous friction, which depends on |Dw|, is rejected. The axis of a [seat]
+/// is in the axes of the BodyNode with the seat; update() throws for a load
+/// that the seat does not carry.
 class HingeFriction {
  public:
-  /// Friction of a joint file in a joint.
-  /// @throws std::runtime_error for another joint, and if the file is not good,
-  ///         of another kind or viscous
+  /// Adds the friction of a joint file to a joint.
+  /// @throws std::runtime_error for another kind of joint, and if the file is
+  ///   wrong, describes another kind, or has viscous friction
   void add(::dart::dynamics::Joint* joint, const std::string& file);
 
-  /// Before each World::step().
+  /// Call before each World::step().
   void update();
 
   /// |M_t| of the i-th hinge added, N m.

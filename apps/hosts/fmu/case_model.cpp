@@ -29,7 +29,7 @@ std::vector<Variable> variables_of(const contact_run* run) {
   return all;
 }
 
-// Behind the variables of a case stand the parameters of its keys.
+// The parameters of a case's keys follow its variables.
 class CaseModel : public Model {
  public:
   explicit CaseModel(const std::string& resources)

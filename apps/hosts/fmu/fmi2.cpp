@@ -10,7 +10,7 @@ namespace {
 
 using namespace contact_hosts::fmu;
 
-/// The struct of callbacks; what is not used is a pointer.
+/// The struct of callbacks; unused members are declared as pointers.
 struct Callbacks {
   void (*logger)(void* environment, const char* instance, int status,
                  const char* category, const char* message, ...);

@@ -15,27 +15,28 @@
 /// Parts of FMI's functions that do not depend on its version.
 namespace contact_hosts::fmu {
 
-/// For a host's log: names of bodies do not speak to its terminal.
+/// Escapes text for a host's log, so that names of bodies cannot control its
+/// terminal.
 inline std::string shown(const char* text) {
   contact_report(CONTACT_FAILURE, text);
   return contact_last_message();
 }
 
-/// FMI's numbers for the outcome of a call.
+/// FMI's status codes.
 enum Status { ok = 0, warning = 1, discard = 2, error = 3 };
 
-/// An FMU that a host has made.
+/// An FMU instance created by a host.
 struct Instance {
   std::string resources;
   std::unique_ptr<Model> model;
-  /// Hands a line to the host.
+  /// Sends a line to the host.
   std::function<void(Status, const std::string&)> log;
   bool exchange = false;
   double start_time = 0;  // FMI 2.0 gives it before the initialization
 };
 
-/// Runs the body of a function of FMI; the host is told what is thrown, and
-/// its floating-point environment is kept.
+/// Runs the body of an FMI function; reports exceptions to the host and
+/// preserves its floating-point environment.
 template <class Work>
 Status guarded(void* instance, const Work& work) noexcept {
   if (!instance) return error;
@@ -55,8 +56,8 @@ Status guarded(void* instance, const Work& work) noexcept {
   }
 }
 
-/// @param token  that the host has read in modelDescription.xml
-/// @return null if it cannot be made; the host is told why
+/// @param token  read by the host from modelDescription.xml
+/// @return null if it cannot be made; the log tells why
 inline Instance* make_instance(Instance parts, const char* token) noexcept {
   try {
     const contact::c::FloatEnvironment ours;
@@ -74,7 +75,7 @@ inline Instance* make_instance(Instance parts, const char* token) noexcept {
 }
 
 /// A number, or a Boolean as 0 or 1.
-/// @throws std::runtime_error for a variable of the other type
+/// @throws std::runtime_error for a variable of another type
 template <class Value>
 std::size_t place_of(const Model& model, std::size_t reference) {
   const auto& all = model.variables();
@@ -110,7 +111,7 @@ Status set(void* instance, const unsigned* references, std::size_t count,
   });
 }
 
-/// Tells the host where the simulation has left the model.
+/// Reports to the host where the simulation exceeded the model's limits.
 inline Status terminate(void* instance) noexcept {
   return guarded(instance, [](Instance& i) {
     std::istringstream lines(i.log ? i.model->notes() : "");
@@ -118,21 +119,21 @@ inline Status terminate(void* instance) noexcept {
   });
 }
 
-/// FMI's category of what is logged.
+/// FMI's category of a log message.
 inline const char* category_of(Status status) {
   return status == warning ? "logStatusWarning" : "logStatusError";
 }
 
-/// Begins again as a new instance does.
+/// Resets to the state of a new instance.
 inline Status reset(void* instance) noexcept {
   return guarded(instance,
                  [](Instance& i) { i.model = make_model(i.resources); });
 }
 
-// States of an instance, which FMI hands about as pointers, are texts of
+// FMI passes states of an instance as pointers; here they point to texts of
 // Model::save().
 
-/// @param state  one to write over, or null for a new one
+/// @param state  a state to overwrite, or null for a new one
 inline Status get_state(void* instance, void** state) noexcept {
   return guarded(instance, [=](Instance& i) {
     std::string bytes = i.model->save();
@@ -178,7 +179,7 @@ inline Status deserialize(void* instance, const void* bytes, std::size_t size,
 
 }  // namespace contact_hosts::fmu
 
-/// A function of FMI that a host asks for though this FMU has nothing for it.
-/// Callers hand more arguments, which stay unread.
+/// Defines a function of FMI that a host may call although this FMU has no such
+/// feature. Further arguments of callers are ignored.
 #define CONTACT_NOTHING(name, status) \
   int name(void*) { return status; }

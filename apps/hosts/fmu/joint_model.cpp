@@ -9,7 +9,7 @@
 namespace contact_hosts::fmu {
 namespace {
 
-// Places of the variables, in the order of variables_of_joints().
+// Indices of the variables, in the order of variables_of_joints().
 enum Place : std::size_t {
   late,
   wear_coefficient,
@@ -78,7 +78,7 @@ std::vector<Variable> variables_of_joints() {
   return all;
 }
 
-// Results of a call that a host may repeat with other inputs.
+// Checks a call that a host may repeat with other inputs.
 void valued(contact_status status) {
   if (status == CONTACT_OUT_OF_RANGE || status == CONTACT_NOT_CONVERGED ||
       status == CONTACT_OUT_OF_SEAT) {
@@ -89,14 +89,15 @@ void valued(contact_status status) {
 
 // State carried between steps, which hosts save and restore.
 struct State {
-  contact_step last;  // the accepted one, from which the next begins
+  contact_step last;  // the accepted step, from which the next starts
   contact_step now;   // friction of the present inputs
   double way[3];      // model exchange: direction of the slip, unit
   int rests;          // model exchange
-  int released;       // let go at the last event, and not yet under way
+  int released;       // released at the last event, still at rest
   int has_started;    // co-simulation: the initialization is over
   double widest = NAN, most = NAN;  // half-angle and pressure so far
-  // For notes: the last one, or the first without a largest pressure; or all 0.
+  // For notes: the last contact at a rim, or the first one without a largest
+  // pressure; 0 if none.
   contact_solution at_rim;
 };
 
@@ -189,7 +190,7 @@ class JointModel : public Model {
 
   void step(double, double) override { take(); }
 
-  // Outputs that are one step late change with a step only.
+  // Outputs that lag by one step change only with a step.
   void evaluate() override {
     if (!is_exchange() && values_[late] == 1 && state_.has_started) return;
     find();
@@ -220,7 +221,7 @@ class JointModel : public Model {
         contact_joint_step(joint_.get(), &start, w, &state_.last, &state_.now));
   }
 
-  // Friction of a rate, which it leaves alone.
+  // Computes the friction at a rate, and leaves the rate unchanged.
   void solve(const double* of) {
     contact_slip slip{};
     std::copy_n(in(reaction), 3, slip.reaction);
@@ -235,7 +236,7 @@ class JointModel : public Model {
     now.rest = {};
   }
 
-  // Smooth through the stop, which an event finds.
+  // Smooths friction through the stop, which an event finds.
   double least() const { return is_ball_ ? values_[stop_speed] : 1e-12; }
   void slide() {
     double of[3];
@@ -272,7 +273,8 @@ class JointModel : public Model {
     values_[peak_pressure] = now.solution.peak_pressure;
     state_.widest = std::fmax(state_.widest, now.solution.half_angle);
     state_.most = std::fmax(state_.most, now.solution.peak_pressure);
-    // Of a contact without a largest pressure the maximum above says nothing.
+    // The maximum above has no meaning for a contact without a largest
+    // pressure.
     const bool is_worst = state_.at_rim.normal_force > 0 &&
                           std::isnan(state_.at_rim.peak_pressure);
     if (std::isnan(now.solution.half_angle) && !is_worst) {
@@ -293,12 +295,12 @@ class JointModel : public Model {
     return values_[wear_coefficient] * pv;
   }
 
-  // How far a resting joint is from its limit: above 0 it lets go.
+  // Distance of a resting joint from its limit; above 0 the joint is released.
   double over() {
     evaluate_now();
     return state_.now.rest.utilisation - 1 - (is_ball_ ? 1e-8 : 1e-10);
   }
-  // Speed along its slip of a sliding joint; 0 where it may have come to rest.
+  // Speed of a sliding joint along its slip; 0 where it may have stopped.
   double ahead() const {
     return dot(in(rate), state_.way) - (is_ball_ ? values_[stop_speed] : 0);
   }

@@ -11,7 +11,7 @@
 namespace contact_hosts::fmu {
 namespace {
 
-// The shortest text that reads as the same number.
+// The shortest text that parses as the same number.
 std::string text_of(double value) {
   std::array<char, 32> text{};
   return {text.data(),
@@ -31,7 +31,7 @@ Model::Model(const std::string& resources, std::vector<Variable> variables)
     throw std::runtime_error(resources + keys_file + ": cannot be read");
   }
   Variable key{"", Role::parameter, "", "key of the file, in its own unit"};
-  keys.imbue(std::locale::classic());  // the host may have another
+  keys.imbue(std::locale::classic());  // the host may use another locale
   while (keys >> key.start && std::getline(keys >> std::ws, key.name)) {
     variables_.push_back(key);
   }
@@ -99,7 +99,7 @@ std::string Model::save() {
   return made_ ? bytes + state() : bytes;
 }
 
-// A model whose parameters are others than those of the state is made anew.
+// A model whose parameters differ from the state's is built again.
 void Model::restore(const std::string& bytes) {
   const std::size_t numbers = values_.size() * sizeof(double);
   const std::size_t head = numbers + sizeof start_time_ + 2;

@@ -20,7 +20,7 @@ Vector3d reaction_on(const mjData* data, int body) {
   return Vector3d(data->cfrc_int + 6 * body + 3);
 }
 
-// mj_fullM() of MuJoCo 3.10 and later, and of those before.
+// mj_fullM() of MuJoCo 3.10 and later, and of earlier versions.
 template <class Full, class Data>
 void full_inertia(Full full, const mjModel* model, Data* data, mjtNum* to) {
   if constexpr (std::is_invocable_v<Full, const mjModel*, Data*, mjtNum*>) {
@@ -81,8 +81,8 @@ void HingeFriction::note_reactions(mjData* data) {
   has_reactions_ = true;
 }
 
-// Of balls in the axes of their body, as their rates; of hinges in those of
-// the world.
+// Vectors of balls are in the axes of their body, as MuJoCo's rates; vectors of
+// hinges are in world axes.
 contact_mechanism_start HingeFriction::start_of(const Hinge& h,
                                                 const mjData* data) const {
   contact_mechanism_start s{};
@@ -102,8 +102,8 @@ contact_mechanism_start HingeFriction::start_of(const Hinge& h,
   return s;
 }
 
-// H and the constraints whose force is linear in the acceleration, as those of
-// equalities: friction knows how they give way.
+// Adds to H the constraints whose force is linear in the acceleration, such as
+// equalities, so that friction accounts for their compliance.
 void HingeFriction::weigh(mjData* data) {
   const int nv = model_->nv;
   const double dt = model_->opt.timestep;
@@ -148,7 +148,7 @@ VectorXd HingeFriction::rates_at_end(const mjData* data) const {
   return rate + model_->opt.timestep * acceleration;
 }
 
-// The first reactions: as if the hinges' rates stayed as they are.
+// The first reactions, computed with constant rates of the hinges.
 void HingeFriction::begin(mjData* data, const VectorXd& smooth) {
   must(contact_mechanism_hold(mechanism_.get(), data->qvel,
                               rates_at_end(data).data(), force_.data()));
@@ -167,7 +167,7 @@ void HingeFriction::step(mjData* data) {
     throw std::runtime_error("bodies must not sleep: friction holds them");
   }
 #endif
-  // As if accelerations stayed as they were.
+  // Assumes that accelerations stay the same.
   const VectorXd likely = rates_at_end(data);
   mj_checkPos(model_, data);
   mj_checkVel(model_, data);
@@ -201,7 +201,7 @@ void HingeFriction::step(mjData* data) {
   hold(data);
 }
 
-// MuJoCo's step; hinges that friction holds stay where they are.
+// MuJoCo's step; hinges held by friction keep their angles.
 void HingeFriction::hold(mjData* data) {
   std::vector<double> angles(data->qpos, data->qpos + model_->nq);
   mj_Euler(model_, data);
@@ -214,7 +214,7 @@ void HingeFriction::hold(mjData* data) {
   }
 }
 
-// Moment of a hinge that slides, in its dofs.
+// Moment of a sliding hinge, in its degrees of freedom.
 VectorXd HingeFriction::slide(const Hinge& h, const mjData* data) const {
   const contact_mechanism_start s = start_of(h, data);
   const Vector3d axis(s.axis);
@@ -241,11 +241,12 @@ void HingeFriction::add_damping(mjModel* model, mjData* data) {
     auto force = mapped(data->qfrc_passive + h.dof, h.size);
     auto damping = mapped(model->dof_damping + h.dof, h.size);
     const auto rate = mapped(data->qvel + h.dof, h.size);
-    // Below it damping stays as it is: a hinge that holds creeps at less.
+    // Below this rate the damping is not changed; a held hinge creeps more
+    // slowly.
     constexpr double least = 1e-12;  // rad/s
     if (rate.norm() < least) continue;
     const VectorXd moment = slide(h, data);
-    // MuJoCo has added the force of the damping that there was.
+    // MuJoCo has already added the force of the previous damping.
     force.array() += h.damping * rate.array() + moment.array();
     damping.array() -= h.damping;
     h.damping = -moment.dot(rate) / rate.squaredNorm();

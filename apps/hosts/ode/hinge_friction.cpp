@@ -14,7 +14,7 @@ Vector3d rate_of(dBodyID body) {
   return {w[0], w[1], w[2]};
 }
 
-// From the axes of a body to those of the world.
+// Rotates from body axes to world axes.
 Rotation axes_of(dBodyID body) {
   Rotation axes = Rotation::Identity();
   for (int i = 0; body && i < 9; ++i) {
@@ -23,7 +23,7 @@ Rotation axes_of(dBodyID body) {
   return axes;
 }
 
-// Inertia about any axis is at most this.
+// An upper bound of the inertia about any axis.
 double largest_inertia(dBodyID body) {
   dMass mass;
   dBodyGetMass(body, &mass);
@@ -76,7 +76,7 @@ void HingeFriction::update(double step) {
       dVector3 axis;
       dJointGetHingeAxis(h.joint, axis);
       for (int i = 0; i < 3; ++i) slip.axis[i] = axis[i];
-      rate = Vector3d(slip.axis);  // any along it
+      rate = Vector3d(slip.axis);  // any rate along the axis
     }
     if (rate.isZero(0)) rate = Vector3d::UnitX();
     Vector3d::Map(slip.angular_velocity) = rate;

@@ -20,23 +20,23 @@ void put(double (&to)[3], const Vec3& from) {
 }
 Vec3 vec(const double (&from)[3]) { return {from[0], from[1], from[2]}; }
 
-// A hinge, and what is known of it. Vectors in Ground, but the direction.
+// State of a hinge. Vectors are in Ground, except the direction.
 struct Hinge {
   MobilizedBody body;
   bool is_ball;
   JointHandle joint;
   bool can_rest;
   Seat seat;
-  Vec3 way{0};  // in which it slides, or would: unit, axes of the parent
+  Vec3 way{0};  // unit direction of (impending) slip, parent axes
   Vec3 reaction{0};
   Vec3 moment{0};
   bool slides = false;
   Rotation from_seat{};  // at the slip
-  contact_slip slip{};   // this and the next in the axes of the seat
+  contact_slip slip{};   // seat axes, as the next
   contact_solution solution{};
   contact_rest rest{};
 
-  // From the axes of the half that has the seat, to Ground.
+  // Rotates from the axes of the half with the seat to Ground.
   Rotation axes_of_seat(const State& s) const {
     if (seat == Seat::none) return {};
     return (seat == Seat::on_body ? body : body.getParentMobilizedBody())
@@ -80,7 +80,8 @@ struct Hinge {
     }
     return all;
   }
-  // The moment whose work in the mobilizer's coordinates is that of `forces`.
+  // The moment that does the same work in the mobilizer's coordinates as
+  // `forces`.
   Vec3 moment_of(const State& s, const SimTK::Vector& forces) const {
     if (!is_ball) {
       return body.getOneFromUPartition(s, 0, forces) * axis(s);
@@ -91,7 +92,7 @@ struct Hinge {
     }
     return turns(s).transpose().invert() * own;
   }
-  // A rate in the mobilizer's coordinates.
+  // Converts a rate to the mobilizer's coordinates.
   SimTK::Vector rates(const State& s, const Vec3& rate) const {
     return is_ball ? SimTK::Vector(turns(s).invert() * rate)
                    : SimTK::Vector(1, dot(rate, axis(s)));
@@ -123,7 +124,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
       }
     }
   }
-  // Moments are added when all other forces of the subsystem are known.
+  // Moments are added once all other forces of the subsystem are known.
   void calcForce(const State&, SimTK::Vector_<SimTK::SpatialVec>&,
                  SimTK::Vector_<Vec3>&, SimTK::Vector&) const override {}
   void realizeDynamics(const State& state) const override {
@@ -156,12 +157,12 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
       h.reaction = h.body.findMobilizerReactionOnBodyAtMInGround(state)[1];
     }
   }
-  // For the next evaluation.
+  // Prepares the next evaluation.
   void realizeAcceleration(const State& state) const override {
     if (options_.fit == Fit::lagged) note_reactions(state);
   }
 
-  // How far a locked hinge is from its limit: above 0 it lets go.
+  // Distance of a locked hinge from its limit; above 0 the hinge is released.
   double excess(const State& state, Hinge& h) const {
     SimTK::Vector held;
     system_.getMatterSubsystem().findMotionForces(state, held);
@@ -181,7 +182,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
     return h.rest.utilisation - 1 - (h.is_ball ? 1e-8 : 1e-10);
   }
 
-  // Speed along its slip of a sliding hinge; 0 where it may have come to rest.
+  // Speed of a sliding hinge along its slip; 0 where it may have stopped.
   double ahead(const State& state, const Hinge& h) const {
     return dot(h.rate(state), h.direction(state)) -
            (h.is_ball ? options_.stop_speed : 0);
@@ -235,7 +236,7 @@ class HingeFriction::Friction : public SimTK::Force::Custom::Implementation {
   mutable SimTK::DiscreteVariableIndex holds_;
   mutable State scratch_;
   mutable bool is_last_ = false;   // no subsystem of forces comes later
-  mutable bool is_given_ = false;  // moments are those of the hinges
+  mutable bool is_given_ = false;  // moments match the hinges' state
 };
 
 void HingeFriction::Friction::refuse_other_locks(const State& state) const {
@@ -250,7 +251,7 @@ void HingeFriction::Friction::refuse_other_locks(const State& state) const {
   }
 }
 
-// How hinges slide; whether there are any that do.
+// Finds the directions of sliding; true if a hinge slides.
 bool HingeFriction::Friction::aim(const State& state) const {
   refuse_other_locks(state);
   bool any = false;
@@ -262,7 +263,7 @@ bool HingeFriction::Friction::aim(const State& state) const {
       continue;
     }
     Vec3 rate = h.rate(state);
-    // Smooth through the stop, which an event finds.
+    // Smooths friction through the stop, which an event finds.
     const double least = h.is_ball ? options_.stop_speed : 1e-12;
     if (h.can_rest &&
         (h.is_ball ? rate.norm() : dot(rate, h.direction(state))) < least) {
@@ -275,7 +276,7 @@ bool HingeFriction::Friction::aim(const State& state) const {
   return any;
 }
 
-// Moments of the sliding hinges under their reactions.
+// Moments of the sliding hinges under their present reactions.
 void HingeFriction::Friction::slide() const {
   for (Hinge& h : hinges) {
     if (!h.slides) continue;
@@ -294,7 +295,7 @@ void HingeFriction::Friction::apply(BodyVectors& forces) const {
   }
 }
 
-// Moments under the reactions of now; whether they fit.
+// Moments under the present reactions; true if they are consistent.
 bool HingeFriction::Friction::refit(int turn) const {
   constexpr int limit = 100;
   if (turn == limit) {
@@ -318,8 +319,8 @@ bool HingeFriction::Friction::refit(int turn) const {
   return fits;
 }
 
-// Reactions without a joint that is closed by a constraint: what the links on
-// a hinge need, m a, less the forces on them.
+// Reactions of a system without closed loops: m a of the links beyond a hinge,
+// minus the forces on them.
 void HingeFriction::Friction::note_reactions(
     const State& state, const BodyVectors& forces,
     const BodyVectors& accelerations) const {
@@ -337,7 +338,7 @@ void HingeFriction::Friction::note_reactions(
   for (Hinge& h : hinges) h.reaction = needed[h.body.getMobilizedBodyIndex()];
 }
 
-// Moments under the reactions that they cause.
+// Makes moments and reactions consistent.
 void HingeFriction::Friction::converge_tree(const State& state,
                                             const BodyVectors& others) const {
   const SimTK::SimbodyMatterSubsystem& matter = system_.getMatterSubsystem();
@@ -354,10 +355,10 @@ void HingeFriction::Friction::converge_tree(const State& state,
   }
 }
 
-// The same with constraints, and with forces that are not known yet: on a copy
-// of the state, which costs more.
+// As above with constraints, and with forces that are not known yet; works on a
+// copy of the state, which costs more.
 void HingeFriction::Friction::converge(const State& state) const {
-  // Ends with the fit, or with an exception.
+  // Restores the state when it ends, also by an exception.
   struct Given {
     explicit Given(bool& is) : is_(is) { is_ = true; }
     ~Given() { is_ = false; }
@@ -372,7 +373,7 @@ void HingeFriction::Friction::converge(const State& state) const {
   }
 }
 
-// Locks what has no rate left, and follows balls that have turned.
+// Locks hinges without rate, and updates balls that have turned.
 void HingeFriction::Friction::stop(State& state) const {
   system_.realize(state, Stage::Velocity);
   std::vector<const Hinge*> stopped;
@@ -398,7 +399,7 @@ void HingeFriction::Friction::let_go(State& state, Hinge& h) const {
       h.rates(state, h.is_ball ? 2 * options_.stop_speed * direction : Vec3(0));
   set_hold(state, h, Hold::none);
   h.body.setUFromVector(state, u);
-  // Starts the next solution.
+  // Start of the next solution.
   h.solution = h.rest.slip;
 }
 
@@ -443,7 +444,8 @@ Vec3 HingeFriction::Friction::latch(State& state, Hinge& h) const {
 void HingeFriction::Friction::settle(State& state) const {
   refuse_other_locks(state);
   stop(state);
-  // The worst gives way first; what friction would drive is held again.
+  // Releases the worst hinge first; a hinge that friction would drive is held
+  // again.
   std::vector<Hinge*> released;
   for (std::size_t i = 0; i <= 3 * hinges.size(); ++i) {
     system_.realize(state, Stage::Acceleration);
@@ -473,7 +475,7 @@ void HingeFriction::Friction::settle(State& state) const {
   }
 }
 
-// The end of sliding, or of rest, of a hinge.
+// Event at the end of sliding or rest of a hinge.
 class HingeFriction::Event : public SimTK::TriggeredEventHandler {
  public:
   Event(const Friction& friction, std::size_t hinge, bool is_stop)
@@ -540,7 +542,7 @@ void HingeFriction::settle(State& state) const {
   for (Hinge& h : friction_->hinges) {
     h.go_along(state, h.rate(state));
   }
-  // Moments so far are those of other directions.
+  // The present moments belong to other directions.
   state.invalidateAllCacheAtOrAbove(Stage::Velocity);
   friction_->settle(state);
 }

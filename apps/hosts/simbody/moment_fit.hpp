@@ -4,21 +4,22 @@
 
 namespace contact_hosts::simbody {
 
-/// Moments x that are those of the reactions which they cause, x = g(x), by
-/// Broyden's method: how the answer depends on what is wrong is learned, and
-/// kept from one evaluation to the next. g hardly depends on x, by the joint's
-/// radius over the distance of the masses.
+/// Solves x = g(x) by Broyden's method, where x are the friction moments and
+/// g(x) the moments for the reactions that x causes. It learns the effect of an
+/// error on the solution and keeps it between evaluations. g depends weakly on
+/// x, by the ratio of joint radius to distance of the masses.
 class MomentFit {
  public:
   explicit MomentFit(double tolerance) : tolerance_(tolerance) {}
 
-  /// Before the first turn of an evaluation.
+  /// Call before the first turn of an evaluation.
   void begin() { turns_ = 0; }
 
-  /// Takes x to where the next turn begins.
+  /// Moves x to the start of the next turn.
   /// @param found  g(x)
-  /// @return whether x is the answer: the last turn was wrong by the tolerance
-  ///         times the largest moment, or the next one will be
+  /// @return true if x is the solution: the error of the last turn, or the
+  ///         expected error of the next one, is below the tolerance times the
+  ///         largest moment
   bool turn(Eigen::VectorXd& x, const Eigen::VectorXd& found) {
     const Eigen::VectorXd wrong = found - x;
     const double now = wrong.norm();
@@ -38,7 +39,8 @@ class MomentFit {
   }
 
  private:
-  // So that answer times -change of what is wrong is the change of x.
+  // Updates the approximation so that -answer times the change of the error
+  // gives the change of x.
   void learn(const Eigen::VectorXd& move, const Eigen::VectorXd& change) {
     const Eigen::VectorXd seen = answer_ * change;
     const double size = move.dot(seen);

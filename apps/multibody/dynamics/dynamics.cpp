@@ -5,7 +5,7 @@
 namespace multibody {
 namespace {
 
-// Lanes that few bodies cannot fill cost more than they bring (measured).
+// Wide lanes that few bodies cannot fill cost more than they gain (measured).
 contact::InstructionSet useful(contact::InstructionSet set,
                                const SystemConstants& constants) {
   return constants.size() <= 1 ? contact::InstructionSet::baseline : set;

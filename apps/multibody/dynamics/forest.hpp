@@ -38,8 +38,8 @@ struct ForestBody {
   Eigen::Vector3d hinge_from_parent_com = Eigen::Vector3d::Zero();
   /// axis only: unit vector of the axis, body axes.
   Eigen::Vector3d axis = Eigen::Vector3d::UnitZ();
-  /// Where the centre of mass is now: what is said of "the centre of mass" in
-  /// states, motions and of points is said of 0. Body axes, m.
+  /// Present place of the centre of mass. States, motions and points that refer
+  /// to "the centre of mass" refer to 0 of the body axes. Body axes, m.
   Eigen::Vector3d com = Eigen::Vector3d::Zero();
 };
 

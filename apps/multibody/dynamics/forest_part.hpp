@@ -42,9 +42,9 @@ struct ForestHinge {
   int parent;  ///< -1: a root
   ForestTurn turn;
   double mass;
-  Vec3<double> r;            ///< of the origin from ForestBody's 0
+  Vec3<double> r;            ///< origin from ForestBody's 0
   Vec3<double> mass_r;       ///< m times that from the centre of mass
-  Vec3<double> from_parent;  ///< of it from the parent's com, parent's axes
+  Vec3<double> from_parent;  ///< origin from parent's com, its axes
   Vec3<double> axis;         ///< unit vector of the turn
   Mat3<double> inertia;      ///< about the origin
 };

@@ -160,7 +160,7 @@ void TreeKernel::add_friction(const VectorRows& change) {
 
 Vec3<double> TreeKernel::relative_acceleration(int body) const {
   if (modes_[body] == JointMode::released) return angular_acceleration(body);
-  // Next to nothing of other parts is rounding.
+  // Values tiny compared with other parts are rounding.
   if (kinds_[body] == HingeKind::axis) {
     return {0, 0, turns(body) ? work_.rate_change(1 + body) : 0};
   }
@@ -210,7 +210,7 @@ void TreeKernel::rates(const double* state, const Vec3<double>& gravity,
 
 Reaction<double> TreeKernel::reaction(int body) const {
   const Vec3<double> force = work_.reaction(1 + body);
-  // Friction is not in it.
+  // The reaction does not include friction.
   if (!turns(body)) return {force, work_.reaction_moment(1 + body)};
   if (kinds_[body] == HingeKind::ball) return {force, {}};
   const Vec3<double> moment = work_.reaction_moment(1 + body);
@@ -250,8 +250,8 @@ void TreeKernel::fitting_moments(std::span<const Vec3<double>> moments,
   for (int i = 0; i < size(); ++i) {
     to[i] = {};
     if (!turns(i)) continue;
-    // By the law: the balance has it as a difference of large moments. On an
-    // axis (z) the hinge holds the other parts.
+    // Computed by the law, because in the balance it is a difference of large
+    // moments. On an axis (z) the hinge carries the other components.
     const ForestState& s = sloped_state_[1 + i];
     const Vec3<double> m =
         s.hinge_moment + s.slope * sloped_work_.reaction(1 + i);

@@ -16,13 +16,13 @@ using Eigen::Vector3d;
 namespace {
 
 // The friction moment grows about in proportion to R, so that |M|/R times the
-// answer of R to M is about kappa; it is looked at closely where that comes
-// near 1.
+// response of R to M approximates kappa. Near 1 it is computed exactly.
 constexpr double near_one = 0.5;
 
-// In a deeper tree kappa < 1 of each hinge proves nothing: chords of M_i over
-// R_i times |dR_i/dM_j| as a matrix do. |M|/R is a chord too; others are a
-// third steeper at most (M = rho f N S, S grows from 1 to 1.31).
+// In a deeper tree kappa < 1 of each hinge is not sufficient. The matrix of
+// chords of M_i over R_i times |dR_i/dM_j| decides. |M|/R is a chord too; other
+// chords are steeper by at most a third (M = rho f N S, S grows from 1 to
+// 1.31).
 bool is_unique_in_tree(Hinges& at) {
   double most = 0;
   for (const int i : at.active()) {
@@ -34,11 +34,11 @@ bool is_unique_in_tree(Hinges& at) {
   return std::sqrt(most) * at.tree_response() < near_one || at.tree_kappa() < 1;
 }
 
-// Whether the moments found can be the only ones: kappa < 1.
+// True if the moments found must be the only ones: kappa < 1.
 bool is_unique(Hinges& at) {
   if (at.is_tree()) return is_unique_in_tree(at);
   CoupledProgress& report = at.report();
-  // Too few digits to tell slopes.
+  // Too few digits to determine slopes.
   constexpr double few = 1e6;
   if (report.contraction < near_one &&
       at.memory().tracked.largest_leverage() < near_one * near_one) {
@@ -117,8 +117,8 @@ void update_slopes(Hinges& at) {
   }
 }
 
-// Newton's step of every hinge for itself with the slope it has; in a deeper
-// tree of all hinges at once: there hinges answer to their neighbours' moments.
+// Newton step of every hinge by its own slope; in a deeper tree of all hinges
+// at once, because hinges react to their neighbours' moments.
 void set_steps(Hinges& at) {
   if (at.is_tree()) {
     at.set_tree_steps();
@@ -135,7 +135,7 @@ void set_steps(Hinges& at) {
     HingeInstant& hinge = at.now(i);
     const Vector3d residual = hinge.solved - memory.moment;
     if (memory.slope.norm() >= strong && at.report().contraction < strong) {
-      memory.slope.setZero();  // out of date
+      memory.slope.setZero();  // outdated
     }
     Vector3d step = (Matrix3d::Identity() - memory.slope).inverse() * residual;
     // Newton step too long or NaN: damp it. If the iteration fails, the search
@@ -183,8 +183,8 @@ void CoupledDynamics::set_mode(int body, HingeMode mode,
 
 double CoupledDynamics::utilisation(int body, Hinges at) const {
   const double tau = at.utilisation(body);
-  // Above what the tolerance leaves uncertain of tau, also beside friction that
-  // is much larger.
+  // Above the uncertainty of tau by the tolerance, also next to much larger
+  // friction.
   const double near = 1e4 * (slip_limit(body, at) - 1);
   if (!(std::abs(tau - 1) < near)) return tau;
   refine(at);
@@ -196,7 +196,8 @@ double CoupledDynamics::slip_limit(int body, Hinges at) const {
                                                : options_.ball_slip_threshold;
   const double held = vec3(at.reaction(body).moment).norm();
   const double share = at.uncertain_moment() * at.utilisation(body) / held;
-  // With next to nothing held, as without a body, the share is infinite.
+  // If a hinge holds almost nothing, for example without a body, the share is
+  // infinite.
   constexpr double most = 1e-3;
   return 1 + (share > threshold ? std::min(share, most) : threshold);
 }
@@ -224,10 +225,10 @@ const CoupledReport& CoupledDynamics::find_friction(const double* state,
   return report;
 }
 
-// Brings the friction of the last evaluation to refined_tolerance. Where a
-// hinge begins to slide its acceleration is as small as the threshold, and the
-// usual tolerance is no smaller: which way it goes has to be known better.
-// (What a search has found is that good.)
+// Refines the friction of the last evaluation to refined_tolerance. Where a
+// hinge begins to slide, its acceleration is of the size of the threshold and
+// of the usual tolerance, so that its direction needs better moments. (Results
+// of a search are already that accurate.)
 void CoupledDynamics::refine(Hinges& at) const {
   Evaluation& found = at.evaluation();
   if (found.is_refined || at.active().empty() || !found.solutions.empty()) {
@@ -245,7 +246,8 @@ void CoupledDynamics::refine(Hinges& at) const {
 void CoupledDynamics::solve(double tolerance, Hinges& at) const {
   CoupledProgress& report = at.report();
   FrictionMemory& memory = at.memory();
-  // Now and then what a step leaves is looked at, whether it is needed or not.
+  // Occasionally evaluates the residual after a step even if this is not
+  // needed.
   constexpr int look_every = 8;
   const bool look = ++memory.loops % look_every == 0;
   double last = 0;
@@ -253,7 +255,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
   double floor = 0;
   for (report.iterations = 1;; ++report.iterations) {
     const bool first = report.iterations == 1;
-    // A loop that takes long may be looking at rounding.
+    // A slow loop may be limited by rounding.
     constexpr int patience = 5;
     if (report.iterations == patience) {
       floor = at.rounding().moment / tolerance;
@@ -270,7 +272,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       return;
     }
     if (report.residual <= tolerance) return;
-    // Rounding of the reactions can be above the tolerance.
+    // Rounding of the reactions may exceed the tolerance.
     constexpr double rounding = 1e-8;
     stalled = first || report.residual < 0.5 * last ? 0 : stalled + 1;
     if (stalled >= 2 && report.residual <= rounding) return;
@@ -362,7 +364,7 @@ bool CoupledDynamics::find_directions(const double* state, Hinges& at,
   return false;
 }
 
-// Lets a resting hinge go.
+// Releases a resting hinge.
 Onset CoupledDynamics::begin_to_slide(int body, Hinges& at) {
   Onset onset{body};
   const double tau = utilisation(body, at);
@@ -425,7 +427,7 @@ const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
     if (!begun.empty()) refine(here);
     if (report.status != CoupledStatus::ok) return report;
 
-    // Friction must not drive what it should hold back.
+    // Friction must not drive a hinge that it should hold.
     const auto held = std::ranges::find_if(
         begun, [&](const Onset& onset) { return is_driven(here, onset.body); });
     if (held != begun.end()) {

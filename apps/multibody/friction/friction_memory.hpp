@@ -32,7 +32,8 @@ struct FrictionMemory {
   /// before.
   double usual_gain = 1;
   int loops = 0;
-  /// Of a deeper tree: Hinges::tree_response(), and where the bodies were.
+  /// Deeper tree only: Hinges::tree_response(), and the bodies' positions for
+  /// it.
   double tree_response = 0;
   std::vector<double> response_at = {};
 

@@ -20,8 +20,7 @@ Eigen::Map<const Lanes> at(const double* row, int component = 0) {
   return Eigen::Map<const Lanes>(row + component * VectorRows::lanes);
 }
 
-// Contacts of a hinge if it can be tracked, else none: thrust faces and seats
-// are not.
+// Contacts of a hinge that can be tracked; empty for thrust faces and seats.
 std::vector<JointContact> contacts_of(const HingeFriction& friction) {
   const auto* const of_group = std::get_if<GroupFriction>(&friction);
   if (of_group && of_group->group.thrust_face()) return {};
@@ -137,7 +136,7 @@ void FrictionTracker::share_reactions() {
   for (int i = 0; i < row_; i += Lanes::SizeAtCompileTime) {
     const double* const f = rows(&HingeRows::force).at(i);
     const double* const m = rows(&HingeRows::moment).at(i);
-    // Moments of friction across the axis load a group as well.
+    // Friction moments across the axis load a group too.
     Lanes held_x = at(m, 1);
     Lanes held_y = -at(m, 0);
     for (int k = 0; k < depth_; ++k) {

@@ -29,7 +29,7 @@ Vector3d nan_vector() {
 // Tolerance of the joints' own iteration, well below the outer loop's.
 constexpr contact::SolveOptions inner{.tolerance = 1e-12};
 
-// Whether its friction is more than none at speed 0: neither viscous nor 0.
+// True if it has friction at speed 0: dry, with a coefficient above 0.
 bool holds(const contact::JointContact& contact) {
   const contact::JointContact::Strength strength = contact.strength(0);
   return strength.pressure_part > 0 || strength.area_part > 0;
@@ -154,7 +154,7 @@ bool HingeSolver::solve_group(const Reaction<double>& reaction, double rate,
   return true;
 }
 
-// The traditional friction of a group's joints under the forces they have.
+// Traditional friction of a group's joints under their forces.
 void HingeSolver::estimate_joints(const contact::JointGroup& group, double rate,
                                   Memory& memory) const {
   const Vector3d axis = axes_.col(2);
@@ -185,7 +185,7 @@ double HingeSolver::utilisation_of(const JointFriction& ball,
   const double tau = set.utilisation(hold.moment);
   slip_direction.setZero();
   if (tau > 0 && std::isfinite(tau)) {
-    // The edge's normal where the moment leaves the set.
+    // Normal of the boundary where the moment leaves the set.
     const Vector3d u =
         set.prox(Matrix3d::Identity(), -1.000001 / tau * hold.moment)
             .angular_velocity;

@@ -19,7 +19,8 @@ namespace {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-// About the hinge, of a turn that moves the centre of mass: the least.
+// Smallest inertia about the hinge for a rotation that moves the centre of
+// mass.
 double inertia_of(const Link& link) {
   const double about = link.mass * link.arm * link.arm;
   const double least = hinge_traits(link.kind).is_axis
@@ -110,8 +111,8 @@ void Hinges::set_state(const double* state) {
       rate = Vector3d(s[4], s[5], s[6]);
       if (dry && (hinge.straight || rate.isZero(0))) rate = direction;
     } else {
-      // Beyond the end of its sliding, where a step may look, dry friction
-      // goes on as if it slid the way it did.
+      // Beyond the end of sliding, where a trial step may be, dry friction
+      // keeps its direction.
       constexpr double least = 1e-100;
       const double sign = direction.z();
       rate = Vector3d(0, 0, dry ? sign * std::max(sign * s[1], least) : s[1]);
@@ -120,8 +121,8 @@ void Hinges::set_state(const double* state) {
 }
 
 bool Hinges::any_gets_under_way() const {
-  // No acceleration that the tolerance leaves uncertain brings so fast a motion
-  // to its end, and none so large is uncertain.
+  // Above this rate the uncertainty of the acceleration cannot end the motion
+  // within a step.
   constexpr double slow = 1e-5;
   constexpr double share = 1e-4;
   return std::ranges::any_of(active(), [&](int i) {
@@ -213,7 +214,7 @@ double Hinges::solve(double floor) {
     if (difference == 0) continue;
     const double own = difference / (solved.norm() + moment.norm() +
                                      small_share * largest + floor);
-    // NaN stays, whatever follows.
+    // NaN must not be replaced by a later value.
     if (!(own <= residual) && !std::isnan(residual)) residual = own;
   }
   return residual;
@@ -254,7 +255,7 @@ CoupledRounding Hinges::rounding() const {
     length = std::max(length, hinge.length);
   }
   if (is_prescribed()) force += mass * length_of(at_.prescribed->linear);
-  // Some tens of operations on each.
+  // Rounding of some tens of operations on each number.
   constexpr double share = 1e-14;
   const double forces = share * (force + mass * length * rate * rate);
   return {forces, share * moment + length * forces};
@@ -289,7 +290,7 @@ Hinges::Response Hinges::response(int body) {
   return r;
 }
 
-// Forward differences, good to some 1e-6.
+// Forward differences, accurate to about 1e-6.
 Hinges::Slopes Hinges::slopes(int body) {
   const Hinge& hinge = hinges_[body];
   Slopes slopes{Matrix3d::Zero(), Matrix3d::Zero()};
@@ -361,8 +362,8 @@ Eigen::MatrixXd Hinges::responses(Vec3<double> Reaction<double>::*part) {
   return squares.cwiseSqrt();
 }
 
-// R(M) depends on places and masses: where these change Equations clears what
-// is known.
+// R(M) depends on positions and masses; Equations clears the stored value when
+// masses change.
 double Hinges::tree_response() {
   constexpr double near = 0.02;  // rad; of a ball twice that, by quaternions
   std::vector<double>& known = memory_.response_at;
@@ -387,13 +388,13 @@ double Hinges::tree_response() {
   return memory_.tree_response;
 }
 
-// Largest of the slopes and of |F(X') - F(X)|/|X' - X| over many X', one of
-// the parts of the reaction in the place of the present X.
+// Largest slope and largest chord |F(X') - F(X)|/|X' - X| over many X', where X
+// is one part of the reaction.
 double Hinges::chord(int body, Vec3<double> Reaction<double>::*part) {
   const Hinge& hinge = hinges_[body];
   const auto [by_force, by_held] = slopes(body);
   const bool is_force = part == &Reaction<double>::force;
-  // Moments count in groups alone.
+  // Moments matter only for groups.
   const bool is_group = !by_held.isZero(0);
   if (!is_force && !is_group) return 0;
   double steepest = (is_force ? by_force : by_held).norm();
@@ -433,11 +434,11 @@ double Hinges::chord(int body, Vec3<double> Reaction<double>::*part) {
   return steepest;
 }
 
-// Of two solutions |M_i' - M_i| <= c_i |R_i' - R_i| <= sum K_ij |M_j' - M_j|,
-// with c_i the steepest chord of friction from the present R_i, which no slope
-// at one of them bounds. So they are one where the spectral radius of K is
-// below 1. By Collatz and Wielandt: it is at most the largest (K x)_i/x_i of
-// any x > 0.
+// For two solutions |M_i' - M_i| <= c_i |R_i' - R_i| <= sum K_ij |M_j' - M_j|,
+// where c_i is the steepest chord of friction from the present R_i; slopes
+// alone do not bound it. The solutions coincide if the spectral radius of K is
+// below 1. By Collatz and Wielandt the radius is at most the largest (K
+// x)_i/x_i for any x > 0.
 double Hinges::tree_kappa() {
   Eigen::MatrixXd k = responses(&Reaction<double>::force);
   Eigen::VectorXd by_held(k.rows());
@@ -454,7 +455,7 @@ double Hinges::tree_kappa() {
   for (int round = 0; round < rounds; ++round) {
     const Eigen::VectorXd next = k * x;
     bound = std::min(bound, next.cwiseQuotient(x).maxCoeff());
-    // Mixed, so that it stays above 0 and does not swing.
+    // Averaged, so that it stays above 0 and does not oscillate.
     x = x + next;
     x /= x.maxCoeff();
   }
@@ -464,14 +465,14 @@ double Hinges::tree_kappa() {
 double Hinges::kappa(int body) {
   const Response by_moment = response(body);
   const auto [by_force, by_held] = slopes(body);
-  // Frobenius norms, up to 3 times the largest stretch: the safe side, also
-  // where hinges act on each other.
+  // Frobenius norms exceed the largest stretch by a factor of up to 3, which is
+  // on the safe side.
   return by_force.norm() * by_moment.force.norm() +
          by_held.norm() * by_moment.moment.norm();
 }
 
 double Hinges::work_out_utilisation(int body) {
-  // Rounding does not make a hinge slide.
+  // Rounding must not make a hinge slide.
   const CoupledRounding least = rounding();
   const Reaction<double>& held = reaction(body);
   const bool is_little = vec3(held.moment).norm() <= least.moment;
@@ -482,7 +483,7 @@ double Hinges::work_out_utilisation(int body) {
                          : 0;
   const int push = now(body).push;
   if (push == 0 || std::isnan(tau)) return tau;
-  if (push * held.moment.z >= 0) return 0;  // the stop takes it all
+  if (push * held.moment.z >= 0) return 0;  // the stop carries it all
   if (hinge.can_rest) return tau;
   return is_little ? 0 : std::numeric_limits<double>::infinity();
 }

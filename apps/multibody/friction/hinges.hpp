@@ -114,15 +114,15 @@ class Hinges {
   /// friction solved to refined_tolerance, N m.
   double uncertain_moment() const;
   double kappa(int body);
-  /// Of a deeper tree: a bound of the spectral radius of K, with
-  /// K_ij = |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the
-  /// moments are the only ones. Allocates.
+  /// Deeper tree only: a bound of the spectral radius of K, with K_ij =
+  /// |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the moments
+  /// are unique. Allocates.
   double tree_kappa();
-  /// Largest row sum of |dR_i/dM_j|, 1/m, worked out again where the bodies
-  /// have moved notably.
+  /// Largest row sum of |dR_i/dM_j|, 1/m; recomputed when the bodies have moved
+  /// noticeably.
   double tree_response();
-  /// Of a deeper tree: the steps of Newton's method over all hinges at once,
-  /// as changes about to be made. After solve().
+  /// Deeper tree only: Newton steps of all hinges at once, stored as pending
+  /// changes. Call after solve().
   void set_tree_steps();
 
   /// Effective inertia of a sliding ball joint, and its acceleration without
@@ -141,7 +141,7 @@ class Hinges {
   Response response(int body);
   Eigen::MatrixXd responses(Vec3<double> Reaction<double>::*part);
   double chord(int body, Vec3<double> Reaction<double>::*part);
-  /// Those of a hinge's friction over its reaction.
+  /// Slopes of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;
   };

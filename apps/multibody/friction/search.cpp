@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// Solutions nearer than this are one.
+// Solutions closer than this count as one.
 constexpr double same = 1e-6;
-// Friction moments that fit, as far as they are told from rounding.
+// Tolerance of consistent moments, limited by rounding.
 constexpr double tolerance = 1e-10;
 
 void add_new(std::vector<VectorXd>& found, const VectorXd& x) {
@@ -37,8 +37,8 @@ class Search {
     return x;
   }
 
-  // From the beginning: a change would lose the digits of small moments to
-  // large ones before, and everything to NaN.
+  // Starts from the initial state: a change would lose digits of small moments
+  // to earlier large ones, and all digits to NaN.
   void set_moments(const VectorXd& x) {
     for (std::size_t k = 0; k < active_.size(); ++k) {
       hinges_.memory(active_[k]).moment = x.segment<3>(3 * k);
@@ -60,11 +60,11 @@ class Search {
     return f;
   }
 
-  // All moments are looked at.
+  // True if all moments are examined.
   bool is_scan() const {
     return active_.size() == 1 && hinges_[active_[0]].is_axis;
   }
-  // From where the outer loop left off.
+  // Starts from the last moments of the outer loop.
   std::vector<VectorXd> scan(const VectorXd& before) {
     return is_scan() ? scan_axis() : scan_starts(before);
   }
@@ -74,8 +74,8 @@ class Search {
     return hinges_.is_tree() ? solve_tree_from(x) : solve_star_from(x);
   }
 
-  // Newton's method through the tree, whose steps end where slopes say little:
-  // an evaluation for each, however many hinges there are.
+  // Newton's method through the tree, with steps limited to the validity of the
+  // slopes: one evaluation for each, independent of the number of hinges.
   bool solve_tree_from(VectorXd& x) {
     constexpr int limit = 60;
     constexpr double longest = 0.3;
@@ -94,7 +94,7 @@ class Search {
     return false;
   }
 
-  // Powell's hybrid method (MINPACK): Newton's alone gets stuck where a
+  // Powell's hybrid method (MINPACK). Newton's method alone stalls where
   // friction near its limit turns with the reaction.
   bool solve_star_from(VectorXd& x) {
     struct Function {
@@ -109,7 +109,7 @@ class Search {
     solver.parameters.xtol = 1e-14;
     solver.parameters.maxfev = 100 * (x.size() + 1);
     solver.solveNumericalDiff(x);
-    // Whatever it says of its steps.
+    // Decides by the residual, not by the method's report on its steps.
     const VectorXd f = mismatch(x);
     return f.norm() <= tolerance * (x.norm() + (f + x).norm());
   }
@@ -175,7 +175,7 @@ class Search {
     return x;
   }
 
-  // Newton's method takes little.
+  // Newton's method is cheap.
   void add_tree_starts(const VectorXd& before, const VectorXd& slid,
                        std::vector<VectorXd>& starts) const {
     if (before.allFinite()) {
@@ -187,8 +187,8 @@ class Search {
     for (int k = 1; k <= more; ++k) starts.push_back(spread(k, slid));
   }
 
-  // Several hinges: from where the outer loop left off, and from moments of
-  // many sizes.
+  // Several hinges: starts from the last moments of the outer loop, and from
+  // moments of many sizes.
   std::vector<VectorXd> scan_starts(const VectorXd& before) {
     std::vector<VectorXd> found;
     const VectorXd zero = VectorXd::Zero(3 * active_.size());
@@ -238,7 +238,7 @@ void search(Hinges& hinges) {
   report.status = found.empty() ? CoupledStatus::no_solution
                                 : CoupledStatus::several_solutions;
   if (report.body < 0) report.body = active[0];
-  // The next evaluation has to find its own way.
+  // The next evaluation must not start from these moments.
   search.set_moments(VectorXd::Zero(before.size()));
 }
 

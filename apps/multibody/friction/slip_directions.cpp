@@ -18,7 +18,7 @@ bool is_driven(const Hinges& hinges, int body) {
   const HingeMemory& memory = hinges.memory(body);
   const double along = hinges.acceleration(body).dot(memory.direction);
   double pace = hinge.is_axis ? 0 : memory.pace;
-  // In a deeper tree the rounding of the neighbours' friction moves it too.
+  // In a deeper tree rounding of the neighbours' friction moves it too.
   for (int i = 0; i < hinges.size() && hinges.is_tree(); ++i) {
     pace = std::max(pace, hinges.acceleration(i).norm());
   }
@@ -52,9 +52,8 @@ bool SlipDirections::across(VectorXd& parts) {
   return true;
 }
 
-// Newton's method with slopes by differences. Going on with the direction of
-// the acceleration instead may take forever: the contact turns about R with
-// it.
+// Newton's method with slopes by differences. Iterating with the direction of
+// the acceleration may not converge, because the contact turns about R with it.
 bool SlipDirections::settle() {
   const Eigen::Index size = tangents_.cols();
   std::vector<Vector3d> from;
@@ -67,7 +66,7 @@ bool SlipDirections::settle() {
   };
   constexpr int step_limit = 60;
   constexpr double tolerance = 1e-9;
-  // Longer steps leave what slopes are good for.
+  // Limits steps to the validity of the slopes.
   constexpr double longest = 0.5;
   VectorXd left(size), other(size);
   for (int step = 0; step < step_limit; ++step) {
@@ -98,9 +97,9 @@ bool SlipDirections::settle() {
   return false;
 }
 
-// From where the resting joints give way, else from where contacts frozen as
-// they are would let them go (MomentSet::prox), else from where they would go
-// without friction, else bit by bit.
+// Starts where resting joints give way; if that fails, from the motion allowed
+// by frozen contacts (MomentSet::prox), then from the motion without friction,
+// and last in small steps.
 bool SlipDirections::find() {
   if (balls_.empty()) return true;
   const auto settled = [&] {

@@ -42,7 +42,7 @@ void TrackedLoop::extrapolate(Hinges& hinges) {
   }
 }
 
-// After track().
+// Call after track().
 void TrackedLoop::keep() {
   if (step_square_ == 0) return;
   path_end_ += step_;
@@ -83,14 +83,14 @@ void TrackedLoop::learn_step(CoupledReport& report, double residual) {
   learn_contraction(contraction);
 }
 
-// Moments that fit the reactions they cause if friction is as the tracker
-// predicts near its last contacts, by simple iteration.
-// @return what is left, relative; large if it does not contract
+// Finds moments consistent with their reactions by simple iteration, with
+// friction predicted by the tracker near its last contacts.
+// @return relative residual; large if the iteration does not contract
 double TrackedLoop::relax(Hinges& hinges, double enough) {
-  // In groups, where rounds contract by 0.01, to 1e-12; what contracts less is
-  // predicted again.
+  // Groups, whose rounds contract by 0.01, iterate to 1e-12; slower
+  // contractions use a new prediction.
   constexpr int round_limit = 6;
-  // Contractions differ from round to round.
+  // Contraction varies from round to round.
   constexpr double safety = 2;
   // Ten times the moment applied; 0.5 would be infinity.
   constexpr double lost = 0.45;
@@ -133,8 +133,8 @@ void TrackedLoop::take_applied_moments(Hinges& hinges) {
   applied_known_ = true;
 }
 
-// The outer loop with one evaluation of the friction of all hinges for each
-// iteration, as long as the tracker can be trusted.
+// The outer loop with one evaluation of the friction of all hinges in each
+// iteration, as long as the tracker is trusted.
 bool TrackedLoop::track(Hinges& hinges) {
   hinges.give_reactions(tracker_);
   if (!applied_known_) {
@@ -155,16 +155,17 @@ bool TrackedLoop::track(Hinges& hinges) {
 
 bool TrackedLoop::track_joints(Hinges& hinges) {
   constexpr int iteration_limit = 4;
-  // Contacts are evaluated where moments are as near as this to those found in
-  // the end, and reactions nearer: then slopes, wrong by some percent, do for
-  // the rest.
+  // Contacts are evaluated when moments are this near to the final ones, and
+  // reactions nearer; slopes with errors of some percent then suffice for the
+  // rest.
   constexpr double near = 1e-7;
   JointTracker& joints = tracker_.joints();
   const JointTracker::Largest& found = joints.largest();
   CoupledProgress& report = hinges.report();
   for (report.iterations = 1; report.iterations <= iteration_limit;
        ++report.iterations) {
-    // The first time all of them, then those that are not good enough.
+    // The first prediction covers all joints, later ones those with a large
+    // error.
     joints.predict(report.iterations == 1 ? -1 : 0.5 * tolerance_);
     last_residual_ = 0;
     if (!found.is_trusted()) return false;
@@ -185,7 +186,7 @@ bool TrackedLoop::track_joints(Hinges& hinges) {
   return false;
 }
 
-// Tracking pauses where it fails, and is not tried again and again.
+// Tracking pauses after a failure instead of being retried at once.
 bool TrackedLoop::converge(Hinges& hinges) {
   constexpr double strong = 0.3;  // contraction
   constexpr int longest_pause = 64;

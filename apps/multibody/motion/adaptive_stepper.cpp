@@ -14,7 +14,7 @@
 namespace multibody {
 namespace {
 
-// ARKODE reports by return values; its texts would go to stderr.
+// ARKODE returns error codes; its messages would go to stderr.
 void silent(int, const char*, const char*, char*, void*) {}
 
 // Sums of stages in one pass; SUNDIALS takes one for each of them.
@@ -87,8 +87,8 @@ class AdaptiveStepper final : public Stepper {
       std::ranges::copy(to_, state.begin());
       return;
     }
-    // Dense output of this order asks for rates inside the step, at the same
-    // points each time.
+    // Dense output of this order needs rates inside the step, at the same
+    // points for each query.
     is_aside_ = true;
     const bool known = ERKStepGetDky(memory_, time, 0, other_) >= 0;
     is_aside_ = false;
@@ -124,7 +124,7 @@ class AdaptiveStepper final : public Stepper {
     if (end_known_) end_rates_ = last_rates_;
     // Read now, because work between steps overwrites these numbers.
     ERKStepGetEstLocalErrors(memory_, errors_);
-    // A step that a limit cuts short is not what the next one should be like.
+    // A step shortened by a limit does not predict the next one.
     const double planned = end < limit ? 0 : next_step_;
     ERKStepGetCurrentStep(memory_, &next_step_);
     next_step_ = std::max(next_step_, planned);
@@ -144,10 +144,9 @@ class AdaptiveStepper final : public Stepper {
                          vector_, &end, ARK_ONE_STEP) >= 0;
   }
 
-  // After a step in which there were no rates, which ERKStep takes for the
-  // end, whatever they say: the state at which it looked may never come. A
-  // state that does come is approached as near as this share of the step that
-  // met it first.
+  // Shortens a step in which the rates do not exist. ERKStep would take it for
+  // the end, although the solution may never reach the trial state. If it does,
+  // steps approach it to this fraction of the step that met it first.
   bool shorten() {
     constexpr double near = 1e-3;
     const double way = failed_at_ - begin_;
@@ -160,9 +159,9 @@ class AdaptiveStepper final : public Stepper {
     return true;
   }
 
-  // Order 5 with an embedded fourth: of the tables up to order 8 it took the
-  // fewest evaluations at tolerances of 1e-6 to 1e-12 among those whose dense
-  // output keeps up.
+  // Order 5 with an embedded fourth order. Of the tables up to order 8 whose
+  // dense output has sufficient order it needed the fewest evaluations at
+  // tolerances of 1e-6 to 1e-12.
   static constexpr ARKODE_ERKTableID table = ARKODE_DORMAND_PRINCE_7_4_5;
 
   static constexpr int dense_degree = 5;

@@ -28,9 +28,9 @@ const Values nodes = [] {
   return x;
 }();
 
-// Bernstein coefficients of the polynomial through the values, on [0, 1]. By
-// divided differences from the beginning on: of a long step it keeps what
-// happens in its first moments.
+// Bernstein coefficients on [0, 1] of the polynomial through the values, by
+// divided differences from the beginning: a long step then keeps the details of
+// its first part.
 Values bernstein(const Values& values) {
   Values newton = values;
   for (int order = 1; order <= last; ++order) {
@@ -75,7 +75,7 @@ double polynomial(Values c, double s) {
   return c[0];
 }
 
-// At most so many times the polynomial turns from rising to falling or back.
+// Upper bound of the number of turning points of the polynomial.
 int turns_of(const Values& c) {
   int count = 0;
   double before = 0;
@@ -87,7 +87,7 @@ int turns_of(const Values& c) {
   return count;
 }
 
-// Size of the polynomial's two highest degrees: the error of the polynomial is
+// Size of the polynomial's two highest degrees; the error of the polynomial is
 // hardly larger.
 double uncertainty(const Values& values) {
   double sum = 0;
@@ -107,8 +107,8 @@ struct Point {
   double time, value;
 };
 
-// Points of a function between which it crosses 0 once at most, as far as the
-// polynomial through its values tells.
+// Points between which a function crosses 0 at most once, according to the
+// polynomial through its values.
 class Separation {
  public:
   Separation(const StepFunction& function, double begin, double end,
@@ -131,7 +131,7 @@ class Separation {
     } else if (turns <= 1) {
       add(low);
       add(high);
-      // From 0 up and through it again: the top tells the two apart.
+      // Rises above 0 and returns: the maximum separates the two crossings.
       if (turns == 1) {
         add(low + extremum(c, sign).first * (high - low));
         add(low + extremum(c, -sign).first * (high - low));
@@ -218,14 +218,14 @@ std::optional<StepFunction::Crossed> StepFunction::first_crossing(
     }
   }
   if (is_far(values) && before * values[0] > 0) return {};
-  // A step hardly longer than the rounding of time has ends, and no points.
+  // A step of a few roundings of time has ends, but no points inside.
   constexpr double rounding = 1e-14;
   if (end_ - begin_ <= rounding * std::abs(end_)) {
     if (!is_crossing(before, values[last], way)) return {};
     return Crossed{end_, before < 0};
   }
-  // Between the ends states are estimates, worst in the middle. What the
-  // integrator itself says costs some evaluations.
+  // States between the ends are estimates, which are worst in the middle. The
+  // integrator's dense output costs some evaluations.
   double miss = std::abs(at_(point(middle, begin_, end_)) - values[middle]);
   constexpr double rough = 1e-3;
   if (!(miss <= rough * spread(values))) {

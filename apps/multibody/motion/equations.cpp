@@ -27,8 +27,8 @@ void clear(ActiveForces<double>& forces) {
   for (LinkForces<double>& body : forces.bodies) body = {};
 }
 
-// Energy that a body gains, kinetic and potential, by what leaves it and moves
-// in it: m' v^2/2 + m v (w x c') + w I' w/2 - g (m c)', at its centre of mass.
+// Power that mass flow adds to a body's kinetic and potential energy: m' v^2/2
+// + m v (w x c') + w I' w/2 - g (m c)', at its centre of mass.
 double flow_power(const BodyMass& mass, const BodyMotion& body,
                   const Vector3d& gravity) {
   const Vector3d v = body.point_velocity(mass.com);
@@ -82,7 +82,7 @@ void Equations::set_held_units() {
   const CoupledRounding rounding = at.rounding();
   for (int i = 0; i < size(); ++i) {
     const Reaction<double>& r = at.reaction(i);
-    // Forces that are tiny in the system, or little but rounding, need not be
+    // Forces that are tiny in the system, or mostly rounding, need not be
     // followed.
     const double own =
         vec3(r.force).norm() + 1e-3 * force + 1e6 * rounding.force;
@@ -181,7 +181,7 @@ bool Equations::rates(double time, const double* state, FrictionMemory& from,
     return false;
   }
   at.friction.dynamics.rates(state, vec3(gravity), to);
-  // It does not drift, whatever rounding leaves of gravity.
+  // Prevents drift by the rounding of gravity.
   if (system.carrier().fixed) std::fill_n(to, StateLayout::body_size, 0.0);
   Hinges hinges = coupled.at(from, at.friction);
   for (int i = 0; i < size(); ++i) {

@@ -20,7 +20,7 @@ struct MotionInstant {
 
   std::vector<BodyMotion> bodies;  ///< carrier, then the bodies
   std::vector<BodyForce> forces;
-  std::vector<BodyMass> masses;  ///< those that change
+  std::vector<BodyMass> masses;  ///< changing masses
   Evaluation friction;
 };
 
@@ -96,7 +96,7 @@ class Equations {
   double next_break = std::numeric_limits<double>::infinity();
   long evaluations = 0;  ///< along the motion
   long outer_iterations = 0;
-  long unproven = 0;            // of the friction that evaluations have found
+  long unproven = 0;            // friction found by evaluations
   CoupledReport failed_report;  ///< the last that failed
   double failed_time = 0;
 

@@ -7,7 +7,7 @@
 namespace multibody {
 namespace {
 
-// A force misses of a kink what goes with the square of this distance.
+// The error of a force near a kink grows with the square of this distance.
 double near(double kink) {
   constexpr double share = 1e-10;
   return share * std::max(1.0, std::abs(kink));
@@ -41,7 +41,7 @@ bool ForceKinks::sample(Stepper& stepper) {
       tracks_[i].values[k] = now_[i].value;
     }
   }
-  // Which way it goes from a kink.
+  // Direction of motion away from a kink.
   constexpr double soon = 1e-4;
   look(begin + soon * (end - begin));
   for (std::size_t i = 0; i < now_.size(); ++i) tracks_[i].soon = now_[i].value;
@@ -58,8 +58,8 @@ std::optional<double> ForceKinks::first(Stepper& stepper) {
   return first;
 }
 
-// When it leaves the piece between two kinks in which the step begins. From a
-// kink it begins on the side to which it goes.
+// Time at which the variable leaves the piece between two kinks in which the
+// step begins. At a kink its motion decides the piece.
 std::optional<double> ForceKinks::leaves(Stepper& stepper, std::size_t i) {
   const auto& [kinks, values, soon] = tracks_[i];
   const double begin = values[0];
@@ -76,7 +76,7 @@ std::optional<double> ForceKinks::leaves(Stepper& stepper, std::size_t i) {
   if (at_kink) {
     const auto off = std::ranges::find_if(
         values, [&](double value) { return !is_at(value, *below); });
-    // A hinge that is held there stays.
+    // A held hinge stays at the kink.
     if (off == values.end()) return {};
     const double next = !is_at(soon, *below) ? soon : *off;
     side = next < *below ? -1 : 1;

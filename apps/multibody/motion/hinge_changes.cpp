@@ -12,13 +12,13 @@ namespace {
 
 using Eigen::Vector3d;
 
-// Speed up to which a ball joint that begins to slide does so straight, rad/s:
-// far below what anyone sees, far above what tolerances leave uncertain.
+// Speed up to which a ball joint slides straight when it begins to slide,
+// rad/s: invisible, but far above the uncertainty by tolerances.
 constexpr double onset_speed = 3e-5;
 
 double default_stop_speed(const MotionOptions& options) {
   if (options.stop_speed > 0) return options.stop_speed;
-  // Below 1e-9 rad/s the rounding of the accelerations counts.
+  // Below 1e-9 rad/s rounding of the accelerations dominates.
   return options.integrator == Integrator::rk4
              ? 1e-8
              : std::max(100 * options.absolute_tolerance, 1e-9);
@@ -63,8 +63,8 @@ CoupledReport HingeChanges::resolve_rest(double time,
     if (mode == before[i]) continue;
     settle_times_[i] = 0;
     all_.push_back({time, i, before[i], mode, is_on_stop(i, state)});
-    // Out of rest friction would turn with a velocity that is next to
-    // nothing: until it has grown it has the direction of the acceleration.
+    // After rest the direction of a nearly zero velocity is undefined; until
+    // the speed has grown, friction opposes the acceleration.
     if (mode == HingeMode::sliding && !equations_.is_axis(i)) {
       straight_from_[i] = std::max(onset_speed / 2, stop_speed_);
       coupled_.follow_acceleration(i);
@@ -148,7 +148,7 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
   std::vector<Bounce> bounces;
   for (const int body : bodies) {
     const HingeStop* stop = stop_hit(body, state);
-    if (!stop) continue;  // others have driven it off
+    if (!stop) continue;  // other impacts drove it off
     double* s = &state[equations_.offset(body)];
     targets.push_back({body, {0, 0, -stop->restitution * s[1]}});
     bounces.push_back({stop});

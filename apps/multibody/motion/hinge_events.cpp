@@ -14,8 +14,8 @@ using Eigen::Vector3d;
 
 namespace {
 
-// The highest value within a step that is negative at both ends, and its time;
-// only as far as it may be of interest.
+// The highest value within a step of a function that is negative at both ends,
+// and its time; only if it may be near 0.
 // @param unit  size that counts as far from 0
 std::pair<double, double> peak_between(const StepFunction& tau, double low,
                                        double low_value, double high,
@@ -23,8 +23,8 @@ std::pair<double, double> peak_between(const StepFunction& tau, double low,
   const double middle = low + (high - low) / 2;
   const double value = tau(middle);
   if (value > 0) return {middle, value};
-  // The parabola through the three: does it have a peak inside, that comes
-  // near 0? Steps follow what hinges hold, so that it is not far from it.
+  // Does the parabola through the three values have a maximum inside, near 0?
+  // Steps resolve the held loads, so that it is accurate enough.
   constexpr double near = 0.1;
   const double bend = 2 * value - low_value - high_value;
   const double slope = high_value - low_value;
@@ -109,8 +109,8 @@ std::optional<double> HingeEvents::slip_end(int body) {
   const double t1 = stepper_.end();
   if (!(values[0] > 0)) {
     if (values.back() <= 0) {
-      // Begun and stopped within the step; or it never began to move. In a
-      // deeper tree the rounding of the neighbours' motion moves it that much.
+      // The joint began and stopped within the step, or never moved. In a
+      // deeper tree rounding of the neighbours' motion moves it this much.
       const double least = equations_.system.is_star() ? 0 : 1e-10;
       for (double part = t1 - t0; t0 + part > t0; part /= 2) {
         const double way = along(t0 + part);
@@ -126,8 +126,8 @@ std::optional<double> HingeEvents::slip_end(int body) {
   return crossed ? std::optional(crossed->time) : std::nullopt;
 }
 
-// Fixed steps do not get shorter towards a stop: it comes where one implicit
-// step would end the motion.
+// Fixed steps do not shorten towards a stop: the joint stops when one implicit
+// step would end its motion.
 bool HingeEvents::stops_in_step(int body) {
   const double h = stepper_.end() - stepper_.begin();
   view_.show(stepper_.begin(), stepper_.begin_state());
@@ -149,7 +149,7 @@ std::optional<double> HingeEvents::slowing(int body) {
   if (!(end <= 0)) return {};
   const double begin = excess.at_begin();
   if (begin > 0) return excess.locate(begin, end);
-  // So slow all along: it counts when it does not become faster.
+  // Slow during the whole step: counts as stopped unless it accelerates.
   return end <= begin ? std::optional(stepper_.end()) : std::nullopt;
 }
 
@@ -171,7 +171,7 @@ std::optional<double> HingeEvents::turning(int body) {
   const double end = along.at_end();
   if (!(end < 0)) return {};
   const double time = along.locate(along.at_begin(), end);
-  // It may turn about without coming to a stop.
+  // The joint may reverse without stopping.
   constexpr double stopped = 0.1;
   return view_.rate_of(body).norm() <= stopped * before.norm()
              ? std::optional(time)
@@ -188,13 +188,13 @@ double HingeEvents::excess(int body) {
     const double held = std::abs(view_.hinges().reaction(body).moment.z);
     return utilisation > 0 ? held * (1 - limit / utilisation) : -held;
   }
-  // Without any reaction it is infinite.
+  // Infinite without any reaction.
   constexpr double most = 1e6;
   return std::min(utilisation, most) - limit;
 }
 
 // Time from which a resting hinge no longer holds, or has a contact without a
-// value, whose tau is NaN: resolve_rest() tells the two apart.
+// solution, whose tau is NaN; resolve_rest() distinguishes the two.
 std::optional<double> HingeEvents::rest_end(int body) {
   const StepFunction tau = function([this, body] { return excess(body); });
   const double t0 = stepper_.begin();
@@ -204,8 +204,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   const bool on_stop = coupled_.can_push(body, stepper_.begin_state().data());
   const double unit = on_stop ? -begin : 1;
   double last = stepper_.end();
-  // Without a body, tau jumps from 0 to infinity as a moment begins to grow:
-  // that is located to the shortest possible step, some roundings of time.
+  // For a hinge without load tau jumps from 0 to infinity when a moment begins;
+  // it is located to the shortest possible step.
   const double soon = std::max(1e-10 * (last - t0), 1e-14 * std::abs(t0));
   const auto passed = [&](double time, double at_time) {
     return std::max(t0 + soon, tau.locate(t0, begin, time, at_time));
@@ -213,8 +213,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   std::optional<double> lost;
   for (;;) {
     if (std::isnan(last_value)) {
-      // Located less closely than to the rounding of time: it must be NaN again
-      // when the step is made to end there.
+      // Located less closely than the rounding of time: the value must again be
+      // NaN in a step that ends there.
       constexpr int bits = 25;
       double known = t0;
       lost = last;
@@ -233,8 +233,8 @@ std::optional<double> HingeEvents::rest_end(int body) {
   }
 }
 
-// Time at which the body comes to a stop. It goes off from one that it is at,
-// whatever rounding says, unless something drives it back at once.
+// Time at which the body reaches a stop. A body at a stop leaves it, regardless
+// of rounding, unless something drives it back at once.
 std::optional<double> HingeEvents::hit(int body) {
   std::optional<double> first;
   for (const HingeStop& stop : coupled_.hinge(body).stops) {
@@ -244,7 +244,7 @@ std::optional<double> HingeEvents::hit(int body) {
     for (double& value : values) value = stop.gap(value);
     const double rate =
         stop.side * equations_.rate_of(body, stepper_.begin_state().data()).z();
-    // Sooner than time can tell.
+    // Shorter than the resolution of time.
     constexpr double rounding = 1e-15;
     const double soon = rounding * (std::max(1.0, std::abs(stop.angle)) -
                                     rate * std::abs(stepper_.begin()));
@@ -256,8 +256,8 @@ std::optional<double> HingeEvents::hit(int body) {
   return first;
 }
 
-// When a gap that opens at `from` has closed, by the first of the points at
-// which it has.
+// Time at which a gap that opens at `from` has closed: the first sample at
+// which it is closed.
 std::optional<double> HingeEvents::short_flight(const StepFunction& gap,
                                                 double from) {
   for (int k = 1; k <= StepFunction::last; ++k) {
@@ -275,8 +275,8 @@ std::optional<double> HingeEvents::short_flight(const StepFunction& gap,
   return {};
 }
 
-// When a gap closes. It does not while it opens, as rounding may have it just
-// behind a stop: then what is left of the step is looked at.
+// Time at which a gap closes. While it opens, rounding may show it just behind
+// a stop; then the rest of the step is examined.
 std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
                                               StepFunction::Values values,
                                               int body, int side) {

@@ -120,8 +120,8 @@ void Motion::set_failure(const CoupledReport& report, double time) {
   }
 }
 
-// From a state in which hinges may rest, slip or be free otherwise than before.
-// A failure leaves the motion in that state all the same.
+// Restarts from a state in which hinges may have other modes. After a failure
+// the motion stays in that state.
 bool Motion::resume(std::vector<double> state, bool due) {
   const CoupledReport report = hinges_->resolve_rest(now_, state, due);
   if (report.status != CoupledStatus::ok) set_failure(report, now_);
@@ -144,8 +144,8 @@ bool Motion::redo_step_to(double time) {
   return stepper_->step(time);
 }
 
-// The last step again, as long as forces have kinks in it: where it passed one,
-// what it made of the rest was about another piece of their tables.
+// Repeats the last step while forces have kinks in it: the part after a kink
+// was computed with the wrong piece of their tables.
 bool Motion::end_at_kink() {
   const double planned = stepper_->next_step();
   constexpr int most = 50;
@@ -158,8 +158,8 @@ bool Motion::end_at_kink() {
   return true;
 }
 
-// The state at a time of the last step by a step that ends there, so that no
-// interpolation gets into what follows.
+// Ends the last step at a time by recomputing it, so that later results do not
+// depend on interpolation.
 void Motion::go_to(double time) {
   if (time != stepper_->end()) redo_step_to(time);
   while (stepper_->end() < time) {
@@ -169,7 +169,7 @@ void Motion::go_to(double time) {
   pending_.clear();
 }
 
-// After a break nothing of the step before it may be used.
+// Results before a break must not be used after it.
 bool Motion::pass_break() {
   const double next = equations_->break_after(stepper_->end());
   if (next == equations_->next_break) return false;
@@ -184,9 +184,9 @@ void Motion::show_step(double time) {
   step_watch_(*view_);
 }
 
-// Freezes the direction of a ball joint that has just begun to slide, where it
-// ends with nothing near to follow, until the joint is faster. True: the last
-// step can be tried again.
+// Freezes the direction of a ball joint that has just begun to slide, if its
+// motion has stalled with an undefined direction, until the joint is faster.
+// True: repeat the last step.
 bool Motion::keep_directions() {
   CoupledDynamics& coupled = equations_->coupled;
   std::vector<int> following;
@@ -205,8 +205,8 @@ bool Motion::keep_directions() {
   return true;
 }
 
-// The first in the last step. What the application has to say at a stop, as
-// that a latch catches the body, comes before the stop.
+// The first events in the last step. An application's event at a stop, such as
+// a latch that catches the body, comes before the stop.
 std::vector<StepEvent> Motion::find_events() {
   user_events_->sample(*stepper_);
   std::vector<StepEvent> hinges = hinge_events_->first();
@@ -254,15 +254,15 @@ bool Motion::step() {
     set_failure({}, stepper_->end());
     return false;
   }
-  // Several steps instead: what comes before the event may still be asked for,
-  // so they are taken one by one.
+  // Takes several steps: what comes before the event may still be queried, so
+  // each is a separate step.
   if (stepper_->end() < time) {
     view_->show(stepper_->end(), stepper_->end_state());
     user_events_->go_on_from_view();
     return true;
   }
-  // A step that ends early for the sake of others says nothing of the next one;
-  // what follows the change of a hinge wants short ones at first.
+  // A step shortened for another reason does not predict the next one; after
+  // the change of a hinge first steps are short.
   if (found.front().kind == StepEvent::Kind::user) {
     stepper_->set_next_step(std::max(stepper_->next_step(), planned));
   }
@@ -301,8 +301,8 @@ Stop Motion::advance_to(double time) {
   return Stop::failed;
 }
 
-// A hinge's event, as far as it changes the state alone. True: which hinges
-// hold is another question from here on.
+// Handles a hinge's event as far as it changes only the state. True: decide
+// again which hinges hold.
 bool Motion::pass_event(const StepEvent& event, std::vector<double>& state) {
   const int i = event.index;
   switch (event.kind) {
@@ -322,7 +322,7 @@ bool Motion::pass_event(const StepEvent& event, std::vector<double>& state) {
   }
 }
 
-// True: an event of the application, or an end.
+// True for an event of the application, or the end.
 bool Motion::handle(const std::vector<StepEvent>& found) {
   now_ = found.front().time;
   view_->show(now_, stepper_->end_state());
@@ -369,7 +369,7 @@ bool Motion::handle(const std::vector<StepEvent>& found) {
   return jumped.has_value();
 }
 
-// The state in view without the hinge of a body.
+// The state in view after a body's hinge is removed.
 std::vector<double> Motion::let_go(int body, const std::vector<double>& from) {
   const CoupledDynamics& coupled = equations_->coupled;
   const StateLayout before = coupled.layout();
@@ -432,7 +432,7 @@ int Motion::add_event(MotionEvent event) {
 
 void Motion::look_back(
     double time, const std::function<void(const MotionSample&)>& look) const {
-  // Back again, whatever look() throws.
+  // Restores the view, whatever look() throws.
   struct Return {
     MotionSample& view;
     double time;

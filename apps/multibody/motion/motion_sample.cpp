@@ -162,7 +162,7 @@ Vector3d MotionSample::acceleration(int place) const {
   }
   for (const BodyMass& mass : now_->masses) {
     if (mass.body != place) continue;
-    // Of the centre of mass, which is at c.
+    // Acceleration of the centre of mass, which is at c.
     const BodyMotion& motion = motions()[place];
     const Vector3d c = motion.rotation * mass.com;
     const Vector3d& w = motion.angular_velocity;
@@ -183,7 +183,7 @@ Vector3d MotionSample::angular_acceleration(int place) const {
 
 EnergyBook MotionSample::energy() const {
   EnergyBook book{};
-  book.gravity = -0.0;  // what is added to it keeps its sign
+  book.gravity = -0.0;  // -0 keeps the sign of added terms
   std::vector<BodyMass> changed;
   if (equations_.forces) equations_.forces->add_masses(time_, changed);
   const auto add = [&](int place, double mass, const Matrix3d& inertia,

@@ -119,18 +119,18 @@ class MotionSample {
   mutable bool asked_ = false;
 };
 
-/// An application's event: a function that crosses 0, continuous between
-/// changes of hinges and breaks of the forces. Crossings that come back within
-/// a step are found where the function is about a polynomial of degree 6 over
-/// it; MotionOptions::longest_step helps where it is not. Where it is known how
-/// fast the function may change, rising crossings are found however fast they
-/// come back, but for those that rise above 0 by less than `negligible`.
+/// An application's event: a function that crosses 0. It must be continuous
+/// between changes of hinges and breaks of the forces. Two crossings within one
+/// step are found if the function is about a polynomial of degree 6 over the
+/// step; otherwise set MotionOptions::longest_step. With a bound on its rate
+/// all rising crossings are found, except rises above 0 by less than
+/// `negligible`.
 struct MotionEvent {
   enum class Crossing { rising, falling, either };
   std::function<double(const MotionSample&)> function;
   Crossing crossing = Crossing::either;
-  /// A bound of the size of its rate, where bodies keep their velocities; only
-  /// of rising ones.
+  /// A bound on the magnitude of its rate while bodies keep their velocities;
+  /// for rising events only.
   std::function<double(const MotionSample&)> speed = {};
   double negligible = 0;
 };

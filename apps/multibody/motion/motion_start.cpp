@@ -23,8 +23,8 @@ void check_positive(double value, const char* name) {
   }
 }
 
-// To the dynamics it is one whose accelerations are given: no equation of the
-// carrier is left to solve, and hinges on it do not feel each other.
+// For the dynamics a fixed carrier has prescribed accelerations: its equations
+// need no solution, and hinges on it are decoupled.
 void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
   if (options.carrier_drive) {
     throw contact::Error(

@@ -25,7 +25,7 @@ class Rk4Stepper final : public Stepper {
 
  private:
   bool make_step(double limit) override {
-    // A step of nothing but rounding is not left for the end.
+    // Avoids a last step of rounding size.
     constexpr double rounding = 1e-9;
     const bool last = limit - begin_ <= (1 + rounding) * next_step_;
     end_ = last ? limit : begin_ + next_step_;

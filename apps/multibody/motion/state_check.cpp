@@ -78,7 +78,7 @@ StateLayout layout_of(const System& system,
   return StateLayout(system, joints);
 }
 
-// Its length says nothing, as long as the square of that is a number.
+// Its length has no effect as long as the square is finite.
 void check_quaternion(const MotionState& state, int at) {
   constexpr double longest = 1e3;
   double square = 0;

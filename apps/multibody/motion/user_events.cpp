@@ -18,8 +18,8 @@ void UserEvents::restart() {
   for (Watched& w : all_) w.before = w.event.function(view_);
 }
 
-// Functions that ask for forces are looked at in the middle and at the end
-// only, as long as they are further from 0 than they move in the step.
+// Functions that use forces are evaluated only in the middle and at the end
+// while their distance from 0 exceeds their change in the step.
 void UserEvents::sample(Stepper& stepper) {
   if (all_.empty()) return;
   for (Watched& w : all_) w.full = true;
@@ -67,15 +67,15 @@ std::optional<StepEvent> UserEvents::first(Stepper& stepper) {
   return first;
 }
 
-// Halves the step where the function may rise above 0: by its speed, and as
-// much more as that differs at the ends.
+// Bisects the step where the function may rise above 0, according to its speed
+// plus the difference of the speeds at the ends.
 std::optional<StepFunction::Crossed> UserEvents::first_rise(const Watched& w,
                                                             Stepper& stepper) {
   struct Point {
     double time, value, speed;
   };
-  // A value that stays just below 0 would take as many looks as its way has
-  // parts of what is negligible.
+  // A value that stays just below 0 would need as many evaluations as there are
+  // negligible pieces in its path.
   constexpr int many = 300;
   double least = w.event.negligible;
   int looks = 0;

@@ -46,23 +46,23 @@ struct BodyForce {
   }
 };
 
-/// Mass of a body that changes on the way, as propellant leaves it.
+/// Mass of a body that changes as propellant leaves it.
 ///
-/// All places of the body, its motion and what forces say of it count on from
-/// what its centre of mass was at the start.
+/// All positions of the body, its motion and the points of forces continue to
+/// refer to the initial place of its centre of mass.
 struct BodyMass {
   int body;                 ///< in rows of bodies: the carrier comes first
   double mass;              ///< kg, > 0
   Eigen::Vector3d com;      ///< centre of mass, body axes, m
   Eigen::Matrix3d inertia;  ///< about it, body axes, kg m^2
-  // Their rates.
+  // Time derivatives of the three.
   double mass_rate;
   Eigen::Vector3d com_rate;
   Eigen::Matrix3d inertia_rate;
 };
 
-/// A variable of the bodies' places over which a force has kinks, as a table
-/// has at its rows.
+/// A variable of the bodies' positions over which a force has kinks, such as a
+/// table at its rows.
 struct KinkedVariable {
   double value;
   std::span<const double> kinks;  ///< increasing
@@ -83,9 +83,9 @@ class ForceModel {
   virtual void add_forces(double time, std::span<const BodyMotion> bodies,
                           std::span<BodyForce> forces) const = 0;
 
-  /// Appends the bodies whose mass changes, those with Carrier::flows or
-  /// Body::flows, as they are at a time. The accelerations are those of a rigid
-  /// body of that mass: what leaves it is a matter of add_forces().
+  /// Appends the masses at a time of the bodies with Carrier::flows or
+  /// Body::flows. The accelerations follow from a rigid body with this mass;
+  /// add_forces() accounts for the escaping mass.
   virtual void add_masses([[maybe_unused]] double time,
                           [[maybe_unused]] std::vector<BodyMass>& to) const {}
 

@@ -55,7 +55,7 @@ LawComparison compare_law(const NamedLaw& law,
   double largest = -1;
   for (const double load : loads) {
     const contact::HalfAngleResult reference = exact.half_angle(load);
-    // Beyond the end of the exact solution there is nothing to compare with.
+    // Beyond the range of the exact solution there is no reference.
     if (reference.status != contact::Status::ok || reference.half_angle == 0) {
       continue;
     }

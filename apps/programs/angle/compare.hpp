@@ -10,29 +10,29 @@
 
 namespace hinge_angle {
 
-/// A half-angle law against the exact one over a range of loads.
+/// Compares a half-angle law with the exact one over a range of loads.
 struct LawComparison {
   std::string name;
   /// Largest |theta0/exact - 1| at the same load, percent; infinite if the law
   /// has no value somewhere.
   double error_percent;
-  double load_parameter;  ///< mu or lambda there
-  double exact;           ///< theta0 there, rad
+  double load_parameter;  ///< mu or lambda at the largest error
+  double exact;           ///< exact theta0 at this load parameter, rad
   double half_angle;      ///< theta0 of the law; NaN if it has none
-  /// One half-angle as a multiple of a std::tanh; roughly.
+  /// Approximate time for one half-angle, as a multiple of std::tanh.
   int cost;
   bool recommended;
 };
 
-/// Compares the laws between the smallest and the largest load of the input,
-/// at 400 loads in equal ratios and at both ends. The cheapest law within the
-/// tolerance is recommended, exact if there is no other.
+/// Compares the laws between the smallest and the largest load of the input, at
+/// 400 loads in equal ratios including both ends. Recommends the cheapest law
+/// within the tolerance, or exact if there is none.
 std::vector<LawComparison> compare(const Input& input, const cli::Joint& joint,
                                    double tolerance_percent);
 
-/// The comparison as a table: law, error_percent, load_N or load_N_per_m (if
-/// the joint has a geometry), load_parameter, theta0_exact_deg, theta0_law_deg,
-/// cost_tanh, recommended (yes or empty).
+/// Writes the comparison as a table: law, error_percent, load_N or load_N_per_m
+/// (if the joint has a geometry), load_parameter, theta0_exact_deg,
+/// theta0_law_deg, cost_tanh, recommended (yes or empty).
 void write_comparison(const std::vector<LawComparison>& laws,
                       const cli::Joint& joint,
                       const cli::OutputOptions& options);

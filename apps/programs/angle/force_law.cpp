@@ -25,7 +25,7 @@ using contact::Dimension;
 using contact::ForceLaw;
 using contact::ForceState;
 
-// Penetrations of the rows: as they are given, of loads, or 400 of the law.
+// Penetrations of the rows: as given, for given loads, or 400 of the law.
 std::vector<double> penetrations(const PlayOptions& options,
                                  const LoadOptions& load,
                                  const cli::Joint& joint, const ForceLaw& law) {
@@ -56,7 +56,7 @@ std::vector<double> penetrations(const PlayOptions& options,
   return all;
 }
 
-// Rows without a value, and contacts that leave the theory.
+// Warns of rows without a value, and of contacts outside the theory.
 cli::ExitStatus report(const cli::Joint& joint, const ForceLaw& law,
                        const contact::LargestContact& largest,
                        std::size_t without, std::size_t rows) {
@@ -181,15 +181,15 @@ void write_comparison(const cli::Joint& joint, const ForceLaw& law,
                   100 * (is.penetration / delta - 1), is.outside);
             if (!is.outside) continue;
             notes.insert(fmt::format(
-                "law {}: outside at some loads, where it turns round or was "
-                "not fitted{}{}",
+                "law {}: outside its range at some loads, where its force "
+                "decreases or it was not fitted{}{}",
                 other.name, other.note.empty() ? "" : ": ", other.note));
           }
         }
       });
   for (const std::string& note : notes) cli::warn("hinge-angle", note);
   if (!joint.spec.outer.layers.empty()) {
-    cli::note("hinge-angle", "published laws do not know a wall");
+    cli::note("hinge-angle", "published laws ignore walls");
   }
 }
 

@@ -1,4 +1,4 @@
-// hinge-angle --impact: a joint with play is hit.
+// hinge-angle --impact: impacts in a joint with play.
 #include <fmt/format.h>
 
 #include <limits>
@@ -59,8 +59,8 @@ cli::ExitStatus run_impact(const PlayOptions& options,
       });
   cli::note("hinge-angle",
             options.reference_speed
-                ? fmt::format("restitution {} at {} m/s: one damping, with "
-                              "which it falls with the speed",
+                ? fmt::format("restitution {} at {} m/s: with this damping the "
+                              "restitution falls with the speed",
                               options.restitution, *options.reference_speed)
                 : fmt::format("restitution {} at every speed: each impact has "
                               "a damping of its own",

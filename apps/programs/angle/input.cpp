@@ -25,7 +25,8 @@ namespace {
 
 using contact::detail::infinity;
 
-// --load, whose unit may say whether it is a force or per length of a pin.
+// Reads --load; its unit may tell whether it is a force or, for a pin, a force
+// per length.
 Input load_input(const std::string& text, const cli::Joint& joint) {
   if (!joint.has_size) {
     cli::refuse_without("--load",

@@ -31,8 +31,8 @@ struct Input {
   cli::Sweep values;
 };
 
-/// Sweep of the options. Throws contact::Error if it is missing or a value is
-/// not allowed.
+/// Sweep given by the options. Throws contact::Error if there is none or a
+/// value is not allowed.
 Input make_input(const LoadOptions& options, const cli::Joint& joint);
 
 }  // namespace hinge_angle

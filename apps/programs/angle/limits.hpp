@@ -7,8 +7,8 @@
 
 namespace hinge_angle {
 
-/// The limits of a joint's contacts by one of its half-angle laws. A pin
-/// without a length has none that is short.
+/// Limits of a joint's contacts by one of its half-angle laws. For a pin
+/// without a length no contact counts as short.
 inline contact::ContactLimits limits_of(const cli::Joint& joint,
                                         std::size_t law = 0) {
   const contact::JointGeometry& given = joint.spec.geometry;

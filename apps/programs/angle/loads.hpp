@@ -18,36 +18,36 @@ enum class LoadVariable {
   x
 };
 
-/// The loads of one joint in terms of each variable.
+/// Converts the loads of one joint between their variables.
 class Loads {
  public:
-  /// @param joint  without a size there are load_parameter and x alone
+  /// @param joint  without a size only load_parameter and x are available
   explicit Loads(const cli::Joint& joint);
 
-  /// Whether `load` is one of them.
+  /// True if loads in N or N/m are available.
   bool have_load() const { return scale_.has_value(); }
-  /// "load_N" or "load_N_per_m"; of a law "load_LAW_N".
+  /// "load_N" or "load_N_per_m"; for one law "load_LAW_N".
   std::string column(const std::string& law = "") const;
   /// "N" or "N/m"
   std::string unit() const { return per_length_ ? "N/m" : "N"; }
-  /// A load in terms of another variable.
+  /// Converts a load to another variable.
   double convert(LoadVariable from, double load, LoadVariable to) const;
-  /// The load of the laws, R_n, N, or P, N/m.
+  /// The load as laws take it: R_n, N, or P, N/m.
   double law_load(double load_parameter) const {
     return scale_->load(load_parameter);
   }
-  /// Infinite without clearance, at every load.
+  /// Infinite at every load if there is no clearance.
   double load_parameter(double law_load) const {
     return geometry_.radial_clearance() == 0
                ? std::numeric_limits<double>::infinity()
                : scale_->load_parameter(law_load);
   }
-  /// Whether a load makes a load parameter of the laws: of the clearance's
-  /// sign, and none without clearance.
+  /// True if the load parameter belongs to a load: it has the clearance's sign,
+  /// and does not exist without clearance.
   bool makes(double load_parameter) const {
     return geometry_.radial_clearance() != 0 && law_load(load_parameter) >= 0;
   }
-  /// Factor of load parameters where a law takes them.
+  /// Factor on load parameters before a law takes them.
   double factor(const contact::HalfAngleLaw& law) const {
     return scale_ ? law.load_factor(geometry_.relative_clearance()) : 1;
   }

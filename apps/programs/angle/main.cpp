@@ -20,16 +20,15 @@ void add_options(cli::Program& program, Options& o) {
                    "--inverse --load-parameter --x --compare --force-law "
                    "--impact --plot --jobs --law --limit-angle --pressure");
   add_play_options(program, o.play);
-  program.add(
-      "Law",
-      {{"--compare", &o.compare, "",
-        "how far each law is from exact over the range of the load", "",
-        "--inverse --pressure --jobs"},
-       {"--tolerance",
-        cli::number("--tolerance", o.tolerance, contact::Dimension::number,
-                    {0, 100, "%"}),
-        "PERCENT", "percent of theta0 that --compare accepts; default 0.1",
-        "--compare"}});
+  program.add("Law", {{"--compare", &o.compare, "",
+                       "compare each law with exact over the range of loads",
+                       "", "--inverse --pressure --jobs"},
+                      {"--tolerance",
+                       cli::number("--tolerance", o.tolerance,
+                                   contact::Dimension::number, {0, 100, "%"}),
+                       "PERCENT",
+                       "tolerance of --compare, percent of theta0; default 0.1",
+                       "--compare"}});
   program.add_output(o.output);
   program.add_jobs(o.output);
   add_fileless_joint_options(program, o.joint);

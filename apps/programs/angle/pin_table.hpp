@@ -4,9 +4,9 @@
 
 namespace hinge_angle {
 
-/// --tilt, --load-at: half-angles and ends of contact of a pin that ends, a row
-/// for each load and tilt, or place of the load. Throws contact::Error for
-/// options that do not fit together.
+/// --tilt, --load-at: half-angles and contact ends of a finite-length pin, a
+/// row for each load and each tilt or place of the load. Throws contact::Error
+/// for options that conflict.
 cli::ExitStatus run_placed(const Options& options);
 
 }  // namespace hinge_angle

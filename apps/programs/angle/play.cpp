@@ -27,13 +27,13 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
   program.add(
       "Play",
       {{"--force-law", &o.force_law, "",
-        "force of a joint with play over the penetration", "",
+        "print the force of a joint with play over the penetration", "",
         "--law --limit-angle --inverse --load-parameter --x --jobs"},
        {"--penetration", &o.penetration, "VALUES",
         "penetrations from first touch, m; without it and --load 400 in equal "
         "ratios",
         "--force-law", "--load"},
-       {"--impact", &o.impact, "", "impact of a joint with play",
+       {"--impact", &o.impact, "", "print the impacts of a joint with play",
         "--mass; --speed; --restitution",
         "--force-law --law --limit-angle --inverse --load --load-parameter --x "
         "--compare --plot --jobs"},
@@ -48,8 +48,7 @@ void add_play_options(cli::Program& program, PlayOptions& o) {
        {"--reference-speed",
         number("--reference-speed", o.reference_speed, Dimension::velocity,
                {0, infinity, "m/s"}),
-        "SPEED",
-        "speed at which the restitution is E; without it E at every speed",
+        "SPEED", "speed at which the restitution is E; default: at every speed",
         "--impact"},
        {"--density",
         number("--density", o.density, Dimension::number,

@@ -20,16 +20,17 @@ struct PlayOptions {
   double density = 0;                     ///< kg/m^3; 0: not known
 };
 
-/// The joint of the options, whose lengths have to be known.
-/// @param for_option  that needs it, for messages
+/// The joint given by the options; its size must be known.
+/// @param for_option  the option that needs the size, for messages
 /// @throws contact::Error without a size
 cli::Joint sized_joint(cli::JointOptions options, const char* for_option);
 
 /// Adds --force-law, --impact and their options.
 void add_play_options(cli::Program& program, PlayOptions& options);
 
-/// --force-law: force, stiffness, energy, half-angle over the penetration as a
-/// table; with `compare` the penetrations of the exact and of published laws.
+/// --force-law: a table of force, stiffness, energy and half-angle over the
+/// penetration; with `compare` the penetrations of the exact and of published
+/// laws.
 cli::ExitStatus run_force_law(const PlayOptions& options,
                               const cli::JointOptions& joint,
                               const LoadOptions& load, bool compare,

@@ -21,7 +21,7 @@
 namespace hinge_angle {
 namespace {
 
-// Some rows on their way through the program.
+// A block of rows that the program works on.
 struct Block : cli::RowBlock {
   std::vector<std::vector<Findings>> findings;  // for each joint and law
 };
@@ -59,7 +59,7 @@ class Tables {
   std::vector<std::vector<Findings>> none_;
 };
 
-// Writes the table; returns what is to be said of each joint and law.
+// Writes the table; returns the findings on each joint and law.
 std::vector<std::vector<Findings>> write_table(
     const Tables& tables, const cli::Table& table,
     const cli::OutputOptions& options) {
@@ -79,7 +79,7 @@ std::vector<std::vector<Findings>> write_table(
   return findings;
 }
 
-// Warns of rows that laws could not give, and of unreliable ones.
+// Warns of rows without a value, and of unreliable rows.
 cli::ExitStatus report(const std::vector<cli::Joint>& joints,
                        const std::vector<std::vector<Findings>>& findings,
                        std::size_t rows) {
@@ -114,7 +114,7 @@ cli::ExitStatus report(const std::vector<cli::Joint>& joints,
   return status;
 }
 
-// All laws unless some are named.
+// Uses all laws unless some are named.
 cli::Joint compared_joint(cli::JointOptions options) {
   if (options.laws.empty()) options.laws = {"all"};
   cli::Joint joint = make_joint(options);
@@ -130,7 +130,7 @@ cli::Joint compared_joint(cli::JointOptions options) {
 }
 
 Input compared_input(LoadOptions options, const cli::Joint& joint) {
-  // From where Hertz holds to where the limit does.
+  // Covers the range from Hertz contact to the limit half-angle.
   if (!options.given()) options.load_parameter = "1e-6:1e8:log281";
   return make_input(options, joint);
 }

@@ -9,18 +9,18 @@
 
 namespace hinge_duty {
 
-/// The wear of one body over one period.
+/// Wear of one body over one period.
 struct BodyWear {
   std::string body;         ///< "carrier" or "body"
   std::string surface;      ///< "seat" or "inner"
-  std::optional<double> k;  ///< mm^3/(N m), if it was given
+  std::optional<double> k;  ///< mm^3/(N m), if given
   contact::WearMap map;
   std::vector<Eigen::Vector3d> points;
   std::vector<contact::WearMap::Wear> wear;
   contact::WearMap::Deepest deepest;
   double volume_defect;
 
-  /// mm in one cycle at a point; NaN without k.
+  /// Wear depth of one cycle at a point, mm; NaN without k.
   double depth(const contact::WearMap::Wear& at) const {
     return k.value_or(std::numeric_limits<double>::quiet_NaN()) * 1e-6 * at.pv;
   }

@@ -25,7 +25,7 @@ constexpr cli::Allowed any_angle{-1e6, 1e6, "deg"};
 const std::array<std::string, 3> rate_names = {"w_x_rad_per_s", "w_y_rad_per_s",
                                                "w_z_rad_per_s"};
 
-// The columns that say how a pin lies, and where their places are kept.
+// Columns with the position of a pin, and the members for their indices.
 constexpr std::pair<std::string_view, std::size_t CycleColumns::*>
     lie_columns[] = {{"tilt_x_deg", &CycleColumns::tilt_x_at},
                      {"tilt_y_deg", &CycleColumns::tilt_y_at},
@@ -53,7 +53,7 @@ void name_lies(const cli::PointColumns& columns, const std::string& place,
   }
 }
 
-// The columns of the motion; what they are is in `is_angles`.
+// Columns of the motion; `is_angles` receives their meaning.
 std::vector<std::string> motion_names(const cli::PointColumns& columns,
                                       const cli::PointHeader& header,
                                       const Options& options, bool is_pin,
@@ -113,7 +113,7 @@ void check_columns_options(const Options& options) {
   }
 }
 
-// The columns of OpenSim's table that the options name.
+// Takes the columns of an OpenSim table named by the options.
 void name_sto_columns(const Options& options, bool is_pin,
                       CycleColumns& columns) {
   columns.names = column_names("--force-columns", options.force_columns, 3);
@@ -153,9 +153,9 @@ CycleColumns read_columns(cli::LineReader& reader, const Options& options,
   if (is_sto(options.cycle)) {
     columns.sto = read_sto_header(reader);
     if (!columns.sto->in_degrees) {
-      cli::warn("hinge-duty", reader.name() +
-                                  ": no inDegrees in its head: angles are "
-                                  "taken for radians");
+      cli::warn("hinge-duty",
+                reader.name() +
+                    ": no inDegrees in its header: angles are read as radians");
     }
     columns.header = columns.sto->columns;
     name_sto_columns(options, is_pin, columns);

@@ -11,14 +11,14 @@
 
 namespace hinge_duty {
 
-/// Names and places of the columns of a cycle's file: the time, three of the
-/// force, the columns of the motion, and of a pin the columns of its tilt or
-/// load's place.
+/// Names and places of the columns of a cycle's file: the time, three columns
+/// of the force, the columns of the motion and, for a pin, the columns of its
+/// tilt or of the load's place.
 struct CycleColumns {
   std::vector<std::string> names = {"time_s", "R_x_N", "R_y_N", "R_z_N"};
   static constexpr std::size_t motion_at = 4;
   std::size_t motion_end = motion_at;
-  /// Places of the columns that say how a pin that ends lies; 0 for none.
+  /// Places of the columns with the tilt of a finite-length pin; 0 for none.
   std::size_t tilt_x_at = 0;
   std::size_t tilt_y_at = 0;
   std::size_t load_at = 0;
@@ -29,8 +29,8 @@ struct CycleColumns {
   std::optional<StoHeader> sto;
 };
 
-/// Reads the head of a file.
-/// @throws contact::Error if columns are not there or options do not fit them
+/// Reads the header of a file.
+/// @throws contact::Error if columns are missing or options do not fit them
 CycleColumns read_columns(cli::LineReader& reader, const Options& options,
                           bool is_pin);
 

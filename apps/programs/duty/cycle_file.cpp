@@ -44,7 +44,7 @@ void check_times(const contact::DutyCycle::Rows& rows, bool is_angles,
   }
 }
 
-// Makes one period of the rows, with a note on omitted ones.
+// Reduces the rows to one period; notes omitted rows.
 void set_period(contact::DutyCycle::Rows& rows, const std::string& name,
                 const Options& options) {
   if (!options.period.empty()) {
@@ -91,7 +91,7 @@ void check_pin_rates(const std::vector<Vector3d>& rates,
   }
 }
 
-// The columns of a pin's lie, as many rows as the period has.
+// The columns of a pin's position, with one row for each row of the period.
 void add_lies(const CycleColumns& columns,
               const std::vector<std::vector<double>>& values, CycleFile& to) {
   if (columns.motion_end == columns.names.size()) return;

@@ -7,7 +7,7 @@
 namespace hinge_duty {
 
 /// Draws reaction, friction moment, and the largest p and p v over the contact.
-/// @return "" or why there is no picture
+/// @return "" or the reason why there is no picture
 std::string draw_cycle(const contact::JointCycle& cycle,
                        const std::string& title, const std::string& file);
 

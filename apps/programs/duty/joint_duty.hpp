@@ -11,15 +11,15 @@
 
 namespace hinge_duty {
 
-/// One of the joints of a run on its cycle.
+/// A joint of a run and its duty cycle.
 struct JointDuty {
   const cli::Joint& joint;
   contact::JointSpec spec;  ///< spec of the cycle's joint
   contact::JointCycle cycle;
-  bool ends = false;                              ///< a pin by slices
-  std::vector<BodyWear> wear = {};                ///< both bodies', or none
+  bool ends = false;                              ///< true: solved by slices
+  std::vector<BodyWear> wear = {};                ///< both bodies, or empty
   std::vector<contact::WearIn::State> worn = {};  ///< with --cycles
-  contact::WornSeat worn_seat = {};               ///< after them
+  contact::WornSeat worn_seat = {};               ///< after the cycles
   /// k as given, mm^3/(N m).
   std::optional<double> wear_seat = {};
   std::optional<double> wear_inner = {};
@@ -29,13 +29,13 @@ struct JointDuty {
   }
 };
 
-/// Whether any of the joints is in a seat that ends.
+/// True if one of the joints is in a seat that ends.
 inline bool have_seat(const std::vector<JointDuty>& duties) {
   return std::ranges::any_of(duties, [](const JointDuty& duty) {
     return !duty.joint.is_pin() && !duty.cycle.joint().is_endless();
   });
 }
-/// Whether any of the joints is a pin that ends.
+/// True if one of the joints has a finite-length pin.
 inline bool have_ends(const std::vector<JointDuty>& duties) {
   return std::ranges::any_of(duties, &JointDuty::ends);
 }

@@ -26,7 +26,7 @@ void add_cycle(cli::Program& program, Options& o) {
        {"--angle-columns", &o.angle_columns, "NAMES",
         "columns of the angles of .sto, .mot, as inDegrees says"},
        {"--force-on", cli::word("--force-on", o.force_on, bodies), "BODY",
-        "the body that the forces act on: body (default) or carrier"},
+        "body on which the forces act: body (default) or carrier"},
        {"--force-in", cli::word("--force-in", o.force_in, bodies), "BODY",
         "axes of the forces: body or carrier (default)"}});
 }
@@ -45,12 +45,13 @@ void add_wear(cli::Program& program, Options& o) {
         "NUMBER", "k of the ball or pin, mm^3/(N m)"},
        {"--measured-volume",
         any("--measured-volume", o.measured_volume, "mm^3"), "NUMBER",
-        "volume that wore off one body, mm^3, for its k", "--measured-cycles"},
+        "measured wear volume of one body, mm^3, to compute k",
+        "--measured-cycles"},
        {"--measured-error", any("--measured-error", o.measured_error, "mm^3"),
-        "NUMBER", "its standard error, mm^3", "--measured-volume"},
+        "NUMBER", "standard error of the volume, mm^3", "--measured-volume"},
        {"--measured-cycles",
         any("--measured-cycles", o.measured_cycles, "", 1, 1e15), "N",
-        "number of cycles in which it wore off", "--measured-volume"},
+        "number of cycles that caused this volume", "--measured-volume"},
        {"--map", &o.map, "FILE", "CSV file of the wear of both bodies"},
        {"--map-plot", &o.map_plot, "FILE",
         "picture of the wear of both bodies: .svg, .png or .pdf"},
@@ -60,12 +61,13 @@ void add_wear(cli::Program& program, Options& o) {
        {"--cycles", any("--cycles", o.cycles, "", 0, 1e15), "N",
         "number of cycles in which wear changes the contact",
         "--wear-seat or --wear-inner"},
-       {"--blocks", &o.blocks, "FILE", "CSV file of the joint as it wears",
-        "--cycles"},
-       {"--worn", &o.worn, "FILE", "worn seat or hole to begin with",
+       {"--blocks", &o.blocks, "FILE",
+        "CSV file of the joint after each block of cycles", "--cycles"},
+       {"--worn", &o.worn, "FILE", "worn seat or hole to start from",
         "--cycles"},
        {"--worn-out", &o.worn_out, "FILE",
-        "the worn seat or hole after N cycles, for --worn", "--cycles"}});
+        "file for the worn seat or hole after N cycles, for --worn",
+        "--cycles"}});
 }
 
 }  // namespace
@@ -85,17 +87,17 @@ int main(int argc, char** argv) {
       {{"--states", &options.states, "FILE",
         "CSV file of the states at the rows of the cycle"},
        {"--without-seat", &options.without_seat, "",
-        "let the contact of a ball go on beyond the rims of its [seat]", "",
+        "let the contact of a ball extend beyond the rims of its [seat]", "",
         "--seat-table"},
        {"--seat-table", &options.seat_table, "FILE",
-        "table of contacts that is made where many reach a rim: read if it is "
-        "there, else made and written"}});
+        "file for the table of contacts at rims: read if it exists, else "
+        "computed and written"}});
   add_tilt_options(program, options.tilt, "", "");
   program.add("Tilt",
               {{"--along", &options.along, "FILE",
-                "CSV file of p v at places along a pin that ends"},
+                "CSV file of p v at places along a finite-length pin"},
                {"--along-map", &options.along_map, "FILE",
-                "CSV file of its wear over length and angle of both bodies"}});
+                "CSV file of its wear over length and angle on both bodies"}});
   add_fileless_joint_options(program, options.joint);
   return program.run(argc, argv, help,
                      [&] { return hinge_duty::run(options); });

@@ -28,7 +28,7 @@ std::string label(const BodyWear& wear) {
                             1e6 * wear.depth(wear.deepest.wear));
 }
 
-// Straight above the middle of the wear.
+// From above the middle of the wear.
 cli::SphereView view_of(const BodyWear& wear) {
   Vector3d middle = Vector3d::Zero();
   for (std::size_t i = 0; i < wear.points.size(); ++i) {
@@ -121,8 +121,8 @@ std::string draw_balls(const std::vector<BodyWear>& wear,
   return cli::draw_script(script + "unset multiplot\n", file);
 }
 
-// Angle where the circle is cut for an axis over it, deg: at the end of a
-// quarter, where the least wears.
+// Angle at which the circle is cut for a linear axis, deg: the end of a quarter
+// with the least wear.
 double cut_of(const std::vector<BodyWear>& wear) {
   const auto at = [&](double beta_deg) {
     double all = 0;
@@ -155,7 +155,7 @@ std::string draw_pins(const std::vector<BodyWear>& wear,
     std::vector<std::pair<double, double>> points;
     for (std::size_t i = 0; i < w.points.size(); ++i) {
       const double beta = std::atan2(w.points[i].y(), w.points[i].x()) / degree;
-      // The point at the cut may come out on either side of it.
+      // The point at the cut may fall on either side of it.
       constexpr double rounding = 1e-9;
       const double turns = std::floor((beta - cut + rounding) / 360);
       points.emplace_back(beta - 360 * turns,

@@ -7,10 +7,11 @@
 
 namespace hinge_duty {
 
-/// Draws the integral of p v over both bodies: of a ball seen from outside,
-/// straight above the middle of the wear, with equal areas; of a pin over beta.
+/// Draws the integral of p v over both bodies: a ball is seen from outside,
+/// from above the middle of the wear, in an equal-area projection; for a pin
+/// the integral is drawn over beta.
 /// @param wear  of both bodies
-/// @return "" or why there is no picture
+/// @return "" or the reason why there is no picture
 std::string draw_map(bool is_pin, const std::vector<BodyWear>& wear,
                      const std::string& title, const std::string& file);
 

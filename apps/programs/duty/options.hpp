@@ -32,14 +32,14 @@ struct Options {
   int grid = 2000;
   std::optional<double> cycles;
   std::string blocks;
-  std::string worn;      ///< to begin with
-  std::string worn_out;  ///< after all cycles
+  std::string worn;      ///< wear at the beginning
+  std::string worn_out;  ///< wear after all cycles
   std::string states;
-  /// Whether the contacts of joints with a seat go on beyond its rims.
+  /// True: the contacts of joints with a seat extend beyond its rims.
   bool without_seat = false;
-  std::string seat_table;  ///< file of the kept table of contacts at rims
-  cli::TiltOptions tilt;   ///< lie of a pin that ends, one value
-  /// Files of it: p v along it, its wear over length and angle.
+  std::string seat_table;  ///< file that keeps the table of contacts at rims
+  cli::TiltOptions tilt;   ///< one tilt of a finite-length pin
+  /// Files for a finite-length pin: p v along it, wear over length and angle.
   std::string along;
   std::string along_map;
   cli::OutputOptions output;

@@ -69,7 +69,7 @@ void check_files(const Options& options) {
     names.add(option, *file);
   }
   if (!options.seat_table.empty()) {
-    // Read as well, if it is there.
+    // The file is also read if it exists.
     require_file("--seat-table", options.seat_table);
     cli::Output::check(options.seat_table);
     names.keep("--seat-table", options.seat_table);
@@ -100,7 +100,7 @@ contact::JointContact endless_contact(const Options& options,
       .contact();
 }
 
-// The joint in the course of --cycles; nothing without it.
+// Computes the wear of the joint over --cycles; nothing without this option.
 void wear_in(const Options& options, JointDuty& duty) {
   if (!options.cycles) return;
   const JointCycle& cycle = duty.cycle;
@@ -131,7 +131,7 @@ void wear_in(const Options& options, JointDuty& duty) {
   duty.worn_seat = std::move(worn.worn);
 }
 
-// Warns of coefficients other than those that wear_in() has had.
+// Warns of other coefficients than those that wear_in() checks.
 void warn_of_coefficients(const Options& options) {
   if (options.wear_seat && !options.cycles) {
     warn_of("--wear-seat", contact::WearMap::coefficient_note(
@@ -155,7 +155,7 @@ void warn_of_wear(const JointDuty& duty) {
   }
 }
 
-// Warns where the wear comes through a wall.
+// Warns if wear penetrates a wall.
 void warn_of_walls(const JointDuty& duty) {
   const auto& layers = duty.joint.spec.outer.layers;
   if (duty.worn.empty() || layers.empty()) return;
@@ -163,8 +163,8 @@ void warn_of_walls(const JointDuty& duty) {
   const double penetration = duty.worn.back().penetration;
   if (penetration < thickness / 2) return;
   warn_of(duty.joint,
-          fmt::format("--cycles: {:.3g} mm of a layer of {:.3g} mm are worn "
-                      "off; the contact is computed with the whole layer",
+          fmt::format("--cycles: {:.3g} mm of a {:.3g} mm layer are worn off; "
+                      "the contact is computed with the full thickness",
                       penetration * 1e3, thickness * 1e3));
 }
 
@@ -215,11 +215,10 @@ void warn_of_contact(const JointDuty& duty) {
         return row.solution.contact_state == contact::ContactState::closed;
       });
   if (!closed) return;
-  warn_of(
-      duty.joint,
-      fmt::format("the contact is closed all round under {:.4g} N and less: "
-                  "wear debris cannot leave it, nor lubricant come in",
-                  contact.lift_off_force()));
+  warn_of(duty.joint,
+          fmt::format("the contact is closed all round up to {:.4g} N: wear "
+                      "debris cannot leave it and lubricant cannot enter",
+                      contact.lift_off_force()));
 }
 
 void check_one_joint(const Options& options, std::size_t joints) {
@@ -251,8 +250,8 @@ void check_seats(const Options& options,
   }
 }
 
-// By slices, or in its seat, if it has one, with the laws exact; with a table
-// that was kept.
+// The joint by slices or in its seat, with the exact laws; it uses a kept table
+// if there is one.
 contact::Joint joint_of(const Options& options, const CycleFile& cycle,
                         cli::Joint& joint, contact::JointSpec& spec,
                         contact::SharedLaws& laws) {
@@ -310,7 +309,7 @@ void check_maps(const Options& options, const std::vector<JointDuty>& duties) {
   }
 }
 
-// All joints on the one cycle.
+// Computes all joints over the cycle.
 std::vector<JointDuty> run_joints(const Options& options,
                                   std::vector<cli::Joint>& joints) {
   for (cli::Joint& joint : joints) {
@@ -340,7 +339,7 @@ std::vector<JointDuty> run_joints(const Options& options,
   return duties;
 }
 
-// Warns of all that should be known before the numbers are used.
+// Warns of limits that matter before the numbers are used.
 void warn(const Options& options, const std::vector<cli::Joint>& joints,
           const std::vector<JointDuty>& duties) {
   warn_of_coefficients(options);
@@ -362,7 +361,7 @@ void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
   }
   cli::Output output(options.output.output);
   write_reports(joints, reports, output, options.output);
-  std::deque<cli::Output> beside;  // all whole before the first appears
+  std::deque<cli::Output> beside;  // complete before the first appears
   for (const auto& [file, write] : {std::pair(&options.states, &write_states),
                                     {&options.blocks, &write_blocks},
                                     {&options.along, &write_along},

@@ -4,7 +4,7 @@
 
 namespace hinge_duty {
 
-/// The whole program. Throws contact::Error for options that are wrong.
+/// Runs the program. Throws contact::Error for wrong options.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace hinge_duty

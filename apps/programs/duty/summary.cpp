@@ -26,7 +26,7 @@ std::vector<cli::Cell> at_place(cli::Cell time, const Vector3d& place) {
   return {std::move(time), place.x(), place.y(), place.z()};
 }
 
-// The time of a value; NaN without a value.
+// Time of a value; NaN if there is no value.
 double time_of(double value, const Instant& at) {
   return std::isnan(value) ? value : at.time;
 }
@@ -116,7 +116,7 @@ void add_peaks(const JointCycle& cycle, Have have, Report& to) {
                   std::isnan(q.value) ? Vector3d::Constant(q.value) : q.place));
   i = cycle.largest(nominal);
   to.add("largest_pv_nominal_W_per_m2", nominal(i),
-         "p v with the next area; catalogues may have another",
+         "nominal PV over nominal_area_m2; catalogues may use another area",
          {time_of(nominal(i), i)});
   to.add("nominal_area_m2", cycle.contact().geometry().nominal_area(),
          "projected: pi rho^2 or 2 rho L");
@@ -126,7 +126,7 @@ void add_volume(const std::string& surface, double k, double pv_integral,
                 Report& to) {
   to.add("k_" + surface + "_mm3_per_N_m", k, "wear coefficient, as given");
   to.add("volume_" + surface + "_mm3", k * pv_integral,
-         "worn off in one cycle: k times the integral of p v");
+         "wear of one cycle: k times the integral of p v");
 }
 
 void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
@@ -135,14 +135,14 @@ void add_wear(const BodyWear& wear, double pv_integral, Report& to) {
   if (wear.k) {
     add_volume(wear.surface, *wear.k, pv_integral, to);
     to.add("largest_depth" + of + "_mm", wear.depth(wear.deepest.wear),
-           "worn in one cycle; x, y, z in the axes of the " + wear.body, place);
+           "wear of one cycle; x, y, z in the axes of the " + wear.body, place);
   }
   to.add("largest_pv_integral" + of + "_Pa_m", wear.deepest.wear.pv,
-         "of p v over the time; times k: depth", place);
+         "largest integral of p v over time; times k: depth", place);
   to.add("cross_shear" + of, wear.deepest.wear.cross_shear,
-         "there; share of friction work across the main direction");
+         "at this place: share of friction work across the main direction");
   to.add("volume_defect" + of, wear.volume_defect,
-         "of the map's volume against that");
+         "relative difference between the map's volume and the integral");
 }
 
 // V = N k pv_integral.
@@ -156,7 +156,7 @@ void add_measured(const MeasuredWear& measured, double pv_integral,
          "standard error, of the measured volume alone");
 }
 
-// The worst values at the rims, without the ones of every contact.
+// The worst values at the rims, without the columns of every contact.
 void add_rims(const JointCycle& cycle, Report& to) {
   const Instant nearest = cycle.least_gap();
   const Instant sharpest = cycle.largest_intensity();

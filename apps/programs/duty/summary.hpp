@@ -7,21 +7,21 @@
 
 namespace hinge_duty {
 
-/// Wear of a body by weighing.
+/// Wear of a body as weighed.
 struct MeasuredWear {
   double volume;                ///< mm^3
-  std::optional<double> error;  ///< standard error of it
+  std::optional<double> error;  ///< standard error of the volume
   double cycles;
 };
 
-/// Groups of numbers that some of the joints have.
+/// Groups of numbers that at least one of the joints has.
 struct Have {
   bool rims;  ///< seats that end
-  bool ends;  ///< pins that end: places along them
+  bool ends;  ///< finite-length pins: places along them
 };
 
 /// A line for each quantity of the cycle.
-/// @param measured  for k, if there is one
+/// @param measured  gives k, if not empty
 cli::Report summary_of(const JointDuty& duty,
                        const std::optional<MeasuredWear>& measured, Have have);
 

@@ -57,7 +57,7 @@ struct StateColumn {
 // pins
 std::vector<StateColumn> state_columns(bool rims, bool ends) {
   std::vector<StateColumn> all;
-  // Vectors without their length.
+  // Components of vectors, without their length.
   const auto add_one = [&](const auto& quantity) {
     for (auto& column : columns_of(quantity)) {
       if (quantity.is_vector() && column.part == contact::whole) continue;

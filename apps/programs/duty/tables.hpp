@@ -10,10 +10,12 @@
 #include "libcontact/quantities/quantity.hpp"
 #include "programs/duty/joint_duty.hpp"
 
-/// The CSV files beside the summary, with all columns and rows of all joints.
+/// Writes the CSV files beside the summary, with all columns and rows of all
+/// joints.
 namespace hinge_duty {
 
-/// Rows of all joints, each begun by the cells that tell its joint.
+/// Writes the rows of all joints; each begins with the cells that identify its
+/// joint.
 /// @param write  void(const JointDuty&, RowWriter&, begin): calls begin() first
 template <class Write>
 void write_rows(const std::vector<JointDuty>& duties,
@@ -29,7 +31,7 @@ void write_rows(const std::vector<JointDuty>& duties,
       });
 }
 
-/// Columns of wear, lengths and volumes in mm and mm^3.
+/// Columns of wear; lengths in mm, volumes in mm^3.
 std::vector<contact::Column<contact::WearIn::State>> worn_columns();
 
 /// A row for each block of cycles, and one for the end.

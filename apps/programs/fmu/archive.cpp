@@ -17,7 +17,7 @@ Archive::~Archive() {
 
 void Archive::add(const std::string& name, const std::string& content) {
   zip_fileinfo info{};
-  info.dosDate = 0x210000;         // the first there is: 1980-01-01
+  info.dosDate = 0x210000;         // the earliest date: 1980-01-01
   info.external_fa = 0644u << 16;  // permissions on Unix
   const auto size = static_cast<unsigned>(content.size());
   if (zipOpenNewFileInZip(zip_, name.c_str(), &info, nullptr, 0, nullptr, 0,

@@ -5,7 +5,8 @@
 
 namespace hinge_fmu {
 
-/// A zip file on its way. Equal contents make equal files: no times are kept.
+/// Writes a zip file. It stores no times, so that equal contents make equal
+/// files.
 class Archive {
  public:
   /// @throws contact::Error if the file cannot be made

@@ -61,7 +61,7 @@ bool has_start(const Variable& v) {
   return v.role == Role::parameter || v.role == Role::input;
 }
 
-// Attributes of the value: its unit and where it starts.
+// Attributes of the value: unit and start value.
 std::string value_text(const Variable& v) {
   std::string text;
   if (!v.unit.empty()) text += fmt::format(" unit=\"{}\"", v.unit);

@@ -11,15 +11,15 @@ struct Description {
   std::string name;        ///< modelName
   std::string identifier;  ///< name of the shared object
   std::string token;
-  int version;          ///< 2 or 3: of FMI
-  bool model_exchange;  ///< beside co-simulation; FMI 2.0 alone
+  int version;          ///< version of FMI: 2 or 3
+  bool model_exchange;  ///< in addition to co-simulation; FMI 2.0 only
   double stop_time;     ///< s; 0: none
 
   std::string text(const contact_hosts::fmu::Model& model) const;
 };
 
-/// `text` as an attribute of XML; characters that XML does not have are left
-/// out.
+/// Escapes `text` for an XML attribute; drops characters that XML does not
+/// allow.
 std::string escaped(const std::string& text);
 
 }  // namespace hinge_fmu

@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A file's keys belong to the table that names it.
+// Packs files. The keys of a file belong to the table that names it.
 class Packer {
  public:
   explicit Packer(Resources& to) : to_(to) {}
@@ -54,7 +54,7 @@ class Packer {
   void look_at(toml::node& node, const fs::path& folder,
                const std::string& path) {
     if (node.is_number()) {
-      // An infinite one (a rigid body) stays.
+      // An infinite number (a rigid body) is kept.
       const double value = *node.value<double>();
       if (std::isfinite(value)) to_.keys.push_back({path, value});
     } else if (auto* const table = node.as_table()) {
@@ -89,7 +89,7 @@ void check_case(const fs::path& file, Resources& all) {
   contact_run_free(run);
 }
 
-// A case has bodies. A text that is no TOML is refused as a joint's.
+// A case has bodies. Text that is not TOML is reported as a faulty joint file.
 bool is_joint_file(const std::string& file) {
   try {
     return !toml::parse(contact::detail::file_text(file)).contains("body");

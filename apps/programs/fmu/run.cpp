@@ -24,7 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Signals that come while it lives come at its end.
+// Defers signals until its end.
 class LaterSignals {
  public:
   LaterSignals() {
@@ -40,7 +40,7 @@ class LaterSignals {
   sigset_t before_;
 };
 
-// A folder that goes when the program has done, or is ended by a signal.
+// A temporary folder, removed at the end of the program or by a signal.
 class TemporaryFolder {
  public:
   TemporaryFolder() {
@@ -62,7 +62,7 @@ class TemporaryFolder {
   fs::path path_;
 };
 
-// Text by which hosts know an FMU: one for each content (FNV-1a).
+// Text by which hosts identify an FMU: depends on its content only (FNV-1a).
 std::string token_of(const Resources& resources) {
   std::uint64_t hash = 0xcbf29ce484222325;
   const auto add = [&hash](std::string_view text) {
@@ -78,7 +78,7 @@ std::string token_of(const Resources& resources) {
   return fmt::format("{{libcontact-{:016x}}}", hash);
 }
 
-// The parameters, as the FMU reads them (hosts/fmu/model.hpp).
+// Writes the parameters in the form read by the FMU (hosts/fmu/model.hpp).
 void add_keys(Resources& resources) {
   std::string text = token_of(resources) + '\n';
   for (const auto& [name, value] : resources.keys) {

@@ -10,11 +10,11 @@ namespace hinge_fmu {
 /// The command line.
 struct Options {
   std::string file;    ///< joint or case
-  std::string output;  ///< "": named after the file
-  int version = 2;     ///< 2 or 3: of FMI
+  std::string output;  ///< "": derived from the name of the file
+  int version = 2;     ///< version of FMI: 2 or 3
 };
 
-/// The whole program. Throws contact::Error for files that are wrong.
+/// Runs the program. Throws contact::Error for wrong files.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace hinge_fmu

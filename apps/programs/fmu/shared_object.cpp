@@ -13,7 +13,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Words of the loader on a shared object: lines "NAME => PATH (ADDRESS)".
+// Output of the loader for a shared object: lines "NAME => PATH (ADDRESS)".
 std::string said_by_loader(const fs::path& object) {
   const std::string command = "ldd " + cli::shell_word(object.string());
   std::FILE* const pipe = ::popen(command.c_str(), "r");

@@ -6,15 +6,15 @@
 
 namespace hinge_fmu {
 
-/// Name of this machine in an FMU of a version of FMI.
+/// This machine's platform name in an FMU of the given FMI version.
 std::string platform(int version);
 
-/// A library of libcontact that is installed with the program.
-/// @throws contact::Error if it is not there
+/// A library of libcontact installed with the program.
+/// @throws contact::Error if it is missing
 std::filesystem::path shared_object(const std::string& name);
 
-/// Libraries that a shared object loads, but for the C and C++ runtime, which
-/// every Linux has, and the runtime of sanitizers: paths by names.
+/// Libraries that a shared object loads, as names and paths. The C and C++
+/// runtime, which every Linux has, and the runtime of sanitizers are left out.
 /// @throws contact::Error if one is missing
 std::map<std::string, std::filesystem::path> carried_libraries(
     const std::filesystem::path& object);

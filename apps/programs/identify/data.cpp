@@ -16,7 +16,7 @@ using contact::MeasuredMoment;
 using Eigen::Vector3d;
 
 constexpr cli::Allowed any_moment{-1e100, 1e100, "N m"};
-// Below 0 the other way round.
+// Negative rates turn in the opposite direction.
 constexpr cli::Allowed any_rate{-1e100, 1e100, "rad/s"};
 constexpr cli::Allowed above_zero{1e-300, 1e100, "N m"};
 
@@ -33,7 +33,7 @@ double sigma_of(const Options& options, double moment) {
                     options.sigma_rel.value_or(0) * moment);
 }
 
-// Columns of a file, and where they begin among those that are needed.
+// Columns of a file, and the index of each among the required ones.
 struct Columns {
   hinge_joint::Form form;
   bool has_vectors;
@@ -104,7 +104,8 @@ void check_options(const Options& options, const cli::PointHeader& header,
   }
 }
 
-// The place of each line that has a point: those that are not blank.
+// Adds the place of each line with a point, that is, of each line that is not
+// blank.
 void add_names(const std::string& file, const cli::LineBlock& block,
                std::vector<std::string>& names) {
   std::string_view text = block.text;

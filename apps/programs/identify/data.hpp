@@ -8,9 +8,9 @@
 
 namespace hinge_identify {
 
-/// The measured moments of Options::data. Throws contact::Error if columns are
-/// missing, a line is bad, or no errors are given.
-/// @param identify  out: names, "rig.csv, line 3" of each, and direction
+/// Reads the measured moments of Options::data. Throws contact::Error if
+/// columns are missing, a line is bad, or no errors are given.
+/// @param identify  out: name of each moment, "rig.csv, line 3", and direction
 std::vector<contact::MeasuredMoment> read_data(
     const Options& options, bool pin, contact::IdentifyOptions& identify);
 

@@ -16,7 +16,7 @@ void add_data(cli::Program& program, Options& o) {
                {"--sigma-abs",
                 cli::number("--sigma-abs", o.sigma_abs, Dimension::moment,
                             {0, 1e100, "N m"}),
-                "NUMBER", "standard error of all, N m"},
+                "NUMBER", "standard error of all moments, N m"},
                {"--sigma-rel",
                 cli::number("--sigma-rel", o.sigma_rel, Dimension::number,
                             {0, 1e3, ""}),
@@ -32,15 +32,15 @@ void add_fit(cli::Program& program, Options& o) {
       "Fit",
       {{"--fit", &o.fit, "LIST",
         "some of f0, A, clearance, drag, offset; default f0,A"},
-       {"--huber", &o.huber, "",
-        "reduce the weight of wrong data (Huber's loss)", "", "--profile"},
-       {"--profile", &o.profile, "", "intervals by refitting too"},
+       {"--huber", &o.huber, "", "reduce the weight of outliers (Huber's loss)",
+        "", "--profile"},
+       {"--profile", &o.profile, "", "add intervals by refitting"},
        {"--level",
         cli::number("--level", o.level, Dimension::number, {0.5, 0.9999, ""}),
         "NUMBER", "probability of intervals; default 0.95"}});
   program.add("Fit", dry_friction_rows(o.friction));
-  program.describe("--friction", "f0, if it is not fitted");
-  program.describe("--adhesion", "A, Pa, if it is not fitted");
+  program.describe("--friction", "f0, if not fitted");
+  program.describe("--adhesion", "A, Pa, if not fitted");
 }
 
 }  // namespace

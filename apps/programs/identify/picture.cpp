@@ -68,8 +68,8 @@ std::string data_blocks(const FrictionFit& fit,
   return moments + "END\n" + residuals + "END\n";
 }
 
-// Directions of the curves: the directions of the data, or of many the two ends
-// and the middle.
+// Directions of the curves: the data's directions or, if there are many, both
+// ends and the middle.
 std::vector<double> directions(const FrictionFit& fit,
                                std::span<const MeasuredMoment> data) {
   if (fit.joint->geometry().kind() == contact::JointKind::pin) return {90};
@@ -78,7 +78,7 @@ std::vector<double> directions(const FrictionFit& fit,
     all.push_back(std::round(direction_deg(d)));
   }
   std::ranges::sort(all);
-  // Clang 14 knows no ranges that algorithms return.
+  // Clang 14 does not support subranges returned by range algorithms.
   all.erase(std::unique(all.begin(), all.end()), all.end());
   constexpr std::size_t most = 4;
   if (all.size() <= most) return all;
@@ -104,8 +104,7 @@ std::string curve(const FrictionFit& fit, const Range& loads, double b_deg,
   return text;
 }
 
-// Values of a panel's x axis, with some room, so that points are not on the
-// frame.
+// Range of a panel's x axis, widened so that no point lies on the frame.
 cli::Extent wider(const cli::Extent& values, bool logarithmic) {
   if (logarithmic) return {0.95 * values.low, 1.05 * values.high};
   const double margin = values.high > values.low
@@ -114,7 +113,7 @@ cli::Extent wider(const cli::Extent& values, bool logarithmic) {
   return {values.low - margin, values.high + margin};
 }
 
-// A panel of the picture: its place, and its axes.
+// A panel of the picture: its box and its axes.
 struct Panel {
   cli::Box box;
   cli::Axis x;
@@ -129,7 +128,7 @@ struct Panel {
         ticks_of(x, {prefix.factor * shown.low, prefix.factor * shown.high},
                  cli::Run::across, box.width(), false);
   }
-  // All but the plot itself.
+  // Everything except the plot itself.
   std::string script(const cli::Canvas& canvas) const {
     return canvas.margins(box) + across.script("x") +
            (x.logarithmic ? "set logscale x\n" : "unset logscale x\n") +

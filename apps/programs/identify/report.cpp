@@ -59,13 +59,13 @@ void add_lines(const FrictionFit& fit, bool profile, cli::Report& to) {
   }
 }
 
-// A number that is measured, and the datum that it is of.
+// A measured component of a datum.
 double measured(const MeasuredMoment& datum, int component) {
   return datum.is_vector() ? std::get<Eigen::Vector3d>(datum.moment)[component]
                            : std::get<double>(datum.moment);
 }
 
-// How many residuals are beyond 5 standard errors, by their median.
+// Number of residuals beyond 5 standard errors, estimated by the median.
 std::ptrdiff_t outliers(const FrictionFit& fit) {
   std::vector<double> sizes(fit.residual.begin(), fit.residual.end());
   for (double& size : sizes) size = std::abs(size);
@@ -81,13 +81,13 @@ double load_ratio(std::span<const MeasuredMoment> data) {
   return most.reaction.norm() / least.reaction.norm();
 }
 
-// Whether a trend is more than chance: t above the quantile of 99.9 % and more.
+// True if a trend is significant: t above the 99.9 % quantile.
 bool shows(const Estimate& trend) {
   constexpr double most_by_chance = 3.6;
   return std::abs(trend.value) > most_by_chance * trend.standard_error;
 }
 
-// Ends of profiles that were not found.
+// Adds a warning for each end of a profile that was not found.
 void add_unknown_ends(const FrictionFit& fit, std::vector<std::string>& to) {
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     const auto& [low, high] = fit.estimates[i].profile;
@@ -169,22 +169,24 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   constexpr double well_told = 30;
   if (fit.condition > well_told) {
     std::string text = fmt::format(
-        "the data cannot tell the parameters apart: condition {:.3g}, largest "
+        "the data do not determine the parameters: condition {:.3g}, largest "
         "over smallest load {:.3g}",
         fit.condition, load_ratio(data));
     if (fit.parameters.size() == 2) {
       text += fmt::format(", correlation {:.4f}", fit.correlation(0, 1));
     }
-    all.push_back(text + "; vary the load more, or take f0_effective");
+    all.push_back(text + "; vary the load more, or use f0_effective");
   }
   for (std::size_t i = 0; i < fit.estimates.size(); ++i) {
     if (!fit.estimates[i].at_bound) continue;
     std::string text =
-        fmt::format("{} is held at 0: the data ask for a negative value",
+        fmt::format("{} is held at 0: the data would give a negative value",
                     of(fit.parameters[i]).name);
     if (fit.parameters.size() > 1) {
-      text += "; intervals of the others take it for known and are too short";
-      if (!options.huber) text += ", those of --profile are not";
+      text +=
+          "; intervals of the other parameters treat it as known and are too "
+          "short";
+      if (!options.huber) text += ", intervals of --profile are not";
     }
     all.push_back(std::move(text));
   }
@@ -193,11 +195,11 @@ std::vector<std::string> warnings(const FrictionFit& fit,
   for (std::string& note : limits.notes(fit.largest_contact)) {
     all.push_back(std::move(note));
   }
-  // With a plateau up to lift-off it is well known.
+  // A plateau up to lift-off determines it well.
   if (clearance && fit.joint->geometry().radial_clearance() > 0) {
     all.emplace_back(
-        "a fitted clearance is badly known and its interval is skew: take "
-        "that of --profile, or measure it");
+        "a fitted clearance is poorly determined and its interval is skewed: "
+        "use the interval of --profile, or measure the clearance");
   }
   if (const auto count = outliers(fit); count > 0 && !options.huber) {
     all.push_back(

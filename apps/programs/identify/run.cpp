@@ -67,7 +67,7 @@ contact::FrictionModel given_friction(
   return law;
 }
 
-// The fits are whole before anything is written.
+// All fits are complete before anything is written.
 void write_tables(const Options& options, const std::vector<cli::Joint>& joints,
                   const std::vector<contact::FrictionFit>& fits,
                   std::span<const contact::MeasuredMoment> data) {

@@ -26,7 +26,7 @@ struct Options {
   cli::OutputOptions output;
 };
 
-/// The whole program. Throws contact::Error for options that are wrong.
+/// Runs the program. Throws contact::Error for wrong options.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace hinge_identify

@@ -19,7 +19,7 @@ using contact::detail::must_be;
 const std::vector<cli::PointColumn> numbers = {{"row", {1, 1e6, ""}},
                                                {"value", {-1e300, 1e300, ""}}};
 
-// A column of texts among those that ride along.
+// Index of a column of text among the columns passed through.
 std::size_t text_at(const cli::PointColumns& columns,
                     const cli::PointHeader& header, std::string_view name) {
   const auto found = std::ranges::find_if(

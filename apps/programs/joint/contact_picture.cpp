@@ -26,7 +26,8 @@ using Eigen::Vector3d;
 
 constexpr double mega = 1e6;
 
-// Largest p, which thin walls may move off the centre; in the direction `to`.
+// Largest p, which thin walls may move away from the centre in the direction
+// `to`.
 Peak largest_pressure(const SlidingContact& contact, double half_angle,
                       const Vector3d& to) {
   Peak peak{0, 0, contact.centre()};
@@ -76,7 +77,7 @@ std::string dots(const SlidingContact& contact, double half_angle,
   return script + "END\n";
 }
 
-// Arrows about as long as they are apart where the slip is `largest`.
+// Arrows; at a slip of `largest` they are about as long as their spacing.
 std::string arrows(const SlidingContact& contact, double half_angle,
                    const cli::SphereView& view, double largest) {
   constexpr int half = 4;
@@ -198,7 +199,7 @@ std::string draw_pin(const SlidingContact& contact, double half_angle,
   for (cli::Panel& panel : plot.panels) {
     panel.mark = std::ranges::max_element(panel.y) - panel.y.begin();
   }
-  // The same everywhere.
+  // The slip is the same everywhere.
   plot.panels[2].mark = half;
   return cli::draw(plot, file);
 }

@@ -54,7 +54,7 @@ std::vector<double> values_of(const cli::Sweep& sweep) {
   return values;
 }
 
-// The range that the errors are over.
+// Adds the range of states for the errors.
 void add_range(const Inputs& inputs, bool pin, cli::Report& to) {
   const auto add = [&](std::string_view least, std::string_view most,
                        const cli::Sweep& sweep, std::string_view meaning) {
@@ -103,7 +103,7 @@ void add_numbers(const EquivalentFriction& e, double f0,
       "Drake: |M_i| <= T");
 }
 
-// Contacts without a shift of their centres have none.
+// Contacts whose centres do not shift have no stiction parameters.
 void add_stiction(const contact::Joint& joint,
                   std::span<const contact::Joint::Slip> states,
                   cli::Report& to) {
@@ -122,7 +122,7 @@ void add_stiction(const contact::Joint& joint,
          {way.largest_error});
 }
 
-// The stuck contact at the largest load.
+// Adds the stuck contact at the largest load.
 void add_stuck(const Setup& setup, std::span<const contact::Joint::Slip> states,
                cli::Report& to) {
   const contact::Joint& joint = setup.joints[0].joint;
@@ -154,8 +154,8 @@ void add_stuck(const Setup& setup, std::span<const contact::Joint::Slip> states,
   }
 }
 
-// Pins in endless holes and those with interference have no bending arm: how
-// they tilt is not known.
+// Pins in unbounded holes and pins with interference have no bending arm,
+// because their tilt is not known.
 void add_bending(const Setup& setup, const Inputs& inputs, double arm,
                  cli::Report& to) {
   contact::JointSpec pin = setup.given[0].spec;
@@ -173,7 +173,7 @@ void add_bending(const Setup& setup, const Inputs& inputs, double arm,
   }
 }
 
-// A clearance without adhesion has one line for every load.
+// For a clearance without adhesion one line fits every load.
 void add_load_law(const contact::Joint& joint, cli::Report& to) {
   const contact::PinLoadLaw law = pin_load_law(joint, 1);
   if (law.form != contact::PinLoadLaw::Form::clearance) return;

@@ -12,7 +12,7 @@ namespace {
 
 using contact::Dimension;
 
-// The angle of a sweep, which a pin does not have.
+// The sweep of an angle, which pins do not have.
 cli::Sweep angle_sweep(std::string_view option, const std::string& text,
                        const char* force, const cli::Allowed& allowed, bool pin,
                        std::string_view fixed_angle) {
@@ -58,7 +58,7 @@ Inputs::Inputs(const Options& options, const Setup& setup) {
   if (reaction) {
     forces_.emplace("--reaction", options.reaction, allowed_force,
                     Dimension::force);
-    // Without a force it has no direction.
+    // A zero force has no direction.
     const bool unloaded = forces_->size() == 1 && (*forces_)[0] == 0;
     const bool by_designation =
         setup.given[0].spec.bearing && options.beta.empty();
@@ -79,7 +79,7 @@ Inputs::Inputs(const Options& options, const Setup& setup) {
     angles_ = angle_sweep("--alpha", options.alpha, "--normal-force",
                           allowed_alpha, pin, pin ? "0" : "");
   }
-  // A row for each, and for up to 35 pairs of laws, has to have a number.
+  // Each row, for up to 35 pairs of laws, needs a number.
   constexpr double most = 1e12;
   if (static_cast<double>(forces_->size()) *
           static_cast<double>(angles_->size()) *

@@ -10,12 +10,12 @@
 
 namespace hinge_joint {
 
-/// The states that the options describe: a pair of vectors, or all pairs of
-/// some forces, angles and rates, or forces and tilts.
+/// The states that the options describe: a pair of vectors, or all combinations
+/// of forces, angles and rates, or of forces and tilts.
 class Inputs {
  public:
-  /// Throws contact::Error for options that do not fit together, or values
-  /// that are not allowed.
+  /// Throws contact::Error for options that conflict and values that are not
+  /// allowed.
   Inputs(const Options& options, const Setup& setup);
 
   Question question() const { return question_; }
@@ -25,17 +25,17 @@ class Inputs {
   }
   Input operator[](std::size_t index) const;
 
-  /// Whether the load is at places along a pin.
+  /// True if the load's place along a pin is given.
   bool is_placed() const {
     return placements_ && !std::isnan((*placements_)[0].place);
   }
 
-  /// The sweeps, angles running fastest; none of vectors.
+  /// The sweeps; angles vary fastest. None for vectors.
   const std::optional<cli::Sweep>& forces() const { return forces_; }
   const std::optional<cli::Sweep>& angles() const { return angles_; }
-  /// Rates, rad/s, which run faster than the angles.
+  /// Rates, rad/s; they vary faster than the angles.
   const std::optional<cli::Sweep>& rates() const { return rates_; }
-  /// The state for three of them.
+  /// The state with these three numbers.
   Input at(double force, double angle_deg, double rate) const;
 
  private:
@@ -45,15 +45,15 @@ class Inputs {
   Input vectors_ = {};
   std::optional<cli::Sweep> forces_;
   std::optional<cli::Sweep> angles_;
-  /// Run faster than the rates.
+  /// Vary faster than the rates.
   std::optional<cli::Placements> placements_;
   double slide_ = 0;
   std::optional<cli::Sweep> rates_;
 };
 
-/// --rate, rad/s; 1 if it is not given.
+/// --rate, rad/s; 1 by default.
 cli::Sweep rates_of(const Options& options);
-/// The only one; throws contact::Error for several.
+/// The only rate; throws contact::Error for several.
 double only_rate(const Options& options);
 
 }  // namespace hinge_joint

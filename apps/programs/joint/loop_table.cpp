@@ -57,7 +57,7 @@ void write_numbers(const NamedJoint& joint,
   });
 }
 
-// The keys of the quantities that both loops print of a contact, in order.
+// Keys of the contact's quantities that both loops print, in order.
 constexpr const char* contact_keys[] = {"friction_angle", "slip_axis_angle",
                                         "normal_force",   "adhesion_number",
                                         "load_parameter", "half_angle"};
@@ -96,8 +96,8 @@ void warn_of(const contact::FixedPointResult& result) {
                               result.steps));
 }
 
-// Contact under R at the friction angle of f: M_t of a state that the inner
-// loop has not finished.
+// Contact under R at the friction angle of f, with M_t of an unfinished state
+// of the inner loop.
 JointSolution contact_at(const contact::Joint& joint,
                          const contact::Joint::Slip& slip, double f) {
   const Vector3d& reaction = slip.reaction;
@@ -114,7 +114,7 @@ JointSolution contact_at(const contact::Joint& joint,
        .angular_velocity = {0, 0, contact::magnitude(rate)}});
 }
 
-// The rounds of the outer loop.
+// Runs the rounds of the outer loop.
 class OuterLoop {
  public:
   OuterLoop(const NamedJoint& joint, const Input& input, const Options& options)
@@ -122,15 +122,15 @@ class OuterLoop {
 
   double moment() const { return moment_; }
   Vector3d reaction() const { return input_.force + moment_ * *law_.outer; }
-  /// The contact of the round before: whose moment() it is.
+  /// The contact of the previous round, to which moment() belongs.
   const JointSolution& contact() const { return contact_; }
-  /// Its g, of R_n = R cos g; the contact itself may give another one.
+  /// Its g, from R_n = R cos g; the contact itself may give another value.
   double friction_angle() const { return std::atan(friction_); }
   const std::vector<FixedPointStep>& steps() const { return steps_; }
   bool converged() const { return converged_; }
 
-  /// One round. With `trace` by the inner loop, else by the solver if no
-  /// number of steps is given.
+  /// Runs one round. With `trace` it uses the inner loop, else the solver
+  /// unless a number of steps is given.
   contact::FixedPointResult next(std::size_t round, bool trace) {
     contact::FixedPointResult result = {Status::ok, 0, 0};
     const contact::Joint::Slip slip = {.reaction = reaction(),
@@ -146,7 +146,7 @@ class OuterLoop {
       steps_.resize(result.steps);
       if (!steps_.empty()) friction_ = steps_.back().friction_coefficient;
       contact_ = contact_at(joint_.joint, slip, friction_);
-      // A number of steps that was asked for is no failure.
+      // Reaching a requested number of steps is not a failure.
       if (!law_.inner_steps.empty() && result.status == Status::not_converged) {
         result.status = Status::ok;
       }

@@ -6,13 +6,13 @@
 
 namespace hinge_joint {
 
-/// The paper's inner loop under one reaction, step by step.
+/// Writes each step of the paper's inner loop under one reaction.
 cli::ExitStatus write_trace(const NamedJoint& joint, const Input& input,
                             const Beside& beside,
                             const cli::OutputOptions& options);
 
-/// The outer loop of Options, a row for each round; with --trace each step of
-/// the inner loops.
+/// Writes a row for each round of the outer loop of Options; with --trace each
+/// step of the inner loops.
 cli::ExitStatus write_outer(const NamedJoint& joint, const Input& input,
                             const Options& options, const Beside& beside);
 

@@ -53,7 +53,7 @@ void add_friction(cli::Program& program, Options& o) {
       {{"--measured-moment",
         cli::number("--measured-moment", o.measured_moment, Dimension::moment,
                     {0, hinge_joint::allowed_force.max, "N m"}),
-        "NUMBER", "|M_t|, N m, from which f0 is found", "",
+        "NUMBER", "measured |M_t|, N m, to compute f0", "",
         "--friction --viscous --moment-xyz --points --trace --outer"}});
 }
 
@@ -97,24 +97,25 @@ void add_tilt(cli::Program& program, Options& o) {
 }
 
 void add_seat(cli::Program& program, Options& o) {
-  program.add("Seat",
-              {{"--without-seat", &o.without_seat, "",
-                "let the contact of a ball go on beyond the rims of its [seat]",
-                "", "--normal-force --tilt --load-at"}});
+  program.add(
+      "Seat",
+      {{"--without-seat", &o.without_seat, "",
+        "let the contact of a ball extend beyond the rims of its [seat]", "",
+        "--normal-force --tilt --load-at"}});
 }
 
 void add_equivalent(cli::Program& program, Options& o) {
   program.add(
       "Other programs",
       {{"--equivalent", &o.equivalent, "",
-        "numbers for the friction formulas of Adams, MotionSolve, "
-        "PhysX, MuJoCo and others, least wrong over the sweep",
+        "print numbers for the friction formulas of Adams, MotionSolve, PhysX, "
+        "MuJoCo and others, with the least error over the sweep",
         "--reaction",
         "--trace --outer --measured-moment --map --beside --summary "
         "--plot --jobs --tilt --load-at --pv"},
        {"--kernel", &o.kernel.language, "LANGUAGE",
-        "the friction that depends on the load as a function in c, "
-        "cuda, glsl, jax, js, numpy or st",
+        "print friction over load as a function in c, cuda, glsl, jax, js, "
+        "numpy or st",
         "",
         "--reaction-xyz --beta --normal-force --points --rate --trace "
         "--outer --measured-moment --map --beside --summary --plot "
@@ -123,9 +124,10 @@ void add_equivalent(cli::Program& program, Options& o) {
        {"--kernel-error",
         cli::number("--kernel-error", o.kernel.error, Dimension::number,
                     {1e-9, 1, ""}),
-        "NUMBER", "its largest relative error; default 1e-4", "--kernel"},
-       {"--kernel-name", &o.kernel.name, "NAME", "its name; default friction",
-        "--kernel"}});
+        "NUMBER", "largest relative error of the function; default 1e-4",
+        "--kernel"},
+       {"--kernel-name", &o.kernel.name, "NAME",
+        "name of the function; default friction", "--kernel"}});
 }
 
 void add_loops(cli::Program& program, Options& o) {

@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* measured_option = "--measured-moment";
 
-// With another f0.
+// The joint with another f0.
 contact::Joint with_friction(const contact::Joint& joint, double coefficient) {
   const contact::JointContact& contact = joint.contact();
   const auto& friction = std::get<contact::FrictionLaw>(contact.friction());

@@ -5,16 +5,17 @@
 
 namespace hinge_joint {
 
-/// Above friction coefficients of engineering surfaces. Up to it |M_t| under a
-/// given reaction grows with f0; beyond, the moment of a pin reaches its
-/// largest value, a few % above rho R, and falls.
+/// Exceeds the friction coefficients of engineering surfaces. Up to here |M_t|
+/// under a given reaction grows with f0; beyond, the moment of a pin passes its
+/// maximum, a few percent above rho R, and falls.
 inline constexpr double largest_measured_friction = 3;
 
-/// Gives each joint the friction coefficient with which its |M_t| is a measured
-/// one, to 1e-13 (tests/programs/measured_moment_test.cpp).
+/// Sets each joint's friction coefficient so that |M_t| equals a measured
+/// moment, to 1e-13 (tests/programs/measured_moment_test.cpp).
 /// @param moment  of --measured-moment, N m
-/// @param setup   its friction dry; f0 is not looked at
-/// Throws contact::Error if there is not one state, or none has that moment.
+/// @param setup   with dry friction; its f0 is ignored
+/// Throws contact::Error unless there is exactly one state, and if no
+/// coefficient gives this moment.
 void find_friction(double moment, const Inputs& inputs, Setup& setup);
 
 }  // namespace hinge_joint

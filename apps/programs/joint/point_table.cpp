@@ -16,13 +16,13 @@ namespace {
 constexpr Question all_questions[] = {Question::reaction, Question::contact,
                                       Question::rest};
 
-// Some points on their way through the program.
+// A block of points that the program works on.
 struct PointBlock : cli::PointLines {
   std::vector<PointRow> kept;
   Problems problems;
 };
 
-// A file of points whose header is good.
+// A file of points after its header is accepted.
 class Points {
  public:
   Points(const Options& options, bool pin)
@@ -44,8 +44,8 @@ class Points {
   }
   const cli::PointColumns& columns() const { return columns_; }
 
-  // Reads and answers the points of a block: each(i, answer), null for a bad
-  // line.
+  // Reads and solves the points of a block: calls each(i, answer), with null
+  // for a bad line.
   template <class Each>
   void answer(const NamedJoint& joint, PointBlock& block,
               const Each& each) const {

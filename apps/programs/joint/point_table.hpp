@@ -15,13 +15,13 @@ struct PointResult {
   PointSeries series;
 };
 
-/// A row for each line of a file of points, which is Options::points; its
-/// other columns ride along. The row of a bad line is ERROR, empty cells, and
-/// its riding columns if the line could be split.
-/// With Options::summary one table of all of them instead.
+/// Writes a row for each line of Options::points, a file of points, and passes
+/// its other columns through. A bad line gives ERROR and empty cells, and the
+/// other columns if the line could be split.
+/// With Options::summary one table of all points instead.
 /// Throws contact::Error if the header names no state, or several.
-/// @param setup  one joint, which the header may put in its seat
-/// @param begin  called when the header is good, before work
+/// @param setup  one joint; columns of the header may require its seat
+/// @param begin  called after the header is accepted, before the work
 PointResult write_points(Setup& setup, const Options& options,
                          const std::function<void()>& begin);
 

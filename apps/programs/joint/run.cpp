@@ -27,7 +27,7 @@ namespace {
 constexpr const char* one_row =
     "one joint, one state, one law and one pressure law";
 
-// A pin takes no force along its axis.
+// Warns of forces along a pin's axis, which the pin does not carry.
 void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   if (!setup.joints[0].joint.is_pin() || inputs.forces()) return;
   const Input input = inputs[0];
@@ -35,21 +35,20 @@ void warn_of_axial_force(const Setup& setup, const Inputs& inputs) {
   const Eigen::Vector3d& turn = input.turn;
   if (force.isZero(0) || turn.isZero(0)) return;
   const double axial = std::abs(force.dot(turn.stableNormalized()));
-  // Rounding leaves this of a force normal to the axis.
+  // A force normal to the axis has an axial part of this size by rounding.
   if (axial <= 1e-12 * contact::magnitude(force)) return;
-  cli::warn("hinge-joint",
-            fmt::format("a pin takes no force along its axis: {:.4g} N "
-                        "of the reaction are left out",
-                        axial));
+  cli::warn("hinge-joint", fmt::format("a pin carries no force along its axis: "
+                                       "{:.4g} N of the reaction are ignored",
+                                       axial));
 }
 
-// Warns before the work, once nothing is left to refuse.
+// Warns before the work, after all options are accepted.
 void warn_of_states(const Setup& setup, const Inputs& inputs) {
   warn_of_validity("hinge-joint", setup.given);
   warn_of_axial_force(setup, inputs);
 }
 
-// The one state and pair of laws that a loop is run for.
+// The only state and pair of laws, for a loop.
 const NamedJoint& only_joint(const Setup& setup, const Inputs& inputs,
                              std::string_view option) {
   if (inputs.size() != 1 || setup.joints.size() != 1) {
@@ -96,11 +95,11 @@ void warn_of_contacts(const Problems& problems, const Setup& setup) {
 
 cli::ExitStatus report(const Problems& problems, const Setup& setup) {
   warn_of_contacts(problems, setup);
-  // Bad lines have had their messages.
+  // Messages for bad lines were printed before.
   if (problems.out_of_range > 0) {
     cli::warn("hinge-joint",
-              fmt::format("rows without a value: {}; the half-angle law or "
-                          "the pressure law has none there",
+              fmt::format("rows without a value: {}; the half-angle law or the "
+                          "pressure law is undefined there",
                           problems.out_of_range));
   }
   if (problems.not_converged > 0) {
@@ -135,7 +134,7 @@ cli::ExitStatus run_points(const Options& options, Setup& setup) {
                     status);
 }
 
-// Refuses inputs that draw_torque() cannot draw.
+// Rejects inputs that draw_torque() cannot draw.
 void check_plot(const Setup& setup, const Inputs& inputs) {
   if (!inputs.forces() || inputs.size() == 1) {
     cli::refuse_without(
@@ -150,7 +149,7 @@ void check_plot(const Setup& setup, const Inputs& inputs) {
   }
 }
 
-// Refuses maps that draw_contact() cannot draw, and files that cannot be made.
+// Rejects maps that draw_contact() cannot draw, and files that cannot be made.
 void check_map(const Options& options, const Setup& setup,
                const Inputs& inputs) {
   const std::string& map = options.map;
@@ -174,7 +173,7 @@ void check_rest(const Setup& setup, const Inputs& inputs) {
   }
 }
 
-// Refuses inputs that write_summary() cannot write.
+// Rejects inputs that write_summary() cannot write.
 void check_summary(const Setup& setup, const Inputs& inputs) {
   if (inputs.size() == 1 && setup.joints.size() == 1) return;
   cli::refuse_without("--summary", one_row);

@@ -5,7 +5,7 @@
 
 namespace hinge_joint {
 
-/// The whole program. Throws contact::Error for options that are wrong.
+/// Runs the program. Throws contact::Error for wrong options.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace hinge_joint

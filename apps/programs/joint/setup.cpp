@@ -16,7 +16,7 @@
 namespace hinge_joint {
 namespace {
 
-// With --measured-moment f0 is to be found.
+// With --measured-moment f0 is computed later.
 contact::FrictionModel friction_of(
     const Options& options,
     const std::optional<contact::FrictionModel>& of_joint) {
@@ -35,7 +35,7 @@ bool are_several(const std::vector<std::string>& laws) {
   return laws.size() > 1 || (laws.size() == 1 && laws[0] == "all");
 }
 
-// The option that asks for a contact with an axis of symmetry; "" if none.
+// The option that requires an axisymmetric contact; "" if there is none.
 std::string_view endless_question(const Options& o) {
   const std::pair<bool, std::string_view> questions[] = {
       {o.trace, "--trace"},
@@ -65,7 +65,7 @@ NamedJoint in_seat(const Options& options, const cli::Joint& joint,
   return confined;
 }
 
-// Whether slices answer for a pin.
+// True if a pin is solved by slices.
 bool is_sliced(const Options& options, const contact::JointSpec& spec) {
   if (options.tilt.given()) return true;
   const auto is_exact = [](const std::vector<std::string>& laws) {
@@ -126,7 +126,7 @@ void give_ends(const Options& options, Pointing pointing, Setup& setup) {
       spec.half_angle_law = spec.pressure_law = "exact";
       spec.half_angle_options = {};
       *joint = with_ends(spec, *joint, laws);
-      given.spec = given.spec.without_relief();  // it is not left out
+      given.spec = given.spec.without_relief();  // so that it is not noted
       given.laws = {{joint->law, laws.half_angle(spec)}};
     }
     joint += static_cast<std::ptrdiff_t>(pairs);

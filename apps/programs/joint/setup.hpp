@@ -16,7 +16,7 @@
 
 namespace hinge_joint {
 
-/// Intervals of the values.
+/// Ranges of the values.
 inline constexpr cli::Allowed allowed_force{0, 1e100, "N"};
 inline constexpr cli::Allowed allowed_rate{0, 1e100, "rad/s"};
 inline constexpr cli::Allowed allowed_beta{0, 180, "deg"};
@@ -40,21 +40,21 @@ struct Options {
   std::string points;
   cli::TiltOptions tilt;
   std::optional<double> slide;  ///< m/s
-  /// Whether the contacts of joints with a seat go on beyond its rims.
+  /// True: the contacts of joints with a seat extend beyond its rims.
   bool without_seat = false;
   bool equivalent = false;
-  /// Its language "" if no load law is wanted.
+  /// An empty language means that no load law is wanted.
   contact::LoadLawOptions kernel = {.language = ""};
 
   bool trace = false;
-  /// A reaction that answers to the friction moment: R = R_0 + M r, with M the
-  /// friction moment about Dw of all joints (5.1); r, N per N m.
+  /// A reaction that depends on the friction moment: R = R_0 + M r, where M is
+  /// the friction moment of all joints about Dw (5.1); r in N per N m.
   std::optional<Eigen::Vector3d> outer;
-  int joints = 1;  ///< number of joints that give M
+  int joints = 1;  ///< number of joints whose moments add up to M
   /// Angular acceleration per moment, deg/s^2 per N m.
   std::optional<double> braking;
-  /// Steps of the inner loop in each round, the last number for all further
-  /// ones; none: until it has converged.
+  /// Steps of the inner loop in each round; the last number applies to all
+  /// further rounds. Empty: until convergence.
   std::vector<int> inner_steps;
 
   bool summary = false;
@@ -69,29 +69,28 @@ struct NamedJoint {
   std::string law;
   std::string pressure;
   contact::Joint joint;
-  /// Approach of the bodies, with the exact half-angle law alone.
+  /// Approach of the bodies; only with the exact half-angle law.
   std::optional<cli::JointApproach> approach;
   std::vector<cli::Difference> differences = {};
-  /// Whether p v and heat are wanted.
+  /// True if p v and heat are wanted.
   bool pv = false;
-  /// Whether it is a pin that ends: with relief, or tilted.
+  /// True for a finite-length pin: with relief, or tilted.
   bool ends = false;
 
-  /// Whether it is in a seat that ends.
+  /// True if the joint is in a seat that ends.
   bool has_rims() const { return !joint.is_endless() && !ends; }
-  /// Whether it is without clearance or has interference.
+  /// True without clearance or with interference.
   bool has_preload() const {
     return joint.contact().geometry().radial_clearance() <= 0;
   }
 };
 
-/// The joints that are asked for, all of one kind, each once for each pair of
-/// laws.
+/// The joints asked for, all of one kind, each once for each pair of laws.
 struct Setup {
   std::vector<cli::Joint> given;
   std::vector<NamedJoint> joints;
 
-  /// Whether f0 comes from --measured-moment.
+  /// True if f0 follows from --measured-moment.
   bool friction_found = false;
 
   template <class Predicate>
@@ -102,28 +101,28 @@ struct Setup {
     return has_any(
         [](const NamedJoint& joint) { return joint.approach.has_value(); });
   }
-  /// Whether any of them is without clearance or has interference.
+  /// True if one of them has no clearance or has interference.
   bool has_preload() const {
     return has_any(std::mem_fn(&NamedJoint::has_preload));
   }
 };
 
-/// The joints without the rims of their seats and the ends of their pins.
-/// Throws contact::Error if the options do not fit together or a value is not
+/// The joints, without the rims of their seats and the ends of their pins.
+/// Throws contact::Error for options that conflict and values that are not
 /// allowed.
 Setup make_setup(const Options& options);
 
-/// How states say where a force points.
+/// How states give the direction of a force.
 enum class Pointing {
-  nowhere,  ///< a normal force: the contact is in the middle of its seat
-  angle,    ///< from Dw, which is along z
+  nowhere,  ///< a normal force: contact in the middle of the seat
+  angle,    ///< angle from Dw, which is along z
   vector,   ///< in the axes of the body with the seat
 };
 
-/// Puts the joints that have a seat in it, unless Options::without_seat, and
-/// gives pins their ends that have a relief or are tilted: with the laws exact.
-/// A relief is ignored by options that require a contact with an axis of
-/// symmetry or another law. Throws contact::Error for incompatible options.
+/// Adds the seats of joints, unless Options::without_seat, and the ends of pins
+/// that have a relief or are tilted; these need the laws exact. A relief is
+/// ignored by options that require an axisymmetric contact or another law.
+/// Throws contact::Error for incompatible options.
 void give_ends(const Options& options, Pointing pointing, Setup& setup);
 
 }  // namespace hinge_joint

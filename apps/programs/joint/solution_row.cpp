@@ -17,7 +17,7 @@ using Eigen::Vector3d;
 
 using contact::detail::nan;
 
-// Quantities that a solution alone does not know, each behind one of its own.
+// Quantities not contained in a solution; each follows one of its own.
 struct Beyond {
   std::string_view behind;
   Quantity<Answer> quantity;
@@ -51,7 +51,7 @@ constexpr Quantity<Answer> place_of_load = {
     "place of the reaction along the pin, from its middle",
     [](const Answer& a) { return a.load_place; }};
 
-// Columns that --pv leaves out: the last three follow from others.
+// Columns that --pv omits: the last three follow from others.
 constexpr std::string_view not_of_pv[] = {"pv_total", "heat",
                                           "heat_flux_max_place"};
 
@@ -121,13 +121,13 @@ double AnswerColumn::operator()(const Answer& a) const {
 
 namespace {
 
-// The numbers that a contact has without an axis of symmetry, at a rim or along
-// a pin that ends.
+// Adds the numbers of a contact that is not axisymmetric: at a rim, or along a
+// finite-length pin.
 void add_ends(const NamedJoint& named, Answer& a) {
   const contact::JointSolution& s = a.solution();
   a.lie = named.joint.lie(s);
   if (a.lie && a.lie->pieces > 0) {
-    // Any speed will do: the ratio is free of it.
+    // The ratio does not depend on the speed.
     const contact::ContactPv about = named.joint.pv(
         s, a.rate.isZero(0) ? Vector3d(Vector3d::UnitZ()) : a.rate);
     a.mean_pressure =

@@ -16,37 +16,38 @@
 
 namespace hinge_joint {
 
-/// A joint's answer to one state.
+/// A joint's solution for one state.
 struct Answer {
   Question question;
   std::optional<Input::Given> given;
-  Eigen::Vector3d rate;  ///< Dw; at rest u, with 1 rad/s
-  /// |M_t| that R would give as the normal force, N m.
+  Eigen::Vector3d rate;  ///< Dw; at rest u times 1 rad/s
+  /// |M_t| if R were the normal force, N m.
   double traditional;
-  /// Its slip is the solution, its utilisation NaN but of Question::rest.
+  /// Its slip is the solution; its utilisation is NaN except for
+  /// Question::rest.
   contact::RestSolution rest;
   double mean_pressure;     ///< Pa
   double nominal_pressure;  ///< Pa
   /// f0 of dry friction.
   double coefficient;
-  /// If NamedJoint::pv.
+  /// Computed if NamedJoint::pv.
   contact::SlidingContact::Rating rating;
-  /// Approach by the exact half-angle law, SI units; NaN of others.
+  /// Approach by the exact half-angle law, SI units; NaN for other laws.
   contact::ContactApproach approach;
-  /// Patch of the joint that answered; it must not outlive this.
+  /// Contact patch of the joint, which must outlive it.
   std::optional<contact::ContactPatch> patch;
   /// NaN without a seat that ends.
   contact::RimContact rims = {};
-  /// None of a pin that is level and endless.
+  /// Empty for a level pin of unlimited length.
   std::optional<contact::PinLie> lie = {};
-  double load_place;  ///< place of Input::placement, m
+  double load_place;  ///< place of the load, Input::placement, m
 
   const contact::JointSolution& solution() const { return rest.slip; }
 };
 
 Answer answer(const NamedJoint& joint, Question question, const Input& input);
 
-/// "sliding", "resting", "unloaded"; of Question::rest "holds" or "slips".
+/// "sliding", "resting", "unloaded"; for Question::rest "holds" or "slips".
 std::string_view state_text(const Answer& a);
 
 /// "closed", "lifted", "zero" or "clearance".
@@ -64,31 +65,31 @@ struct AnswerColumn {
                contact::Column<contact::RimContact>,
                contact::Column<contact::PinLie>>
       of;
-  /// A force or an angle that was given is shown as it was given: what the
-  /// solution says of it differs in the last digits, and rows would not be
-  /// found by it.
+  /// A force or angle that the user gave is printed as given. Recomputed from
+  /// the solution it would differ in the last digits, and a search for the
+  /// given value would fail.
   double Input::Given::*given = nullptr;
   Question given_in = Question::reaction;
 
   double operator()(const Answer& a) const;
 };
 
-/// Columns in addition to the ones of every solution.
+/// Columns in addition to the columns of every solution.
 struct ColumnSets {
   bool rest = false;      ///< columns of Question::rest
   bool approach = false;  ///< approach by the half-angle law exact
-  bool preload = false;   ///< contact of joints without clearance
+  bool preload = false;   ///< contacts of joints without clearance
   bool friction = false;  ///< f0
-  bool pv = false;        ///< p v, NamedJoint::pv
+  bool pv = false;        ///< p v, with NamedJoint::pv
   bool rims = false;      ///< rims of seats that end
-  bool lie = false;       ///< tilt and ends of pins that end
+  bool lie = false;       ///< tilt and contact ends of finite-length pins
   bool place = false;     ///< place of the load along the pin
 };
 
-/// All of them in the order of the columns.
+/// All columns, in the order of the table.
 std::vector<AnswerColumn> answer_columns(const ColumnSets& with);
 
-/// Whether to include the columns of joints without clearance, with the word
+/// True if the columns of joints without clearance are included, such as
 /// contact_state.
 bool have_preload(std::span<const AnswerColumn> columns);
 

@@ -9,7 +9,7 @@
 namespace hinge_joint {
 namespace {
 
-// Some rows on their way through the program.
+// A block of rows that the program works on.
 struct Block : cli::RowBlock {
   Problems problems;
 };
@@ -119,7 +119,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
   std::vector<std::string> printed;
   if (!beside.empty()) printed.emplace_back("value_printed");
   cli::Output output(options.output);
-  // Checks the columns asked for before the work.
+  // Checks the requested columns before the work.
   const cli::Table table(options, cli::Report(printed).columns());
   begin();
   const Answer a = answer(joint, inputs.question(), inputs[0]);

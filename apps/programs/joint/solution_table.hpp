@@ -11,7 +11,7 @@
 
 namespace hinge_joint {
 
-/// Rows without a solution, and notes on the contacts.
+/// Counts rows without a solution, and collects notes on the contacts.
 struct Problems {
   std::size_t out_of_range = 0;
   std::size_t not_converged = 0;
@@ -20,19 +20,19 @@ struct Problems {
   std::vector<contact::ContactNotes> notes =
       {};  ///< one for each of Setup::joints
 
-  /// @param number  of the joint in Setup::joints
+  /// @param number  index of the joint in Setup::joints
   void add(const Answer& answer, const NamedJoint& joint, std::size_t number);
   void add(const Problems& more);
 };
 
-/// A row for each state, joint and pair of laws: its differences, law,
+/// Writes a row for each state, joint and pair of laws: differences, law,
 /// pressure, state, status and the answer_columns().
 Problems write_solutions(const Setup& setup, const Inputs& inputs,
                          const Beside& beside,
                          const cli::OutputOptions& options,
                          const std::function<void()>& begin);
 
-/// The only state and pair of laws: a row for each quantity.
+/// Writes a row for each quantity of the only state and pair of laws.
 Problems write_summary(const Setup& setup, const Inputs& inputs,
                        const Beside& beside, const cli::OutputOptions& options,
                        const std::function<void()>& begin);
@@ -41,7 +41,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
 std::vector<std::string> solution_columns(const NamedJoint& joint,
                                           std::span<const AnswerColumn> columns,
                                           const Beside& beside);
-/// Cells of one row; ends it not.
+/// Writes the cells of one row, but not its end.
 void write_cells(cli::RowWriter& to, const NamedJoint& joint,
                  std::span<const AnswerColumn> columns, const Answer& a,
                  std::size_t row, const Beside& beside);

@@ -14,7 +14,7 @@
 namespace hinge_joint {
 namespace {
 
-// Labels of the curves of a plot: what all share, and how each differs.
+// Labels of the curves of a plot: what they share, and how they differ.
 class Labels {
  public:
   Labels(const Setup& setup, const Inputs& inputs, bool over_angle)
@@ -64,12 +64,12 @@ class Labels {
     return {reaction_ ? "friction moment over f₀Rρ"
                       : "friction moment over f₀Rₙρ"};
   }
-  // Over the textbook's moment the difference is seen, which is small beside
-  // both.
+  // Divides by the textbook moment: this shows the difference, which is small
+  // compared with both.
   double drawn(double moment, const Answer& a) const {
     return over_textbook_ ? moment / a.solution().textbook_moment : moment;
   }
-  // Laws have their colours where curves differ by them alone.
+  // Laws have their own colours if curves differ only in the law.
   int colour(const NamedJoint& joint, int place) const {
     const int law = cli::law_colour(joint.law);
     return laws_ && !members_ && !pressures_ && law > 0 ? law : place;
@@ -96,7 +96,7 @@ class Labels {
   bool reaction_;
   bool over_textbook_;
   bool over_angle_;
-  bool member_;  // worth naming: a pin has no angles
+  bool member_;  // varies and is worth a label: pins have no angles
   bool members_ = false;
   bool laws_ = false;
   bool pressures_ = false;
@@ -106,7 +106,7 @@ class Labels {
 
 std::string draw_torque(const Setup& setup, const Inputs& inputs,
                         const std::string& file) {
-  // A picture of some 1,000 dots across can show no more.
+  // More points than a picture 1,000 dots wide can show.
   constexpr std::size_t most_points = 500;
   const bool reaction = inputs.question() == Question::reaction;
   const bool over_angle = inputs.angles()->size() > inputs.forces()->size();

@@ -8,15 +8,14 @@
 
 namespace hinge_joint {
 
-/// Pairs of half-angle law and pressure law whose curves and names fit into a
-/// picture.
+/// Largest number of pairs of half-angle law and pressure law in a picture.
 inline constexpr std::size_t most_pairs_of_laws = 8;
 
-/// Draws the friction moment over the swept force or angle, whichever has more
-/// values; a curve for each of some of the others and each pair of laws, with
-/// the traditional estimate dashed beside it.
+/// Draws the friction moment over the force or the angle, whichever has more
+/// values. Each pair of laws, and some values of the other variables, have a
+/// curve; a dashed curve shows the traditional estimate.
 /// @param setup  with at most most_pairs_of_laws
-/// @return "" or why there is no picture
+/// @return "" or the reason why there is no picture
 std::string draw_torque(const Setup& setup, const Inputs& inputs,
                         const std::string& file);
 

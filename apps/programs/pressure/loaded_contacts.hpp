@@ -10,20 +10,22 @@
 /// The parts of the program hinge-pressure.
 namespace hinge_pressure {
 
-/// A load and the contact that it makes.
+/// A load and its contact.
 struct LoadedContact {
-  /// As hinge_angle::Loads has it; in dimensionless runs the load parameter.
+  /// In the unit of hinge_angle::Loads; in dimensionless runs the load
+  /// parameter.
   double load;
   double load_parameter;
   double half_angle;  ///< rad; NaN if the half-angle law has none
   contact::Status status;
 };
 
-/// The contacts of all loads of a sweep, each made when it is asked for: a
-/// long sweep takes no memory.
+/// The contacts for all loads of a sweep, computed on demand: a long sweep
+/// takes no memory.
 class LoadedContacts {
  public:
-  /// @param input  a load, not inverse; must outlive this, as must the joint
+  /// @param input  a sweep of loads, not of half-angles; must outlive this, as
+  ///               must the joint
   /// @param joint  with one half-angle law
   LoadedContacts(const hinge_angle::Input& input, const cli::Joint& joint)
       : input_(input), loads_(joint), law_(*joint.laws[0].law) {}

@@ -22,13 +22,13 @@ using Eigen::Vector3d;
 
 constexpr int picture_points = 201;
 
-// The i-th of some numbers with even steps.
+// Number i of `count` evenly spaced values.
 double step(double from, double to, int i, int count) {
   return from + (to - from) * i / (count - 1);
 }
 
-// Angle from the load beyond which nothing touches, rad, to 1e-6: slices are
-// pressed where the pin's axis has gone.
+// Angle from the load to the edge of the contact, rad, to 1e-6. Slices are
+// pressed in the direction of the pin's displacement.
 double edge_of(const Joint& joint, const JointSolution& s, double half) {
   const auto lie = joint.lie(s);
   if (!lie) return 0;
@@ -81,8 +81,8 @@ void write_pin(const Joint& joint, const JointSolution& s, int points,
   }
 }
 
-// Polar angles from rim to rim, as far from them as largest pressures are
-// looked for.
+// Polar angles between the rims, as near to them as peak pressures are
+// searched.
 std::pair<double, double> reported_angles(const Joint& joint) {
   const contact::SeatZone& zone = *joint.contact().geometry().drawn_seat();
   const double near = zone.edge().report_distance;
@@ -128,7 +128,7 @@ cli::Curve curve_at(const cli::PlacedState& state, std::vector<double> x,
   return {"", std::move(x), std::move(shown)};
 }
 
-// In the plane of the load, from rim to rim; of a cup through its middle.
+// In the plane of the load from rim to rim; for a cup through its middle.
 cli::Curve curve_in_seat(const cli::PlacedState& state) {
   const auto [first, to] = reported_angles(state.joint);
   const double from = first > 0 ? first : -to;
@@ -142,7 +142,7 @@ cli::Curve curve_in_seat(const cli::PlacedState& state) {
   return curve_at(state, std::move(x), places);
 }
 
-// Along the pin, of each place the largest.
+// Along the pin: the largest pressure at each place.
 cli::Curve curve_of_pin(const cli::PlacedState& state) {
   const contact::JointGeometry& geometry = state.joint.contact().geometry();
   const double half = geometry.length() / 2;
@@ -161,7 +161,7 @@ cli::Curve curve_of_pin(const cli::PlacedState& state) {
   return curve_at(state, std::move(x), places);
 }
 
-// Friction has no part in it.
+// These columns do not depend on friction.
 void add_pin_columns(std::vector<cli::PlacedColumn>& to) {
   for (const auto& q : contact::lie_quantities()) {
     if (q.key == "moment" || q.key == "axial_friction_force") continue;

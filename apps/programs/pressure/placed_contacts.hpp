@@ -4,9 +4,9 @@
 
 namespace hinge_pressure {
 
-/// --direction, --tilt, --load-at: a row for each load and direction in a seat
-/// that ends, or tilt or place of the load of a pin; with --points its map.
-/// Throws contact::Error for options that do not fit together.
+/// --direction, --tilt, --load-at: a row for each load and each direction in a
+/// seat that ends, or each tilt or place of the load of a pin; with --points
+/// its pressure map. Throws contact::Error for options that conflict.
 cli::ExitStatus run_placed(const Options& options);
 
 }  // namespace hinge_pressure

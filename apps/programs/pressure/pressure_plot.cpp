@@ -36,9 +36,9 @@ std::vector<LoadedContact> shown_contacts(const LoadedContacts& contacts,
   return shown;
 }
 
-// Common and distinct properties of a picture's curves. With two laws the
-// second is dashed, and joints and loads have the colours; more laws have the
-// colours, and the title has the loads.
+// Common and distinct properties of curves. With two laws the second is dashed,
+// and colours distinguish joints and loads; with more laws colours distinguish
+// the laws, and the title lists the loads.
 struct Labels {
   bool joints;
   bool loads;

@@ -47,7 +47,7 @@ double PressureTable::pressure(std::size_t i, const LoadedContact& contact,
     return preload_[i].contact().pressure(theta, contact.load,
                                           contact.half_angle);
   }
-  // The contact shrinks with the load, but slower.
+  // The contact shrinks with the load, but more slowly than the load.
   if (joint_.has_size && contact.load == 0) return 0;
   return scale(contact) *
          joint_.pressures[i].law->pressure(theta, contact.half_angle);
@@ -156,7 +156,7 @@ void PressureTable::write_summary(const LoadedContact& contact,
       }
     }
     row.number(area);
-    // Ratios to the load have no value without one.
+    // Ratios to the load are undefined for zero load.
     const double load = contact.load == 0
                             ? std::numeric_limits<double>::quiet_NaN()
                             : contact.load;

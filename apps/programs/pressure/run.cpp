@@ -24,8 +24,8 @@ namespace {
 
 using hinge_angle::Input;
 
-// Remarkable contacts of one joint: loads without a half-angle, or one that has
-// not converged, half-angles beyond a pressure law, the largest contact.
+// Special contacts of one joint: loads without a half-angle or without
+// convergence, half-angles beyond a pressure law, the largest contact.
 class Findings {
  public:
   Findings(const cli::Joint& joint, const PressureTable& table)
@@ -39,7 +39,7 @@ class Findings {
     ++all_;
     if (std::isnan(contact.half_angle)) ++none_;
     if (contact.status == contact::Status::not_converged) ++rough_;
-    // NaN is not larger than anything.
+    // Comparisons with NaN are false.
     if (contact.half_angle > half_angle_) half_angle_ = contact.half_angle;
     for (std::size_t i = 0; i < beyond_.size(); ++i) {
       const NamedPressure& law = joint_.pressures[i];
@@ -125,7 +125,7 @@ cli::ExitStatus write_table(const std::vector<cli::Joint>& joints,
     findings.emplace_back(joints[j], tables[j]);
   }
   const std::size_t each = contacts[0].size();
-  // A load has many rows.
+  // Each load has many rows.
   cli::NumberedRows loads(joints.size() * each, 1);
   cli::write_rows<cli::RowBlock>(
       options.output, output, table, loads, "loads",

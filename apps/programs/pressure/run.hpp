@@ -12,7 +12,7 @@ namespace hinge_pressure {
 struct Options {
   cli::JointOptions joint = {.use = cli::JointUse::contact};
   hinge_angle::LoadOptions load;
-  /// Sweep of the load's angle from the axis of a seat that ends.
+  /// Sweep of the angle between the load and the axis of a seat that ends.
   std::string direction;
   cli::TiltOptions tilt;
   int points = 0;  ///< 0: not given
@@ -20,7 +20,7 @@ struct Options {
   cli::OutputOptions output;
 };
 
-/// The whole program. Throws contact::Error for options that are wrong.
+/// Runs the program. Throws contact::Error for wrong options.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace hinge_pressure

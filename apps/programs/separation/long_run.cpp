@@ -27,16 +27,16 @@ void show(cli::Progress& progress, const Run& run) {
   progress.say(text);
 }
 
-// The time of the first checkpoint after `time`: of the time alone, so that it
-// is the same in a run that was interrupted.
+// Time of the first checkpoint after `time`. It depends only on the time, so
+// that an interrupted run has the same checkpoints.
 double checkpoint_after(double time, double every) {
   if (!(every > 0)) return History::not_yet;
-  // A rounding error before a checkpoint's time is that time.
+  // A time just before a checkpoint by rounding counts as the checkpoint.
   return every * (std::floor(time / every * (1 + 1e-12)) + 1) * (1 - 1e-12);
 }
 
-// A run may end at another time than the one that it goes on from, but not
-// before it has begun; that of rounding aside.
+// A run may end at another time than the run it resumes, but not before the
+// checkpoint, except by rounding.
 void check_end(const std::string& file, double from, double end) {
   if (end >= from * (1 - 1e-12)) return;
   throw contact::Error(contact::detail::needs(
@@ -45,7 +45,8 @@ void check_end(const std::string& file, double from, double end) {
                   from, end)));
 }
 
-// Begins a run where a checkpoint says; how often that run made one.
+// Resumes a run from a checkpoint; returns the interval of checkpoints in that
+// run.
 double resume(Run& run, const std::string& file, Checkpoint from) {
   check_end(file, from.state.simulation.motion.time, run.of().end_time);
   try {
@@ -56,7 +57,7 @@ double resume(Run& run, const std::string& file, Checkpoint from) {
   return from.every;
 }
 
-// The checkpoint of a run.
+// Writes the checkpoints of a run.
 class Keeper {
  public:
   Keeper(const Checkpoints& checkpoints, double every) {
@@ -64,15 +65,15 @@ class Keeper {
     file_ = checkpoints.file;
     writer_.emplace(file_, checkpoints.identity, every);
   }
-  // The run goes on alike whether a checkpoint is written or not.
+  // The run continues in the same way whether a checkpoint is written or not.
   void keep(Run& run) {
     const SimulationState state = run.renew();
     if (!writer_) return;
-    // One that cannot be written costs nothing but itself and later ones: what
-    // is behind a row that was cut short could not be found.
+    // If a checkpoint cannot be written, only this one and later ones are lost:
+    // rows after a truncated row could not be found.
     try {
       writer_->write(state, run.memory());
-      way_on_ = fmt::format("; --resume {} goes on from t = {:.6g} s", file_,
+      way_on_ = fmt::format("; --resume {} continues from t = {:.6g} s", file_,
                             state.motion.time);
     } catch (const contact::Error& error) {
       failure_ = fmt::format("no checkpoints from t = {:.6g} s on: {}",
@@ -86,7 +87,7 @@ class Keeper {
  private:
   std::string file_;
   std::optional<CheckpointWriter> writer_;
-  std::string way_on_;  // for who stops the run
+  std::string way_on_;  // printed if the run is stopped
   std::string failure_;
 };
 

@@ -8,29 +8,29 @@
 
 namespace separation {
 
-/// Checkpoints of a run.
+/// Options of checkpoints.
 struct Checkpoints {
-  /// File that is written every `every` seconds of the motion; 0 with `resume`:
-  /// as often as in that run.
+  /// File written every `every` seconds of the simulated motion; with `resume`,
+  /// 0 means as often as in that run.
   std::string file = {};
   double every = 0;
-  /// File of a checkpoint, and what it says, to go on from.
+  /// Checkpoint file to resume from, and its content.
   std::string resume = {};
   std::optional<Checkpoint> from = {};
-  /// Whatever makes two runs different.
+  /// Text that identifies the run: it differs if two runs differ.
   std::string identity = {};
 };
 
 struct LongRun {
   Outcome outcome;
-  std::string no_checkpoint;  ///< "" or since when and why there is none
+  std::string no_checkpoint;  ///< "", or since when and why none is written
 };
 
-/// Runs a case to its end, or as far as it comes. Says on standard error how
-/// far it is.
-/// @throws contact::Error if the motion cannot begin, or the checkpoint to go
-///   on from is of another run or of a time beyond the end, or the first one
-///   not begun
+/// Runs a case to its end, or as far as possible, and reports progress on
+/// standard error.
+/// @throws contact::Error if the motion cannot begin, if the checkpoint belongs
+///   to another run or lies beyond the end, or if the first checkpoint cannot
+///   be begun
 LongRun run_long(const Case& c, RunOptions options,
                  Checkpoints checkpoints = {});
 

@@ -18,17 +18,16 @@ void add_run(cli::Program& program, Options& o) {
   program.add(
       "Run",
       {{"--compare", &o.compare, "",
-        "ideal, full and traditional friction side by side", "",
+        "compare ideal, full and traditional friction", "",
         "--no-clearance --history --events --plot --friction --checkpoint "
         "--resume"},
        {"--friction", &o.friction, "NAME",
-        "full, ideal or traditional; default: the case's"},
+        "full, ideal or traditional; default: as in the case"},
        {"--end-time",
         cli::number("--end-time", o.end_time, Dimension::number, times),
-        "SECONDS", "end of the motion; default: the case's"},
+        "SECONDS", "end of the motion; default: as in the case"},
        {"--set", &o.settings, "KEY=VALUE",
-        "another value of a key of the case or of a file of its\n"
-        "joints; more than once for several"},
+        "value for a key of the case or of its joint files;\nmay be repeated"},
        {"--law", &o.half_angle_law, "NAME",
         "half-angle law of all joints; default: the joints'"},
        {"--pressure", &o.pressure_law, "NAME",
@@ -44,11 +43,11 @@ void add_run(cli::Program& program, Options& o) {
        {"--resume", &o.resume, "FILE", "checkpoint to continue from"},
        {"--step-limit",
         cli::count("--step-limit", o.step_limit, 1, 2'000'000'000), "N",
-        "stop after so many steps, with the results so far"},
+        "stop after N steps and write the results so far"},
        {"--time-limit",
         cli::number("--time-limit", o.time_limit, Dimension::time,
                     {1e-3, 1e9, "s"}),
-        "TIME", "stop after so much wall-clock time, s or with a unit"}});
+        "TIME", "stop after this wall-clock time, s or with a unit"}});
 }
 
 void add_output(cli::Program& program, Options& o) {

@@ -23,7 +23,7 @@ void refuse_idle_law(const char* option, const std::string& name) {
   cli::refuse_beside(cli::given(option, name), "--friction ideal");
 }
 
-// The summary goes there unless it has a file.
+// Standard output holds the summary unless the summary has a file.
 void check_standard_output(const char* option, const std::string& name,
                            const Options& options) {
   if (name != "-" || !is_standard_output(options.output.output)) return;
@@ -37,7 +37,7 @@ void check_law(const char* option, const std::string& name,
   throw contact::Error(contact::detail::unknown(option + 2, name, names));
 }
 
-// Tables are CSV; all else is not theirs.
+// Table options apply to CSV tables only.
 void check_table_options(const Options& o) {
   if (!o.output.columns.empty() && o.history.empty()) {
     cli::refuse_without("--columns", "--history or --compare");
@@ -85,7 +85,7 @@ void check_options(const Options& o, bool format_given) {
   }
   check_replays(o);
   if (!o.compare) check_run(o, format_given);
-  // blend:K has a number; the joints look at it.
+  // blend:K contains a number, which the joints check.
   if (!o.half_angle_law.starts_with("blend:")) {
     check_law("--law", o.half_angle_law, contact::half_angle_law_names());
   }

@@ -4,10 +4,10 @@
 
 namespace separation {
 
-/// Options that contradict each other or can have no effect, as far as they
-/// alone tell.
+/// Rejects options that conflict or have no effect, as far as the options alone
+/// show it.
 /// @param format_given  --format is on the command line
-/// @throws contact::Error with the option and what is allowed
+/// @throws contact::Error naming the option and the allowed use
 void check_options(const Options& options, bool format_given);
 
 }  // namespace separation

@@ -14,7 +14,8 @@
 namespace separation {
 namespace {
 
-// Text of the case as run: a pipe is read by then, and keys may be changed.
+// Text of the case as run: a pipe has been read, and keys may have been
+// changed.
 std::string text_of_case(const Case& c, const Options& options) {
   std::error_code ignored;
   std::string text = std::filesystem::is_regular_file(c.file, ignored)
@@ -52,7 +53,7 @@ bool Replays::write(const Case& c, std::vector<ShownRun> runs,
       cli::warn(program_name, error.what());
       good = false;
     }
-    file.reset();  // and the part that it had room for
+    file.reset();  // and frees its disk space
   }
   return good;
 }
@@ -61,7 +62,7 @@ std::string Replays::page(const Replay& replay, const std::string& name) const {
   Page page = replay_page(replay, *parts_);
   if (page.every > 1) {
     cli::note(program_name,
-              fmt::format("{} has one of {} rows, to stay below {} MB", name,
+              fmt::format("{} shows one of {} rows, to stay below {} MB", name,
                           page.every, most_page / 1'000'000));
   }
   return std::move(page.text);

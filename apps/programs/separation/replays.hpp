@@ -12,17 +12,18 @@
 
 namespace separation {
 
-/// The files of --replay.
+/// Writes the files of --replay.
 class Replays {
  public:
-  /// Before the run: what cannot be made should not cost its result.
-  /// @throws contact::Error if a file cannot be made, and for a page if what it
-  ///   is made of is not installed
+  /// Checks before the run that the files can be made, so that no result is
+  /// lost.
+  /// @throws contact::Error if a file cannot be made, or the parts of a page
+  ///   are not installed
   Replays(const Case& c, const Options& options);
 
   /// @param runs  one, or two to compare
-  /// @return false if a file could not be written, of which it warns: that
-  ///   costs the others nothing
+  /// @return false, with a warning, if a file could not be written; the other
+  ///         results are still produced
   bool write(const Case& c, std::vector<ShownRun> runs, Warnings& warnings);
 
  private:

@@ -49,13 +49,13 @@ constexpr std::array<cli::Choice<FrictionChoice>, 3> choices = [] {
   return all;
 }();
 
-// Every file that is written has a name of its own.
+// All files written must have different names.
 cli::OutputNames names_of(const Options& o) {
   cli::OutputNames names = names_of(o.output);
   names.add("--history", o.history);
   names.add("--events", o.events);
   if (!o.checkpoint.empty()) {
-    // Read as well, by a run that goes on; replaces nothing but a checkpoint.
+    // Also read by a resumed run; may replace only a checkpoint.
     cli::Output::check(o.checkpoint);
     for (const std::string& name : checkpoint_files(o.checkpoint)) {
       names.keep("--checkpoint", name);
@@ -88,7 +88,7 @@ Case case_of(const Options& o) {
   return c;
 }
 
-// Refuses options that the case has nothing for.
+// Rejects options that do not apply to the case.
 void check_case(const Options& o, const Case& c) {
   const auto needs_joints = [&](bool given, const std::string& option) {
     if (!given || c.has_joints()) return;
@@ -114,7 +114,7 @@ void check_case(const Options& o, const Case& c) {
 }
 
 cli::ExitStatus compare(const Case& c, const Options& o) {
-  // Refused before the first run.
+  // Checked before the first run.
   for (const Body& body : c.bodies) {
     make_friction(body.hinge, FrictionChoice::traditional);
   }
@@ -155,22 +155,22 @@ RunOptions run_options(const Options& o) {
   return run;
 }
 
-// The tables of a run; made before it, so that files that cannot be made do
-// not cost its result.
+// The tables of a run. They are opened before it, so that a file that cannot be
+// made does not cost the results.
 struct Tables {
   cli::TableStyle style;
   std::optional<HistoryFile> history = {};
   std::optional<cli::Output> events = {};
 
   Tables(const Case& c, const Options& o, bool clearance) : style(o.output) {
-    style.format = cli::Format::csv;  // the format asked for is the summary's
+    style.format = cli::Format::csv;  // --format is the format of the summary
     if (!o.history.empty()) {
       history.emplace(o.history, style, history_columns(c, clearance));
     }
     if (!o.events.empty()) events.emplace(o.events);
   }
 
-  // A file that cannot be written costs the others nothing.
+  // If a file cannot be written, the others are still written.
   cli::ExitStatus write(const Case& c, const Outcome& outcome) {
     cli::ExitStatus status = cli::all_good;
     const auto write = [&status](const auto& file) {
@@ -182,7 +182,7 @@ struct Tables {
       }
     };
     if (history) write([&] { history->write(outcome.memory.rows); });
-    history.reset();  // and the part that it had room for
+    history.reset();  // and frees its disk space
     if (events) {
       write([&] {
         events->write(events_csv(c, outcome, style));
@@ -207,7 +207,7 @@ cli::ExitStatus simulate(const Case& c, const Options& o) {
   if (!o.resume.empty()) {
     checkpoints.from = read_checkpoint(o.resume, checkpoints.identity);
   }
-  // From here on, where there is something to finish, until all is written.
+  // Defers signals from here until everything is written.
   const cli::Interrupts interrupts;
   options.stop = stop_rule(interrupts, o.step_limit, o.time_limit);
   const LongRun run = run_long(c, options, std::move(checkpoints));

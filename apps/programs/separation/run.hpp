@@ -13,8 +13,8 @@ struct Options {
   std::string history;  ///< file name, "" for none
   std::string events;
   bool compare = false;
-  std::string friction;               ///< "" for the case's
-  double end_time = 0;                ///< s, 0 for the case's
+  std::string friction;               ///< "": as in the case
+  double end_time = 0;                ///< s; 0: as in the case
   std::vector<std::string> settings;  ///< KEY=VALUE
   std::string half_angle_law;
   std::string pressure_law;
@@ -23,14 +23,13 @@ struct Options {
   double checkpoint_every = 0;  ///< s
   std::string resume;
   std::vector<std::string> replays;  ///< .glb, .html
-  bool no_case = false;              ///< not in the .html
+  bool no_case = false;              ///< leaves the case out of the .html
   int step_limit = 0;                ///< 0: none
   double time_limit = 0;             ///< s of wall-clock time; 0: none
   cli::OutputOptions output;
 };
 
-/// The whole program. Throws contact::Error for options and files that are
-/// wrong.
+/// Runs the program. Throws contact::Error for wrong options and files.
 cli::ExitStatus run(const Options& options);
 
 }  // namespace separation

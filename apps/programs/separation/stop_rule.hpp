@@ -5,9 +5,9 @@
 
 namespace separation {
 
-/// Stops at SIGINT and SIGTERM, after so many steps, and after so many seconds
-/// from now.
-/// @param interrupts  has to outlive the rule
+/// Stops a run at SIGINT or SIGTERM, after a number of steps, and after a
+/// number of seconds from now.
+/// @param interrupts  must outlive the rule
 /// @param steps, seconds  0: without limit
 StopRule stop_rule(const cli::Interrupts& interrupts, int steps,
                    double seconds);

@@ -17,17 +17,17 @@ constexpr int most = std::numeric_limits<int>::max();
 constexpr const char* tables = "--rows --merge --csv --hdf5 --plot --report";
 
 void add_study(cli::Program& program, Options& o) {
-  program.add("Study", {{"--runs", cli::count("--runs", o.runs, 1, 100'000'000),
-                         "N", "in place of the file's"},
-                        {"--seed", cli::count("--seed", o.seed, 0, most), "N",
-                         "in place of the file's"},
-                        {"--rows", &o.rows, "A:B",
-                         "compute these rows only, into the journal", "",
-                         "--csv --hdf5 --plot --output --report"},
-                        {"--journal", &o.journal, "FILE",
-                         "journal of finished rows; default NAME.journal"},
-                        {"--merge", cli::List{&o.merge, 0}, "FILES",
-                         "journals whose rows are taken"}});
+  program.add(
+      "Study",
+      {{"--runs", cli::count("--runs", o.runs, 1, 100'000'000), "N",
+        "in place of the file's"},
+       {"--seed", cli::count("--seed", o.seed, 0, most), "N",
+        "in place of the file's"},
+       {"--rows", &o.rows, "A:B", "compute these rows only, into the journal",
+        "", "--csv --hdf5 --plot --output --report"},
+       {"--journal", &o.journal, "FILE",
+        "journal of finished rows; default NAME.journal"},
+       {"--merge", cli::List{&o.merge, 0}, "FILES", "journals to merge"}});
 }
 
 void add_instead(cli::Program& program, Options& o) {

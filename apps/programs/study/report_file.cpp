@@ -29,7 +29,7 @@ void write_file(const std::string& name, const std::string& text) {
   output.commit();
 }
 
-// @param missing  set if there are some of them and not all
+// @param missing  set if some of them, but not all, are missing
 std::map<std::string, std::string> drawn(const std::vector<Picture>& pictures,
                                          const std::string& file,
                                          bool& missing) {
@@ -76,7 +76,7 @@ std::string case_text(const Study& study, const separation::Case& c,
   return text;
 }
 
-// A run that is made again, for its replay.
+// A run repeated for its replay.
 struct Repeated {
   explicit Repeated(const Study& study, std::uint64_t run)
       : of(study.case_of(run)), outcome(separation::run_case(of)) {}
@@ -101,7 +101,7 @@ std::string replay_of(const Study& study, std::uint64_t run,
   return separation::replay_page(replay, parts).text;
 }
 
-// As it was written, but of a pipe, which is at its end.
+// The file as written; a pipe has already been read.
 std::string study_text(const Plan& plan) {
   std::error_code ignored;
   return std::filesystem::is_regular_file(plan.path, ignored)

@@ -8,10 +8,10 @@
 
 namespace study {
 
-/// Writes the report as a page, and of a case beside it the replay of each
+/// Writes the report as a page. For a case it also writes the replay of each
 /// worst run, FILE_runN.html. If the drawing programs are missing, the page has
-/// tables only, with a warning.
-/// @param command  that begins the one for a single run
+/// tables only, and a warning is printed.
+/// @param command  beginning of the command that repeats a run
 /// @param names  of all files; a replay must differ from them
 /// @return false, with a warning, if the page or a replay could not be written
 bool write_report(const Study& study, const Findings& findings,

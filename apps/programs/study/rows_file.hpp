@@ -8,13 +8,13 @@
 
 namespace study {
 
-/// Writes all rows in their order: run, inputs, quantities, status ("ok" or
-/// why it failed).
+/// Writes all rows in their order: run, inputs, quantities, status ("ok" or the
+/// reason of the failure).
 void write_csv(const Study& study, const Journal& journal,
                cli::TableStyle style, const std::string& file);
 
-/// The same as a data set for each column: run, status (0 ok, 1 failed),
-/// inputs/NAME, quantities/NAME. It is made in memory.
+/// Writes a data set for each column: run, status (0 ok, 1 failed),
+/// inputs/NAME, quantities/NAME. The file is built in memory.
 void write_hdf5(const Study& study, const Journal& journal,
                 const std::string& file);
 

@@ -41,7 +41,7 @@ PlanChanges changes_of(const Options& o) {
   return changes;
 }
 
-// The options that a run of this study depends on.
+// The options on which a run of this study depends.
 std::string command_of(const Options& o) {
   std::string command = fmt::format("{} {}", program, cli::shell_word(o.file));
   if (o.runs > 0) command += fmt::format(" --runs {}", o.runs);
@@ -104,7 +104,7 @@ cli::ExitStatus check(const Options& o, const Study& study) {
   return cli::all_good;
 }
 
-// All rows in ranges, a line each, for --rows.
+// --rows: lists ranges that cover all rows, one per line.
 cli::ExitStatus list_parts(const Options& o, const Study& study) {
   cli::Output output(o.output.output);
   const auto size = static_cast<std::uint64_t>(o.parts);
@@ -116,7 +116,7 @@ cli::ExitStatus list_parts(const Options& o, const Study& study) {
   return cli::all_good;
 }
 
-// A run again, bit for bit; with its history.
+// Repeats a run bit-identically, with its history.
 cli::ExitStatus repeat(const Options& o, const Study& study) {
   const auto run = static_cast<std::uint64_t>(*o.run);
   if (run > study.runs()) {
@@ -145,7 +145,7 @@ cli::ExitStatus repeat(const Options& o, const Study& study) {
   return cli::some_bad;
 }
 
-// On a terminal: how fast it goes, and how long it will.
+// On a terminal: reports the speed, and the remaining time.
 class Pace {
  public:
   explicit Pace(std::size_t total) : total_(total) {}
@@ -168,7 +168,7 @@ class Pace {
   cli::Progress progress_;
 };
 
-// Other journals, whose rows are taken.
+// Other journals, from which rows are taken.
 std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
                                                const Study& study) {
   std::vector<std::unique_ptr<Journal>> parts;
@@ -179,8 +179,8 @@ std::vector<std::unique_ptr<Journal>> parts_of(const Options& o,
   return parts;
 }
 
-// Computes the rows of a range that no journal has. A signal ends this between
-// rows; later it ends the program as it would any other.
+// Computes the rows of a range that are in no journal. A signal ends this
+// between rows; later signals end the program as usual.
 cli::ExitStatus compute_missing(const Options& o, const Study& study,
                                 const Range& range, Journal& journal) {
   const auto missing = journal.missing(range.first, range.last);
@@ -193,9 +193,10 @@ cli::ExitStatus compute_missing(const Options& o, const Study& study,
       [&] { return interrupts.signal() == 0 ? "" : "a signal"; },
       [&] { pace.add(); });
   if (interrupts.signal() == 0) return cli::all_good;
-  cli::warn(program, fmt::format("stopped: {} rows are in {}; the same "
-                                 "command goes on",
-                                 journal.size(), journal_of(o)));
+  cli::warn(
+      program,
+      fmt::format("stopped: {} rows are in {}; repeat the command to continue",
+                  journal.size(), journal_of(o)));
   return interrupts.status(cli::all_good);
 }
 
@@ -260,7 +261,7 @@ cli::OutputNames check_outputs(const Options& o) {
   return names;
 }
 
-// Warns for the nominal run, which the warnings are about.
+// Prints the warnings on the nominal run.
 void say_warnings(const Study& study) {
   for (const std::string& warning : study.warnings()) {
     cli::warn(program, "nominal run: " + warning);
@@ -280,7 +281,7 @@ cli::ExitStatus run(const Options& o) {
   }
   if (o.parts > 0) return list_parts(o, study);
   if (o.run) return repeat(o, study);
-  // Parts of a study leave them to the whole.
+  // Parts of a study leave the warnings to the complete study.
   if (o.rows.empty()) say_warnings(study);
   if (o.quantities) return list_quantities(o, study);
   if (o.check) return check(o, study);

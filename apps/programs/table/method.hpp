@@ -18,22 +18,22 @@ inline std::span<const Quantity> quantities() {
   return contact::integral_quantities();
 }
 
-/// Many points: half-angles (rad), sine and cosine of the slip axis angle.
+/// Points: half-angles (rad), sine and cosine of the slip axis angle.
 struct Points {
   std::span<const double> half_angle;
   std::span<const double> axis_sin;
   std::span<const double> axis_cos;
 };
 
-/// Results of as many points, for each of the quantities.
+/// Results at these points, for each of the quantities.
 using Columns = std::vector<std::span<double>>;
 
-/// A method of the library over many points; returns how many of them missed
-/// the tolerance of an iteration.
+/// Evaluates a method of the library at many points; returns the number of
+/// points that missed the tolerance of an iteration.
 using MethodFunction =
     std::function<std::size_t(const Points&, const Columns&)>;
 
-/// A method, and the name of its pressure law and where that ends.
+/// A method, the name of its pressure law, and the law's largest half-angle.
 struct Method {
   MethodFunction function;
   std::string pressure;
@@ -44,12 +44,12 @@ struct Method {
   }
 };
 
-/// The method of that name. Throws contact::Error with the names there are:
-/// exact, elliptic, quadrature (if contact::reference is built), planar,
-/// viscous, cosine; or if it knows the cosine pressure only and another one is
-/// asked for.
+/// The method with this name: exact, elliptic, quadrature (if
+/// contact::reference is built), planar, viscous, cosine. Throws contact::Error
+/// for other names, and if a method for the cosine pressure is asked for
+/// another one.
 /// @param tolerance  relative, of quadrature
-/// @param pressure   of a ball; kept by the method
+/// @param pressure   of a ball; the method keeps it
 Method find_method(const std::string& name, double tolerance,
                    const cli::NamedPressure& pressure);
 

@@ -20,7 +20,7 @@ double value(const Cubic& c, double bodies) {
   return (((c[0] * bodies + c[1]) * bodies + c[2]) * bodies + c[3]) / c[4];
 }
 
-// Cholesky's factor of a matrix of order n.
+// Operations of a Cholesky factorisation of order n.
 double factor(double n) { return n * (n + 1) * (2 * n + 1) / 6; }
 
 using multibody::Operations;
@@ -28,9 +28,9 @@ struct Work {
   const char* hinges;
   const char* name;
   Cubic at_once;     // the paper's count
-  Operations paper;  // the same
+  Operations paper;  // the paper's count
   Operations ours;
-  int kept = 0;  // unknowns of a hinge, if the factor is there already
+  int kept = 0;  // unknowns of a hinge if the factor is known
 };
 constexpr Operations papers_balls{120, 66}, papers_axes{204, 66};
 constexpr Cubic balls_again = {9, 23, 67, -3, 1};
@@ -70,7 +70,7 @@ void refuse_idle_of_operations(const Options& options) {
 
 cli::ExitStatus run_operations(const Options& options) {
   refuse_idle_of_operations(options);
-  // The cubics are exact in doubles.
+  // The cubics are exact in double up to here.
   constexpr int most = 1000;
   const std::vector<int> bodies = cli::whole_numbers(
       "--bodies", options.bodies.empty() ? "1:8:1" : options.bodies, most);

@@ -17,7 +17,8 @@ void write_point(const PointBlock& block, std::size_t i, cli::RowWriter& row) {
   }
 }
 
-// Points of good lines that have values, and not all of them finite.
+// Points of good lines that should have values but have a number that is not
+// finite.
 std::size_t count_failed(const PointBlock& block) {
   std::size_t failed = 0;
   for (std::size_t i = 0; i < block.size(); ++i) {

@@ -46,8 +46,7 @@ double tolerance_of(const Options& options) {
   return cli::parse_value("--tolerance", options.tolerance, {1e-13, 1e-2, ""});
 }
 
-// A ball, as far as its pressure depends on it: refuses what changes nothing in
-// the table.
+// A ball whose pressure may affect the table; rejects options without effect.
 cli::Joint make_ball(const cli::JointOptions& options) {
   cli::Joint ball = make_joint(options);
   const std::string materials = options.materials();
@@ -64,7 +63,7 @@ cli::Joint make_ball(const cli::JointOptions& options) {
     cli::refuse_without(given("--loading", options.loading),
                         "--pressure exact");
   }
-  // A file may at least name a pressure that is not the usual one.
+  // A file may only name a pressure law other than the default.
   const bool named =
       options.pressures.empty() && name != contact::default_pressure_law;
   if (!materials.empty() && !by_materials && !named) {
@@ -82,7 +81,8 @@ cli::Joint make_ball(const cli::JointOptions& options) {
   return ball;
 }
 
-// The name of a quantity; those that depend on the pressure say on which.
+// The name of a quantity; for quantities that depend on the pressure also the
+// pressure.
 std::string quantity_name(std::size_t quantity, const Method& method) {
   const std::string_view name = quantities()[quantity].symbol;
   return name.ends_with("_a") ? std::string(name)
@@ -100,7 +100,7 @@ std::vector<std::string> column_names(const Method& method,
   return names;
 }
 
-// Counts of faults over a whole table.
+// Counts faults over a whole table.
 struct Problems {
   std::size_t bad_lines = 0;
   std::size_t inaccurate = 0;
@@ -135,14 +135,14 @@ Problems write_points(const Options& options, const Method& method) {
   return problems;
 }
 
-// All pairs of some half-angles and slip axis angles, alpha running fastest.
+// All pairs of half-angles and slip axis angles; alpha varies fastest.
 struct Grid {
   cli::Sweep theta0;
   cli::Sweep alpha;
   std::size_t size() const { return theta0.size() * alpha.size(); }
 };
 
-// Writes a table of a grid, of whose points `write` makes rows.
+// Writes a table of a grid; `write` makes the rows of its points.
 template <class Write>
 Problems write_blocks(const Grid& grid, std::size_t block_size,
                       const Method& method, const cli::OutputOptions& options,
@@ -164,8 +164,8 @@ Problems write_blocks(const Grid& grid, std::size_t block_size,
 // A row for each point.
 Problems write_list(const Grid& grid, const Method& method,
                     const cli::OutputOptions& options) {
-  // Large against the cost of passing a block between threads, small enough
-  // for the cache.
+  // Large compared with the cost of passing a block between threads, but small
+  // enough for the cache.
   constexpr std::size_t block_rows = 1024;
   const cli::Table table(options, column_names(method, {}));
   return write_blocks(grid, block_rows, method, options, table,
@@ -200,8 +200,8 @@ Problems write_two_way(const Grid& grid, const Method& method,
                       });
 }
 
-// Draws one quantity: a curve over alpha for each theta0, or, if there is one
-// alpha, over theta0. Returns why there is no picture, or "".
+// Draws one quantity: a curve over alpha for each theta0, or over theta0 if
+// there is a single alpha. Returns the reason if there is no picture, or "".
 std::string draw(const Grid& grid, const Method& method, std::size_t quantity,
                  const std::string& joint, const Options& options) {
   // Limits of a picture of some 1,000 dots across, however long the table is.
@@ -245,15 +245,16 @@ cli::ExitStatus report(const Problems& problems, const Method& method) {
                           method.largest_half_angle / contact::degree));
   }
   if (problems.failed > 0) {
-    cli::warn("hinge-table",
-              fmt::format("points whose numbers are not finite: {}; ERROR "
-                          "stands in their place",
-                          problems.failed));
+    cli::warn(
+        "hinge-table",
+        fmt::format(
+            "points whose numbers are not finite: {}; the table shows ERROR",
+            problems.failed));
   }
   if (problems.inaccurate > 0) {
     cli::warn("hinge-table",
-              fmt::format("points that missed the tolerance: {}; their "
-                          "rows have the best values found",
+              fmt::format("points that missed the tolerance: {}; their rows "
+                          "contain the best values found",
                           problems.inaccurate));
   }
   const std::size_t all = problems.bad_lines + problems.inaccurate +
@@ -290,7 +291,7 @@ cli::ExitStatus run_grid(const Options& options, const Method& method,
                         "--format csv or json, or --points: a grid in "
                         "markdown and latex has one --quantity");
   }
-  // Wider ones cannot be printed, and their header has to fit in memory.
+  // Wider tables cannot be printed, and their header must fit in memory.
   constexpr std::size_t most_columns = 1000;
   if (two_way && grid.alpha.size() > most_columns) {
     cli::refuse(

@@ -14,7 +14,7 @@ struct Options {
   std::string alpha;
   std::string points;
   std::string method = "exact";
-  // For markdown, latex and pictures; chi by default.
+  // For Markdown, LaTeX and pictures; chi by default.
   std::string quantity;
   // Numbers of bodies, for the quantity operations; 1 to 8 by default.
   std::string bodies;
@@ -24,9 +24,9 @@ struct Options {
   cli::OutputOptions output;
 };
 
-/// The whole program. Throws contact::Error for options that are wrong.
+/// Runs the program. Throws contact::Error for wrong options.
 cli::ExitStatus run(const Options& options);
-/// The program once the method is known.
+/// Runs the program with a known method.
 /// @param joint  its name, for pictures
 cli::ExitStatus run(const Options& options, const Method& method,
                     const std::string& joint);

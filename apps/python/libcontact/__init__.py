@@ -9,11 +9,11 @@ by NumPy's rules; vectors are (..., 3).
     >>> s = hip.solve([0, 0, 2000], [1.7, 0, 1])
     >>> s.half_angle, s.friction_moment
 
-Whatever is wrong with an input raises Error, with the messages of the programs.
-Contacts that leave the theory, or what their materials bear, give a
-ContactWarning; Joint.notes() has their numbers.
+Invalid input raises Error with the message of the programs. Contacts outside
+the theory, or beyond the strength of their materials, give a ContactWarning;
+Joint.notes() returns the numbers.
 
-What there is:
+Contents:
 
     Joint, Joints       a joint of a file or keywords; many that differ
     joint.solve()       friction and contact under a reaction: a Solution

@@ -17,7 +17,7 @@ from ._results import html_table
 
 
 class Event(NamedTuple):
-    """Something that happened."""
+    """An event of a run."""
 
     time: float  #: s
     body: str
@@ -53,7 +53,7 @@ class Case(FileText, _core.Case):
         tables: Mapping[str, object],
         folder: str | PathLike[str] = "",
     ) -> None:
-        """folder: what the names of joint files are relative to."""
+        """folder: base of the names of joint files."""
         self._read(toml_text(tables), "", fspath(folder), ())
 
     @with_known_keywords
@@ -63,14 +63,14 @@ class Case(FileText, _core.Case):
         clearance: bool = True,
         progress: Callable[[float, float], object] | None = None,
     ) -> Outcome:
-        """Moves the bodies to the end of the case. Ctrl-C ends it.
+        """Runs the case to its end. Ctrl-C stops it.
 
         clearance: whether to work out distances between bodies.
         progress: called ten times a second with the time and the end, s.
 
-        A run that fails on its way gives a RuntimeWarning and its results
-        until then. Joints whose contact leaves the theory, or what its materials
-        bear, give a ContactWarning.
+        A run that fails gives a RuntimeWarning and the results so far. Joints
+        whose contact is outside the theory, or beyond the strength of its
+        materials, give a ContactWarning.
         """
         of_run, notes = _core._run(self, clearance, progress)
         _warn_of_contacts(notes)
@@ -84,8 +84,8 @@ RunStatus = Literal["running", "finished", "failed"]
 
 
 class Run(_core.Run):
-    """A case on its way, for loops that look at it or move something else
-    beside it.
+    """A running case, for loops that query it or simulate something else with
+    it.
 
         run = Run(case)
         while run.advance_to(run.time + 0.1) == "running":
@@ -103,10 +103,10 @@ class Run(_core.Run):
     axes: NAME.reaction_x_N, NAME.lock_reaction_x_N, NAME.friction_moment_x_N_m
     and so on.
 
-    Runs have nothing in common: each may have a thread of its own.
+    Runs share no data: each may have its own thread.
 
-    copy.copy(run) is a run that goes on from here as this one does, to the last
-    bit. To take it begins the steps of both anew, as save() does.
+    copy.copy(run) is a run that continues from here bit-identically. Copying
+    restarts the steps of both runs, as save() does.
     """
 
     @with_known_keywords
@@ -126,7 +126,7 @@ class Run(_core.Run):
         return html_table(repr(self)[1:-1], ["t, s", "body", "event"], lines)
 
     def __copy__(self) -> Self:
-        """A run that goes on from here as this one does."""
+        """A run that continues from here bit-identically."""
         made = type(self).__new__(type(self))
         _core.Run.__init__(made, self)
         made.__dict__.update(self.__dict__)
@@ -139,15 +139,15 @@ class Run(_core.Run):
         *,
         progress: Callable[[float, float], object] | None = None,
     ) -> RunStatus:
-        """Moves on to a time, s, or to the end of the case, whatever is first,
-        with the events on the way. An exception, by Ctrl-C or progress(), stops
-        it; it may go on then.
+        """Advances to a time, s, or to the end of the case, whichever is
+        first, with all events before. An exception, by Ctrl-C or progress(),
+        stops the run; it may then be continued.
 
         progress: as in Case.run().
 
-        "running", it has come there; "finished", to the end of the case; or
-        "failed", with a RuntimeWarning: it cannot go on, see message. At the
-        end there are warnings of contacts as in Case.run().
+        "running": it has reached the time; "finished": it has reached the end
+        of the case; "failed", with a RuntimeWarning: it cannot continue, see
+        message. At the end it warns of contacts as Case.run() does.
         """
         status = self._advance_to(time, progress)
         if status != "running":
@@ -175,8 +175,8 @@ class Run(_core.Run):
         self._set_inputs(numbers)
 
     def __getitem__(self, column: str | Iterable[str]) -> Any:
-        """The value of a column where the run is: a number; of a mode its word;
-        of several columns the array of their numbers.
+        """The present value of a column: a number, or the word of a mode; for
+        several columns the array of their numbers.
 
         column: its name, or several names.
         """

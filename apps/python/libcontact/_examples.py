@@ -1,4 +1,4 @@
-"""Files that come with the package, and the materials in them."""
+"""Files shipped with the package, and the materials in them."""
 
 import difflib
 import functools

@@ -212,13 +212,13 @@ class FileText:
     def replace(
         self, keys: Mapping[str, object] | None = None, /, **keywords: object
     ) -> Self:
-        """The same with other values of some keys.
+        """A copy with other values of some keys.
 
         keys: names as in the file, with its tables: "geometry.radius_mm",
             "wall.layer[1].thickness_mm", "body[booster].mass_t". A key takes
             the place of the same one in another unit. Keys of files that the
             file names are keys of the table that names them.
-        keywords: of a joint, as for Joint(): replace(radius_mm=16).
+        keywords: keywords of Joint(): replace(radius_mm=16).
         """
         settings = dict(self._settings)
         named = {self._key_of(k): value for k, value in keywords.items()}

@@ -106,15 +106,15 @@ class Joint(FileText, _core.Joint):
     Keywords are the keys of joint files with their units
     (libcontact/docs/reference/joint_file.md): keys of [geometry], [materials]
     and [friction] without their tables; `half_angle`, `pressure`, `friction` (names of laws),
-    `loading`, `wall` and `coating` as in the file. None is left out. Whole
-    tables may be given as dicts.
+    `loading`, `wall` and `coating` as in the file. All keys are supported.
+    Whole tables may be given as dicts.
 
     A joint is immutable: replace() makes another, vary() many. Joints compare by their
     contents, may be pickled and shared by threads, and survive fork.
 
-    A ball with a [seat] or a designation is in its seat wherever the direction
-    of its load is known, and a pin has its [relief]; without_seat() and
-    without_relief() let the contact go on.
+    The [seat] or designation of a ball confines its contact wherever the
+    direction of the load is known, and the [relief] of a pin is applied;
+    without_seat() and without_relief() ignore them.
     """
 
     _more = (False, False, None)  # without_seat, without_relief, table
@@ -157,14 +157,15 @@ class Joint(FileText, _core.Joint):
         return keyword
 
     def without_seat(self) -> "Joint":
-        """The joint in a seat without end, for comparison and where a seat has
-        no answer. replace() keeps to it; to_toml() still has the seat.
+        """The joint in an unbounded seat, for comparison, and where results in
+        a seat are not available. replace() keeps it unbounded; to_toml() still
+        has the seat.
         """
         return self._with(True, self._more[1], None)
 
     def without_relief(self) -> "Joint":
-        """The joint with a straight pin in a straight hole. replace() keeps to
-        it; to_toml() still has the relief.
+        """The joint with a straight pin in a straight hole. replace() keeps it
+        straight; to_toml() still has the relief.
         """
         return self._with(self._more[0], True, None)
 
@@ -174,12 +175,12 @@ class Joint(FileText, _core.Joint):
         loads: tuple[float, float] | None = None,
         table: bytes | None = None,
     ) -> "Joint":
-        """The joint with a table of the contacts that reach a rim of its seat,
-        which are then read in some 20 us, to 1e-3 of the load. It goes through
-        pickle; replace() leaves it out.
+        """The joint with a table of the contacts at the rims of its seat.
+        Reading the table takes some 20 us and is accurate to 1e-3 of the load.
+        The table is pickled; replace() drops it.
 
-        loads: the least and the largest, N, of a table that is made in 7 to
-            20 s.
+        loads: the least and the largest, N; building the table takes 7 to 20
+            s.
         table: `table` of another Joint with the same seat, instead.
         """
         if (loads is None) == (table is None):
@@ -219,9 +220,9 @@ class Joint(FileText, _core.Joint):
     def vary(self, keys: Mapping[str, ArrayLike]) -> Joints:
         """Joints that differ by the numbers of some keys.
 
-        keys: names as in replace(), with arrays that broadcast. Laws that serve
-            several joints are made once: friction and, without walls, radius
-            and clearance do not count.
+        keys: names as in replace(), with arrays that broadcast. Laws shared by
+            several joints are built once: they do not depend on friction and,
+            without walls, on radius and clearance.
         """
         return Joints(self, keys)
 
@@ -243,23 +244,24 @@ class Joint(FileText, _core.Joint):
         tilt: ArrayLike | None = None,
         place: ArrayLike | None = None,
     ) -> "Cycle":
-        """The joint on a duty cycle: one period of force and motion, through
-        whose rows go periodic cubic splines.
+        """The joint on a duty cycle: one period of force and motion,
+        interpolated by periodic cubic splines.
 
         time: s, (n,), ascending.
         force: N, (n, 3); on "body" or "carrier" and in the axes of either.
         angles: rad, (n, 3), intrinsic rotations of the body about the axes of
             `sequence`, "zxy" or another; of a pin (n,), about z. Columns of a
             DataFrame whose names end in _deg are degrees.
-        rates: instead of it, Dw in axes of the carrier, rad/s, (n, 3).
-        period: s; of even times it may be left out.
+        rates: instead of angles: Dw in axes of the carrier, rad/s, (n, 3).
+        period: s; optional for evenly spaced times.
         tilt: slope of a pin's axis in its hole, carrier axes, (3,) or (n, 3).
         place: of the reaction along a pin, m from its middle, () or (n,),
-            instead of a tilt, which is then found.
+            instead of a tilt, which is then computed.
 
         A last row that repeats the first is left out, with a RuntimeWarning.
-        The contact of a ball is in its [seat]: where it reaches a rim sums are
-        over the rows. A pin with a [relief], a tilt or a place ends, by slices.
+        A [seat] confines the contact of a ball; if it reaches a rim, sums are
+        taken over the rows. A pin with a [relief], a tilt or a place is a
+        finite-length pin, solved by slices.
         """
         if (angles is None) == (rates is None):
             raise _core.Error("a cycle requires angles or rates")
@@ -363,19 +365,19 @@ class Cycle(_Made, _core.Cycle):
 
     @with_known_keywords
     def wear(self, body: str = "body", points: int = 2000) -> Wear:
-        """Wear map of one of the bodies. Nearer to a rim of its [seat] than
-        report_distance the pressure is that at it: what a rim wears beyond is
-        not known.
+        """Wear map of one of the bodies. Nearer to a rim of the [seat] than
+        report_distance the pressure at that distance is used, because wear at
+        a rim is unknown.
 
         body: "body" or "carrier".
-        points: how many, each of the same area.
+        points: number of points of equal area.
         """
         return Wear(self._wear(body, points))
 
 
 class Fit(_Made, _core.Fit):
     """Friction parameters that fit measured moments, see identify(). It may be
-    pickled, and is fitted anew where it is unpickled."""
+    pickled, and is fitted again when unpickled."""
 
     def __getitem__(self, parameter: str) -> _core.Estimate:
         return self.parameters[parameter]
@@ -406,12 +408,13 @@ def identify(
     angular_velocity: Dw, body against carrier, rad/s, (..., 3).
     moment: that turns the joint, -M_t . Dw/|Dw|, N m, (...); or M_t on the
         body, (..., 3).
-    sigma: standard errors of the moments; 1: not known. Their ratios alone
-        count.
-    parameters: of "coefficient", "adhesion" (Pa), "clearance" (m), "drag" (N m,
-        whatever the load is), "offset" (N m, does not turn round with Dw).
-    huber: Huber's loss: a few wrong data do no harm.
-    profile: intervals by refitting too.
+    sigma: standard errors of the moments; 1: unknown. Only their ratios
+        matter.
+    parameters: of "coefficient", "adhesion" (Pa), "clearance" (m), "drag" (N
+        m, independent of the load), "offset" (N m, does not change sign with
+        Dw).
+    huber: Huber's loss, which limits the effect of outliers.
+    profile: add intervals by refitting.
     level: probability of the intervals.
     """
     names = [parameters] if isinstance(parameters, str) else list(parameters)

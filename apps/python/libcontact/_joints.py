@@ -21,8 +21,8 @@ class Joints(_core.Joints):
         fits.solve(np.ones((7, 1, 3)), [1, 0, 1]).power  # (7, 3)
 
     Functions are the same as in Joint; their arguments broadcast against the
-    joints. A ContactWarning is about the first joint that leaves its limits.
-    Each joint with a [seat] is in its own, without a table.
+    joints. A ContactWarning refers to the first joint outside its limits. Each
+    joint with a [seat] is in its own seat, without a table.
     """
 
     def __init__(self, joint: "Joint", keys: Mapping[str, ArrayLike]) -> None:
@@ -42,7 +42,7 @@ class Joints(_core.Joints):
 
     @property
     def joint(self) -> "Joint":
-        """From which they differ."""
+        """The joint from which they differ."""
         return self._joint
 
     @property

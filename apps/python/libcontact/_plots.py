@@ -1,6 +1,6 @@
-"""Pictures of joints and results, by matplotlib where it is installed.
+"""Pictures of joints and results by matplotlib, if it is installed.
 
-Nothing is shown here: notebooks do that, elsewhere matplotlib.pyplot.show().
+Notebooks show the figures; elsewhere call matplotlib.pyplot.show().
 """
 
 import textwrap

@@ -1,4 +1,4 @@
-"""The manners of results: how they print, and some of their rows."""
+"""Printing and indexing of results."""
 
 import html
 import itertools

@@ -6,8 +6,8 @@
     ...     friction.step(data)  # in place of mujoco.mj_step(model, data)
 
 The adapter of apps/hosts/mujoco in Python, with its limits: Euler's step, and
-reactions of the step before. A hinge that friction holds has a rate of exactly
-0, and its angles do not change by a bit.
+reactions of the previous step. A hinge held by friction has a rate of exactly
+0, and its angles stay bit-identical.
 """
 
 from os import PathLike
@@ -65,7 +65,7 @@ class HingeFriction:
         return dofs[first : first + _sizes[int(self._model.jnt_type[i])][1]]
 
     def step(self, data: Any) -> None:
-        """In the place of mujoco.mj_step()."""
+        """Replaces mujoco.mj_step()."""
         model = self._model
         if model.opt.integrator != 0:
             raise ValueError("the integrator must be Euler")
@@ -107,7 +107,7 @@ class HingeFriction:
         self._finish(data)
 
     def _starts(self, data: Any) -> tuple[Any, Any, Any]:
-        """Of balls in the axes of their body, of hinges in those of the world."""
+        """Vectors of balls in the axes of their body, of hinges in world axes."""
         model = self._model
         reactions, axes, turns = [], [], []
         assert self._mechanism is not None
@@ -128,7 +128,7 @@ class HingeFriction:
         return reactions, axes, turns
 
     def _weigh(self, data: Any) -> Any:
-        """The mass matrix with damping, of which the mechanism is told."""
+        """Gives the mechanism the mass matrix with damping."""
         model = self._model
         inertia = np.zeros((model.nv, model.nv))
         if hasattr(data, "qM"):  # up to 3.9

@@ -1,10 +1,10 @@
 """Studies on any executor of concurrent.futures: threads, Dask, MPI.
 
-A study is shared out in parts of its runs. Each is computed by the program
-hinge-study where the executor has a worker, and comes back as the bytes of a
-journal. From all of them hinge-study writes the results, which are
-bit-identical to the study on one machine. A part that is lost with its worker
-is computed again, by the executor or by the same call repeated.
+A study is divided into parts of its runs. On each worker the program
+hinge-study computes a part and returns the bytes of a journal. From all
+journals hinge-study writes the results, which are bit-identical to the study
+on one machine. If a part is lost with its worker, the executor or a repeated
+call computes it again.
 
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> import libcontact.study

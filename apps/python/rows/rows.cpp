@@ -20,7 +20,7 @@ std::string text_of(const Shape& shape) {
   return text + ")";
 }
 
-// Doubles in one piece, and no subclass, whose values may be more than these.
+// True for contiguous doubles and no subclass, whose values may mean more.
 bool is_plain(py::handle given) {
   return Py_TYPE(given.ptr()) == py::detail::npy_api::get().PyArray_Type_ &&
          py::isinstance<py::array_t<double, py::array::c_style>>(given);
@@ -32,8 +32,8 @@ bool is_masked(py::handle given) {
                         py::module_::import("numpy.ma").attr("MaskedArray"));
 }
 
-// NumPy would take their numbers, whatever the unit: as pint and astropy have
-// them, alone or in a list.
+// True for quantities of pint or astropy, alone or in a list; NumPy would take
+// their numbers and ignore the unit.
 bool has_unit(py::handle given) {
   if (PyFloat_CheckExact(given.ptr()) || PyLong_CheckExact(given.ptr())) {
     return false;
@@ -48,7 +48,7 @@ bool has_unit(py::handle given) {
           (py::hasattr(given, "value") && py::hasattr(given, "unit")));
 }
 
-// As NumPy converts it by default.
+// NumPy's default conversion.
 py::array natural(py::handle given) {
   const auto from_any = py::detail::npy_api::get().PyArray_FromAny_;
   auto array = py::reinterpret_steal<py::array>(

@@ -23,30 +23,30 @@ namespace contact_python {
 
 namespace py = pybind11;
 
-/// Floats, integers and booleans of any shape, in one piece. An array of
-/// doubles that lies so is not copied.
+/// Contiguous floats, integers and booleans of any shape. A contiguous array of
+/// doubles is not copied.
 class Numbers
     : public py::array_t<double, py::array::c_style | py::array::forcecast> {
  public:
   Numbers() : array_t(py::handle(), stolen_t{}) {}
   /// Throws Python's TypeError for other arrays, such as text, dates, complex
-  /// numbers and masks, and NumPy's own error for other objects.
+  /// numbers and masked arrays, and NumPy's own error for other objects.
   explicit Numbers(py::handle given);
 };
 using Shape = std::vector<py::ssize_t>;
 
-/// Arguments of an evaluation for many rows.
+/// An argument of an evaluation for many rows.
 struct Argument {
   /// @param name   for messages
-  /// @param width  how many numbers a row has, behind the others in the shape;
-  ///               0: it is a number
+  /// @param width  numbers in each row, the last dimension of the shape; 0:
+  ///               each row is a single number
   Argument(const char* name, const Numbers& array, int width);
-  /// Three numbers that are the same for all rows.
+  /// Three numbers that are equal for all rows.
   explicit Argument(const Eigen::Vector3d& all_rows) : data(all_rows.data()) {}
-  /// Numbers of our own.
+  /// Numbers owned by the caller in C++.
   Argument(const double* numbers, int row_width, Shape of_rows)
       : data(numbers), width(row_width), shape(std::move(of_rows)) {}
-  /// Matrices of three by three, behind the others in the shape.
+  /// 3 x 3 matrices in the last two dimensions.
   static Argument matrix(const char* name, const Numbers& array);
 
   const double* data;
@@ -54,10 +54,10 @@ struct Argument {
   Shape shape = {};  ///< shape of the rows
 };
 
-/// Arguments broadcast against each other by NumPy's rules, row by row.
+/// Broadcasts arguments against each other by NumPy's rules, row by row.
 class Rows {
  public:
-  /// @throws contact::Error if the shapes do not go together
+  /// @throws contact::Error if the shapes cannot be broadcast
   explicit Rows(const std::vector<Argument>& arguments);
   Rows(std::initializer_list<Argument> arguments)
       : Rows(std::vector<Argument>(arguments)) {}
@@ -67,9 +67,10 @@ class Rows {
   /// Rows between two checks for Ctrl-C (takes well under 0.1 s).
   static constexpr std::size_t block = 1024;
 
-  /// Calls `row(numbers)` for each in turn, numbers[k] from argument k, without
-  /// Python's lock. Ctrl-C ends it.
-  /// @param at_once  rows between two looks; below `block` the rows are slow
+  /// Calls `row(numbers)` for each row in turn, numbers[k] from argument k,
+  /// without Python's lock. Ctrl-C ends it.
+  /// @param at_once  rows between two checks; set it below `block` for slow
+  ///                 rows
   template <class Row>
   void for_each(const Row& row, std::size_t at_once = block) const {
     Cursor cursor(*this);
@@ -84,18 +85,18 @@ class Rows {
       heed_signals();
     }
   }
-  /// Throws for Ctrl-C; where Python's lock has been let go.
+  /// Throws for Ctrl-C; call without Python's lock.
   static void heed_signals();
 
-  /// The same on several threads, or as many of them as the system starts:
-  /// each `at_once` rows have a function `begin()(numbers, i)` of their own, i
-  /// the number of the row.
+  /// As above on several threads, or as many as the system starts. Each
+  /// `at_once` rows use their own function `begin()(numbers, i)`, where i is
+  /// the index of the row.
   template <class Begin>
   void for_each(int threads, const Begin& begin,
                 std::size_t at_once = block) const;
 
  private:
-  // Places of the numbers of a row.
+  // Pointers to the numbers of a row.
   class Cursor {
    public:
     /// At row `begin`.
@@ -150,7 +151,7 @@ void Rows::for_each(int threads, const Begin& begin,
     try {
       for (std::size_t k = 1; k < used; ++k) others.emplace_back(work, false);
     } catch (const std::system_error&) {
-      // The others do the work.
+      // The other threads do the work.
     }
     work(true);
   }
@@ -161,30 +162,31 @@ inline Eigen::Vector3d vector_at(const double* numbers) {
   return Eigen::Map<const Eigen::Vector3d>(numbers);
 }
 
-/// An array as functions return it: a number if it has no dimension.
+/// The array as a return value: a scalar if it has no dimension.
 py::object returned(const py::array& array);
 
 /// Destination of numbers, and number of threads that share the rows: the
-/// arguments `out` and `threads` of functions of one quantity.
+/// arguments `out` and `threads` of functions with a single quantity.
 struct Wanted {
   py::object out = py::none();
   int threads = 1;
 
-  /// @throws contact::Error if there are none
+  /// @throws contact::Error for a number of threads below 1
   void check() const;
 };
 
 namespace detail {
 
-/// Memory of an array in which results are put.
+/// Memory of an array that receives results.
 /// @param name  for messages
-/// @throws contact::Error if it is of another type, shape or order of memory
+/// @throws contact::Error for another type, shape or memory order
 void* memory_of(const std::string& name, const py::object& array,
                 const py::dtype& type, const Shape& shape);
 
 }  // namespace detail
 
-/// The array of `value(numbers)` over all rows, of numbers or vectors.
+/// Evaluates `value(numbers)` over all rows; returns an array of numbers or
+/// vectors.
 template <class Value>
 py::object evaluate(std::initializer_list<Argument> arguments,
                     const Value& value, const Wanted& wanted = {}) {

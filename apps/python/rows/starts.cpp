@@ -49,7 +49,8 @@ const contact::Placement* Placements::operator()(const double* const* at,
   if (has_tilt_) placement_.tilt = vector_at(*at++);
   if (has_place_) {
     placement_.place = **at++;
-    // Joint takes NaN for no place: a tilt of NaN leaves no solution then.
+    // Joint interprets a place of NaN as no place; a tilt of NaN then leaves no
+    // solution.
     const bool is_known = !std::isnan(placement_.place);
     placement_.tilt.setConstant(
         is_known ? 0 : std::numeric_limits<double>::quiet_NaN());

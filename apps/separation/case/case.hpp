@@ -122,9 +122,10 @@ inline constexpr Clock never{std::numeric_limits<double>::infinity(), -1, 0};
 /// Bodies whose distance is watched, a < b.
 struct WatchedPair {
   int a, b;
-  std::string name = {};  ///< of the clearance; "": none
-  /// While it is watched. An event about one of them counts when it has come
-  /// for that body, one about both when it has for both.
+  std::string name = {};  ///< the clearance's; "": none
+  /// Time window of the watch. An event about one of the bodies counts from the
+  /// time it occurred for that body; an event about both from the time it
+  /// occurred for both.
   Clock begin = {}, end = never;
   std::vector<int> a_shapes = {}, b_shapes = {};  ///< empty: all
 
@@ -162,24 +163,24 @@ struct Event {
   std::string name;
   Trigger trigger;
   double value;  ///< s, rad, N; after: delay, s; distance: m, falling
-  Node node;     ///< reaction: of which node
+  Node node;     ///< the node of a reaction
   Action action;
   std::vector<int> bodies;
-  int after = -1;  ///< the event that arms it, -1: always armed
-  /// True: all its bodies when the first one meets the condition.
+  int after = -1;  ///< the event that arms it; -1: always armed
+  /// True: occurs for all its bodies when the first one meets the condition.
   bool together;
-  /// Latches engage at this rate of the hinge or below, rad/s.
+  /// Latches engage at or below this rate of the hinge, rad/s.
   double rate_below = std::numeric_limits<double>::infinity();
-  /// distance: of each of its bodies those that it is one of; of a body that
-  /// none has, all.
+  /// distance: for each of its bodies the pairs that contain the body; a body
+  /// in no pair uses all pairs.
   std::vector<WatchedPair> pairs = {};
 };
 
-/// A body whose motion is asked for at an event or at the end.
+/// A body whose motion is recorded at an event or at the end.
 struct TipOff {
   int body;   ///< rigid body
   int event;  ///< -1: the end
-  /// Across which its rate is wanted, body axes.
+  /// Direction across which its rate is wanted, body axes.
   std::optional<Eigen::Vector3d> direction;
 };
 
@@ -224,13 +225,13 @@ struct Case {
     return std::any_of(bodies.begin(), bodies.end(),
                        [](const Body& body) { return body.hinge.on > 0; });
   }
-  /// The mass of a rigid body changes.
+  /// True if the mass of a rigid body changes.
   bool flows(int body) const {
     return std::ranges::any_of(forces, [body](const Force& force) {
       return force.body == body && force.burns;
     });
   }
-  /// An event latches the hinge of this body.
+  /// True if an event latches the hinge of this body.
   bool has_latch(int body) const {
     return std::ranges::any_of(events, [body](const Event& event) {
       return event.action == Event::Action::latch &&

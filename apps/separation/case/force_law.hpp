@@ -36,13 +36,13 @@ struct ForceEnds {
   Eigen::Vector3d exhaust = Eigen::Vector3d::Zero();
 };
 
-/// What an engine burns.
+/// Propellant of an engine.
 struct Propellant {
-  double exhaust_speed;  ///< thrust over what leaves, m/s
+  double exhaust_speed;  ///< thrust over mass flow
   double mass = std::numeric_limits<double>::infinity();  ///< kg
-  /// Of the body without it: the centre of mass, as ForceEnds::point; left out:
-  /// where it is with it. The inertia about that, body axes; left out: in
-  /// proportion to the mass.
+  /// The body without propellant: its centre of mass, as ForceEnds::point;
+  /// by default it does not move. The inertia about it, body axes; by default
+  /// in proportion to the mass.
   std::optional<Eigen::Vector3d> empty_com = {};
   std::optional<Eigen::Matrix3d> empty_inertia = {};
 };
@@ -68,10 +68,10 @@ class ForceLaw {
   virtual void add_kinks(
       [[maybe_unused]] const ForceInstant& at,
       [[maybe_unused]] std::vector<multibody::KinkedVariable>& to) const {}
-  /// It burns this; null: nothing. It ends when that is used up.
+  /// The propellant that it burns; null: none. It ends when that is used up.
   virtual const Propellant* propellant() const { return nullptr; }
-  /// Of an engine, N, and since its begin, N s.
-  /// @param begin, own  as of ForceInstant
+  /// Thrust of an engine, N, and its integral since it began, N s.
+  /// @param begin, own  as in ForceInstant
   virtual double thrust_at([[maybe_unused]] double time,
                            [[maybe_unused]] double begin,
                            [[maybe_unused]] double own) const {

@@ -12,10 +12,10 @@ namespace separation {
 /// Keys of a [[body.hinge.stop]].
 contact::KnownKeys stop_keys();
 
-/// The stops of a [body.hinge], at most one on each side.
-/// @param start  of its body, which decides the side
-/// @throws contact::Error for stops beyond which the body starts, or which
-///   leave it no angle
+/// Reads the stops of a [body.hinge], at most one on each side.
+/// @param start  initial state of its body, which decides the side
+/// @throws contact::Error for stops beyond which the body starts, and stops
+///   that leave no angle free
 std::vector<HingeStop> read_stops(const contact::TomlTable& table,
                                   const Hinge& hinge,
                                   const multibody::BodyStart& start);

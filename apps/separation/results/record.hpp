@@ -92,7 +92,7 @@ struct BodyRecord {
   } release;
 };
 
-/// Motion of a body at an event, just before what that does, or at the end.
+/// Motion of a body just before an event takes effect, or at the end.
 struct TipOffRecord {
   double time = History::not_yet;
   Eigen::Vector3d rates = Eigen::Vector3d::Zero();     ///< body axes, rad/s
@@ -100,7 +100,7 @@ struct TipOffRecord {
   /// Axis times angle, body axes to inertial ones, rad.
   Eigen::Vector3d attitude = Eigen::Vector3d::Zero();
   double across = NAN;  ///< rate across TipOff::direction, rad/s
-  double mass = NAN;    ///< of one that flows, kg
+  double mass = NAN;    ///< only if mass flows, kg
 };
 
 /// Something that happened, in words.
@@ -108,14 +108,14 @@ struct Note {
   double time;
   std::string body;
   std::string what;
-  // Of an impact, else 0.
-  double rate = 0;      ///< of the hinge before it, on an axis with its sign
-  double impulse = 0;   ///< N m s; 0 too on a compliant stop
-  double loss = 0;      ///< of energy, J
-  double approach = 0;  ///< of bodies that come near each other, m/s
+  // Impacts only, else 0.
+  double rate = 0;      ///< hinge's before it, on an axis with sign
+  double impulse = 0;   ///< N m s; 0 on a compliant stop
+  double loss = 0;      ///< energy lost, J
+  double approach = 0;  ///< speed of approaching bodies, m/s
 };
 
-/// Whether a run of the case can have this note.
+/// True if a run of the case can have such a note.
 bool can_be_noted(const Note& note, const Case& c);
 
 /// The smallest distance of two bodies.

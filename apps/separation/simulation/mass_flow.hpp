@@ -10,30 +10,31 @@ namespace separation {
 
 struct History;
 
-/// Masses of bodies whose engines burn something, from one event to the next.
+/// Masses of bodies whose engines burn propellant, from one event to the next.
 ///
-/// With q = T/v_e the mass that leaves in a second, at the nozzle, r from the
-/// centre of mass, and c' the rate of that in the body,
+/// With the mass flow q = T/v_e at the nozzle, r the position of the nozzle
+/// from the centre of mass, and c' the velocity of the centre of mass within
+/// the body,
 ///
 ///     F = -2 w x (q r + m c'),  M = -I' w - q r x (w x r)
 ///
-/// act on the body at its centre of mass beside the thrust T, which is what a
-/// test stand measures: the flow in the body is steady and does not turn about
-/// the centre of mass. Its momentum is m (v + w x c) + q r + m c', v that of
-/// the body's material.
+/// act on the body at its centre of mass in addition to the thrust T as
+/// measured on a test stand. The flow in the body is assumed steady and does
+/// not rotate about the centre of mass. The momentum of the body is m (v + w x
+/// c) + q r + m c', where v is the velocity of its material.
 class MassFlow {
  public:
-  /// @param c  has to outlive this object
+  /// @param c  must outlive this object
   MassFlow(const Case& c, const History& history);
 
-  /// When a force of the case has used up what it burns.
+  /// Time at which a force of the case has used up its propellant.
   double empty_at(int force) const;
-  /// When engines without a known end have burned all of their body, which can
-  /// not go on then; infinite: never.
+  /// Time at which engines without a known end have burned all of their body,
+  /// which then cannot go on; infinite: never.
   double spent_at() const;
-  /// A body of the case, (0) the carrier, at a time.
+  /// Mass of a body of the case at a time; 0 is the carrier.
   multibody::BodyMass of(int body, double time) const;
-  /// As ForceModel has them.
+  /// See ForceModel::add_masses().
   void add_masses(double time, std::vector<multibody::BodyMass>& to) const;
   void add_forces(double time, std::span<const multibody::BodyMotion> bodies,
                   std::span<multibody::BodyForce> forces) const;
@@ -45,7 +46,7 @@ class MassFlow {
     const ForceLaw* law;
     double begin, end, own;  // s
     double empty = 0;        // s
-    /// By how much these fall with each kg, m/kg and m^2.
+    /// Their decrease for each kg burned, m/kg and m^2.
     Eigen::Vector3d com = Eigen::Vector3d::Zero();
     Eigen::Matrix3d inertia = Eigen::Matrix3d::Zero();
 

@@ -289,8 +289,8 @@ void Simulation::find_due() {
       if (has_happened(h) || !is_armed(h)) continue;
       const bool timed = event.trigger == Event::Trigger::time ||
                          event.trigger == Event::Trigger::after;
-      // A latch catches what passes its angle, not what is beyond it, and what
-      // is near already does not come near.
+      // A latch catches a body that passes its angle, not one beyond it; bodies
+      // that are near already do not come near.
       const auto is_met = [&] {
         if (event.trigger == Event::Trigger::distance) return false;
         return event.action == Event::Action::latch

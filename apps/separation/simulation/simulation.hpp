@@ -33,7 +33,7 @@ NodeReactions node_reactions(const Body& body,
 struct Happening {
   int event;
   int body;
-  int pair = -1;  ///< of an event by distances: which of its pairs
+  int pair = -1;  ///< event by distances: index of the pair
   bool operator==(const Happening& other) const {
     return event == other.event && body == other.body;
   }
@@ -71,12 +71,12 @@ class Simulation {
     return forces_->stored_energy(time(), sample().motions());
   }
 
-  /// Masses now, and what becomes of them.
+  /// Mass flow of the case's engines.
   const MassFlow& flow() const { return forces_->flow(); }
 
-  /// Moment by which a stop pushes a body, as far as friction does not have to,
-  /// and by which a latch holds one (on an axis about it), N m.
-  /// @param of  the sample's hinge of the body
+  /// Moment of a stop on a body, without the part that friction carries, and
+  /// moment of a latch (about the axis, if there is one), N m.
+  /// @param of  hinge of the body in the sample
   double stop_moment(const multibody::MotionSample& sample,
                      const multibody::HingeSample& of, int body) const;
   double latch_moment(const multibody::HingeSample& of, int body) const;
@@ -114,8 +114,8 @@ class Simulation {
   bool apply();
   /// Whether a due latch engages: not if the hinge turns too fast.
   bool engages(const Happening& h) const;
-  /// How fast bodies approach each other whose event is due, m/s; 0: it is not
-  /// about distances.
+  /// Speed at which bodies approach each other when their event is due, m/s; 0
+  /// for other events.
   double approach(const Happening& h) const;
   /// An event has ended the run.
   bool is_over() const;

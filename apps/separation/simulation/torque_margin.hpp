@@ -29,14 +29,14 @@ struct TorqueMargin {
 /// @throws contact::Error if the joints have no friction moment
 TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
 
-/// Those of a run, each computed when it is first asked for. Threads may ask.
+/// Torque margins of a run, computed on first use. Safe from several threads.
 class TorqueMargins {
  public:
   TorqueMargin of(const Case& c, int body, FrictionChoice friction);
 
  private:
   std::mutex mutex_;
-  std::map<int, TorqueMargin> known_;  // of bodies
+  std::map<int, TorqueMargin> known_;  // body to margin
 };
 
 }  // namespace separation

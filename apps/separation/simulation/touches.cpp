@@ -58,11 +58,12 @@ double Touches::speed(int event, int pair, const MotionSample& sample) const {
                      reach(case_.rigid_body(watched.b).shapes));
 }
 
-// Derivative of third order from the distances that the present velocities have
-// come from: those of the run may be off by the tolerance of its steps.
+// Derivative of third order from the distances at earlier positions, which are
+// extrapolated by the present velocities: positions of the run may deviate by
+// the tolerance of its steps.
 double Touches::approach(int event, int pair,
                          const MotionSample& sample) const {
-  // So long a way is far above the rounding of distances.
+  // Far above the rounding of distances.
   constexpr double way = 1e-3;  // m
   const double step = way / speed(event, pair, sample);
   if (!std::isfinite(step)) return 0;

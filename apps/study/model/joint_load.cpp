@@ -14,7 +14,7 @@ using Eigen::Vector3d;
 
 constexpr const char* vector_key = "reaction_xyz";
 
-// Reads the reaction and the rate of the turning.
+// Reads the reaction and the rate of rotation.
 void read_reaction(const TomlTable& load, Load& to) {
   to.rate = load.optional_number("rate").value_or(1);
   if (load.has(vector_key)) {
@@ -34,7 +34,7 @@ void read_reaction(const TomlTable& load, Load& to) {
   to.reaction = force * Vector3d(std::sin(beta), 0, std::cos(beta));
 }
 
-// Refuses loads that the seat of the joint has no answer to.
+// Rejects loads for which the joint's seat has no solution.
 void read_seat(const TomlTable& load, const contact::JointGeometry& geometry,
                Load& to) {
   if (load.has("in_seat")) {

@@ -37,7 +37,7 @@ struct JointModel::Form {
   contact::TomlForm joint, study;
 };
 
-/// Contacts at the rims of a seat, as the first draws have them.
+/// Contacts at the rims of a seat, estimated from the first draws.
 struct JointModel::Rims {
   double share = 0;           ///< share of the runs that reach a rim
   std::vector<double> draws;  ///< draws of a run that reaches one
@@ -52,7 +52,7 @@ namespace {
 
 bool is_of_load(const std::string& key) { return key.starts_with("load."); }
 
-/// Whether the contact would go beyond a rim if the seat did not end.
+/// True if the contact would extend beyond a rim.
 bool reaches_rim(const contact::Joint& endless, const Load& load) {
   for (const double angle : {-load.swing, 0.0, load.swing}) {
     const contact::JointSolution s =
@@ -62,7 +62,7 @@ bool reaches_rim(const contact::Joint& endless, const Load& load) {
   return false;
 }
 
-/// Adds numbers by their names, but no distances from rims that do not exist.
+/// Adds numbers by name, without distances to rims that do not exist.
 template <class T>
 void add(const std::vector<contact::Column<T>>& columns, const T& of,
          Result& to) {
@@ -72,7 +72,7 @@ void add(const std::vector<contact::Column<T>>& columns, const T& of,
   }
 }
 
-/// Adds the numbers of rims, and of pins that end.
+/// Adds the numbers of rims and of finite-length pins.
 void add_ends(const contact::Joint& joint, const contact::JointSolution& s,
               Result& to) {
   static const auto of_rims = columns_of(contact::rim_quantities());
@@ -117,7 +117,7 @@ JointModel::JointModel(const Plan& plan)
   } catch (const contact::Error& error) {
     plan.file.fail("joint", error.what());
   }
-  // One that scatters about a clearance of 0 may be unloaded in some runs.
+  // A joint whose clearance scatters about 0 may be unloaded in some runs.
   if (load.reaction.isZero(0) && !joint_->contact().has_interference()) {
     table.must_be("reaction",
                   "above 0, as a joint without interference has no friction "
@@ -158,7 +158,8 @@ JointModel::Loaded JointModel::read(const KeySettings& settings) const {
                 files_.open(plan_.path, study_keys, of_study));
 }
 
-// Numbers that make no joint are read as settings: messages name them.
+// Draws that make no valid joint are read as settings, so that messages name
+// them.
 JointModel::Loaded JointModel::read(const std::vector<double>& draws) const {
   KeySettings of_joint;
   KeySettings of_study;
@@ -234,7 +235,7 @@ Result JointModel::run(const Loaded& loaded, const Effort& effort) const {
 
 void JointModel::prepare(const std::vector<std::vector<double>>& first,
                          std::uint64_t runs) {
-  // Few, if each joint may need laws of its own, which take time.
+  // Few runs, if each joint may need laws of its own, which take time.
   const std::size_t count =
       std::min<std::size_t>(joint_ ? first.size() : 20, first.size());
   contact::SharedLaws laws = laws_;
@@ -251,18 +252,18 @@ void JointModel::prepare(const std::vector<std::vector<double>>& first,
       rims->draws = first[i];
       rims->share += 1 / static_cast<double>(count);
     } catch (const contact::Error&) {
-      // A run that will fail.
+      // This run will fail.
     }
   }
   if (rims->share == 0) return;
-  // So many contacts take as long as the table.
+  // This many contacts take as long as the table.
   constexpr double many = 500;
   rims->are_tabulated =
       joint_ && rims->share * static_cast<double>(runs) >= many;
   rims_ = std::move(rims);
 }
 
-// The joint whose load scatters, with a table; made when it is first needed.
+// The joint, with a table, if only the load scatters; built on first use.
 const contact::Joint& JointModel::tabulated() const {
   std::call_once(rims_->once, [this] {
     cli::Progress progress("percent of a table of contacts", 100);
@@ -293,7 +294,7 @@ std::string JointModel::forecast(std::uint64_t runs, int jobs) const {
   double each = 0;
   double seconds = 0;
   constexpr double long_time = 2;
-  // The first run makes what the others share.
+  // The first run builds the laws that the others share.
   for (int i = 0; i < 2; ++i) {
     const auto begin = std::chrono::steady_clock::now();
     run(read(rims_->draws), {});

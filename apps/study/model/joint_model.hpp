@@ -11,17 +11,17 @@
 
 namespace study {
 
-/// A joint under a Load: [load] of the study file. Numbers are named as
-/// hinge-joint's columns, with the numbers of interference if the nominal joint
-/// has no clearance, else with its presliding angle. Files are parsed and keys
-/// that are drawn looked up once.
+/// A joint under a Load: [load] of the study file. Numbers have the names of
+/// hinge-joint's columns. If the nominal joint has no clearance, the numbers of
+/// interference are included, else its presliding angle. Files are parsed and
+/// drawn keys looked up only once.
 ///
-/// Contacts at the rims of a seat take 20 to 60 ms. If only the load scatters
-/// and there are many of them, all but the nominal one are read from a table;
-/// if friction scatters too, and nothing else, they share their grids.
+/// Contacts at the rims of a seat take 20 to 60 ms. If only the load scatters,
+/// and many contacts are at rims, all solutions but the nominal one come from a
+/// table. If only load and friction scatter, solutions share their grids.
 class JointModel : public Model {
  public:
-  /// @param plan  has to outlive this object
+  /// @param plan  must outlive this object
   explicit JointModel(const Plan& plan);
   ~JointModel() override;
 
@@ -52,8 +52,9 @@ class JointModel : public Model {
   contact::SharedLaws laws_;  ///< laws of the nominal joint
   std::vector<contact::Column<contact::JointSolution>> columns_;
   std::vector<contact::Column<contact::ContactPatch>> patch_columns_;
-  std::optional<contact::Joint> joint_;  ///< one, if only the load scatters
-  std::unique_ptr<Rims> rims_;           ///< null where no contact is at a rim
+  std::optional<contact::Joint>
+      joint_;                   ///< a single joint, if only the load scatters
+  std::unique_ptr<Rims> rims_;  ///< null if no contact is at a rim
   mutable Pool<Form> forms_;
 };
 

@@ -12,18 +12,18 @@
 
 namespace study {
 
-/// Numbers that a run does not have.
+/// Numbers that are undefined for a run, with the reason.
 struct Unreached {
-  std::string name;  ///< or "BODY.at_release." of all that begin so
+  std::string name;  ///< or "BODY.at_release." for all that begin with it
   std::string why;   ///< "BODY is not released"
 };
 
-/// The number that every run with joints has: the largest peak pressure over
-/// contact::ContactLimits::peak_pressure() of its joint; above 1 it leaves the
-/// theory or what the materials bear.
+/// A number of every run with joints: the largest ratio of peak pressure to
+/// contact::ContactLimits::peak_pressure() of the joint. Above 1 the joint
+/// exceeds the range of the theory or the strength of its materials.
 inline constexpr const char* over_limit = "p_peak_over_limit";
 
-/// Result of one run: numbers by their names, or the reason of its failure.
+/// Result of one run: its numbers by name, or the reason of its failure.
 struct Result {
   std::string failure;
   std::map<std::string, double> numbers;
@@ -31,46 +31,46 @@ struct Result {
   std::vector<std::string> warnings = {};  ///< with Effort::remarks
 };
 
-/// Evaluations wanted along a run.
+/// Optional evaluations of a run.
 struct Effort {
   bool peaks = true;
   bool clearance = true;
   bool margins = true;   ///< torque margins of hinges
-  bool remarks = false;  ///< effects that are hardly intended
+  bool remarks = false;  ///< effects that are probably not intended
 };
 
-/// System that a study runs again and again, from several threads at once.
+/// A system that a study runs many times, from several threads at once.
 class Model {
  public:
   virtual ~Model() = default;
 
-  /// Names of the bodies, or of those that forces act on, that a dispersion has
-  /// a draw for, each; none if it has one for all.
-  /// @throws contact::Error of a key that has no copies
+  /// Names of the copies (bodies, or bodies with the force) that get one draw
+  /// each from a dispersion; empty if one draw applies to all.
+  /// @throws contact::Error for a key without copies
   virtual std::vector<std::string> copies(
       const Dispersion& dispersion) const = 0;
 
-  /// Reads with these values.
-  /// @throws contact::Error if they make no case
+  /// Reads the case with these values.
+  /// @throws contact::Error if they make no valid case
   virtual void check(const contact::KeySettings& settings) const = 0;
-  /// With these values.
-  /// @throws contact::Error if they make no case
+  /// Runs the case with these values.
+  /// @throws contact::Error if they make no valid case
   virtual Result run(const contact::KeySettings& settings, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
-  /// With a draw of each key, as of Design::numbers().
-  /// @throws contact::Error if they make no case
+  /// Runs the case with one draw for each key, as Design::numbers() gives them.
+  /// @throws contact::Error if they make no valid case
   virtual Result run(const std::vector<double>& draws, const Effort& effort,
                      const std::function<std::string()>& stop) const = 0;
-  /// Looks at the first draws before any of the runs is made; what it decides
-  /// belongs to the identity.
+  /// Receives the first draws before any run; its decisions are part of the
+  /// identity.
   virtual void prepare(const std::vector<std::vector<double>>& /*first*/,
                        std::uint64_t /*runs*/) {}
-  /// A sentence on how the runs are made, if that takes long; else "".
+  /// A sentence on the expected time if the runs take long; else "".
   /// @param jobs  threads
   virtual std::string forecast(std::uint64_t /*runs*/, int /*jobs*/) const {
     return {};
   }
-  /// Identity of everything that numbers depend on beside the settings.
+  /// Identifies everything but the settings that affects the numbers.
   virtual std::string identity() const = 0;
 };
 

@@ -7,12 +7,12 @@
 
 namespace study {
 
-/// Objects that one thread at a time may use: as many as threads at once.
+/// A pool of objects, each used by one thread at a time.
 template <class T>
 class Pool {
  public:
-  /// Lends one, made by `make` if all are lent. It is not given back if its
-  /// user throws.
+  /// Lends an object, and makes one with `make` if all are lent. An object is
+  /// not returned if its user throws.
   template <class Make, class Use>
   auto with_one(const Make& make, const Use& use) {
     std::unique_ptr<T> one = take();

@@ -21,14 +21,14 @@ namespace {
 using separation::Case;
 using separation::column_name;
 
-// "body[WHICH]." of a key: its WHICH; "" for another key.
+// The WHICH in "body[WHICH]." of a key; "" for another key.
 std::string which_of(const std::string& key, const std::string& table) {
   if (!key.starts_with(table + '[')) return {};
   const auto from = table.size() + 1;
   return key.substr(from, key.find(']') - from);
 }
 
-// Labels of the items with the name `which`, or with the which-th name.
+// Labels of the items with the name or the number `which`.
 template <class Items, class Name, class Label>
 std::vector<std::string> labels_of(const Items& items, const std::string& which,
                                    const Name& name, const Label& label) {
@@ -53,12 +53,12 @@ std::vector<std::string> labels_of(const Items& items, const std::string& which,
 
 using Numbers = std::map<std::string, double>;
 
-// Infinity is no number to count with.
+// Infinite values are left out.
 void add(const std::string& name, double value, Numbers& to) {
   if (!std::isinf(value)) to.emplace(name, value);
 }
 
-// PREFIX.NAME, of vectors PREFIX.NAME[1] to [3].
+// PREFIX.NAME; for vectors PREFIX.NAME[1] to [3].
 template <class T>
 void add(std::span<const contact::Quantity<T>> quantities, const T& of,
          const std::string& prefix, Numbers& to) {
@@ -118,7 +118,7 @@ void add_events(const Case& c, const separation::Outcome& outcome,
 
 void add_clearance(const Case& c, const separation::Outcome& outcome,
                    std::map<std::string, double>& to) {
-  // Of all, and of those with a name.
+  // The smallest of all clearances, and of those with a name.
   std::map<std::string, double> smallest;
   for (std::size_t i = 0; i < c.clearance.size(); ++i) {
     const separation::PairRecord& pair = outcome.memory.pairs[i];
@@ -166,7 +166,7 @@ std::vector<Unreached> unreached(const Case& c,
     }
     const std::string reason = "the times at which it is watched do not come";
     result.push_back({clearance_column(c, pair) + ".", reason});
-    if (!pair.name.empty()) {  // also of all its pairs
+    if (!pair.name.empty()) {  // also among all its pairs
       result.push_back({"clearance." + column_name(pair.name) + ".", reason});
     }
   }
@@ -276,8 +276,8 @@ separation::CaseForm SeparationModel::form() const {
   return {files_, plan_.case_file, keys, nominal_, laws_};
 }
 
-// Numbers that make no case, or another number of bodies, are read as settings:
-// messages name them.
+// Draws that make no valid case, or change the number of bodies, are read as
+// settings, so that messages name them.
 Case SeparationModel::case_of(const std::vector<double>& draws) const {
   std::vector<std::span<const double>> numbers;
   std::size_t readings = 1;
@@ -310,7 +310,7 @@ Case SeparationModel::case_of(const std::vector<double>& draws) const {
 
 Result SeparationModel::run(Case c, const Effort& effort,
                             const std::function<std::string()>& stop) const {
-  // Numbers do not depend on the times of a history's rows.
+  // The numbers do not depend on the times of a history's rows.
   c.output_step = c.end_time;
   separation::RunOptions options;
   options.rows = false;

@@ -10,12 +10,11 @@
 
 namespace study {
 
-/// A case of hinge-separation. Its files are parsed once, keys that are drawn
-/// looked up once; laws are made again where a key changes geometry or material
-/// only.
+/// A case of hinge-separation. Its files are parsed and drawn keys looked up
+/// only once; laws are made again only if a key changes geometry or material.
 class SeparationModel : public Model {
  public:
-  /// @param plan  has to outlive this object
+  /// @param plan  must outlive this object
   explicit SeparationModel(const Plan& plan);
 
   std::vector<std::string> copies(const Dispersion& dispersion) const override;
@@ -47,11 +46,11 @@ class SeparationModel : public Model {
   mutable Pool<separation::CaseForm> forms_;
 };
 
-/// The numbers of a summary by their names: BODY.KEY, BODY.joint[1].KEY,
+/// The numbers of a summary by name: BODY.KEY, BODY.joint[1].KEY,
 /// BODY.at_release.velocity_m_per_s[1], event.NAME.BODY.time_s,
-/// clearance.A.B.smallest_m, clearance.smallest_m of all pairs; blanks of names
-/// are underscores.
-/// @param margins  those of torque margins too, which take long
+/// clearance.A.B.smallest_m, clearance.smallest_m of all pairs. Blanks in names
+/// become underscores.
+/// @param margins  include torque margins, which take long
 std::map<std::string, double> numbers_of(const separation::Case& c,
                                          const separation::Outcome& outcome,
                                          bool margins = true);

@@ -62,8 +62,8 @@ Design::Design(const Plan& plan,
   }
 }
 
-// Coordinates of a point of the sequence, scrambled by shifts of their digits:
-// half of them where the sequence has two for each source.
+// Coordinates of a point of the sequence, scrambled by digital shifts: one half
+// of them if the sequence has two for each source.
 std::vector<double> Design::sobol(std::uint64_t point, Half half,
                                   std::uint64_t shift) const {
   const std::size_t count = sources_.size();
@@ -71,7 +71,7 @@ std::vector<double> Design::sobol(std::uint64_t point, Half half,
       plan_.sampling == Sampling::saltelli ? 2 * count : count;
   const std::size_t from = half == Half::a ? 0 : count;
   boost::random::sobol engine(size);
-  // Boost leaves out the origin, without which 2^k points are not even.
+  // Boost omits the origin, without which 2^k points are not balanced.
   if (point > 0) engine.discard((point - 1) * size + from);
   std::vector<double> result;
   for (const Stream& stream : streams_) {
@@ -82,8 +82,8 @@ std::vector<double> Design::sobol(std::uint64_t point, Half half,
   return result;
 }
 
-// Groups are dealt out to the shifts one by one, so that more runs leave the
-// first ones.
+// Assigns groups to the shifts in turn, so that the first groups stay the same
+// if runs are added.
 std::vector<double> Design::saltelli(std::uint64_t run) const {
   const std::uint64_t shift = (run - 1) / group() % shifts;
   const std::uint64_t point = (run - 1) / group() / shifts;
@@ -131,13 +131,13 @@ std::string Design::identity() const {
       break;
     case Sampling::sobol:
     case Sampling::saltelli:
-      // To be counted up whenever the points of a run become others.
+      // Increase this number whenever the points of a run change.
       text += " points 2";
   }
   return text;
 }
 
-// A draw with factors follows its normal score, to which they add.
+// A draw with factors is given by its normal score, to which the factors add.
 std::vector<double> Design::numbers_of(
     const std::vector<double>& uniforms) const {
   const boost::math::normal normal;

@@ -9,23 +9,23 @@
 
 namespace study {
 
-/// A number that is drawn: of a dispersion, or of one copy of it.
+/// A random number: of a dispersion, or of one copy of it.
 struct Draw {
-  std::string name;   ///< the key; of the second copy "KEY@2"
-  std::string label;  ///< the key, with the copy's name for people
+  std::string name;   ///< the key; for the second copy "KEY@2"
+  std::string label;  ///< the key and the copy's name, for people
   std::size_t dispersion;
-  int copy;  ///< from 1; 0: of all
+  int copy;  ///< from 1; 0: all copies
 };
 
-/// Numbers of each run. Run 0 is the nominal one and has none.
+/// Random numbers of each run. Run 0 is the nominal run and has none.
 class Design {
  public:
-  /// @param copies  names of each dispersion's; none: one draw for all
-  /// @throws contact::Error if the runs do not fit the sampling
+  /// @param copies  names of each dispersion's copies; empty: one draw for all
+  /// @throws contact::Error if the number of runs does not suit the sampling
   Design(const Plan& plan, const std::vector<std::vector<std::string>>& copies);
 
   const std::vector<Draw>& draws() const { return draws_; }
-  /// Independent sources of scatter: the factors, then the draws.
+  /// Independent sources of scatter: first the factors, then the draws.
   const std::vector<std::string>& sources() const { return sources_; }
   /// A source's name for people.
   const std::string& source_label(std::size_t source) const {
@@ -33,25 +33,25 @@ class Design {
     return source < factors ? sources_[source] : draws_[source - factors].label;
   }
 
-  /// In (0, 1), one of each source.
+  /// Uniform numbers in (0, 1), one for each source.
   std::vector<double> uniforms(std::uint64_t run) const;
   /// Numbers of the draws.
   std::vector<double> numbers(std::uint64_t run) const {
     return numbers_of(uniforms(run));
   }
   std::vector<double> numbers_of(const std::vector<double>& uniforms) const;
-  /// Number of a draw that is not pushed by factors.
+  /// Value of a draw that no factor affects.
   double number(std::size_t draw, double u) const {
     return plan_.dispersions[draws_[draw].dispersion].quantile(u);
   }
-  /// Runs of a group of Saltelli's design: A, B, and A with a column of B for
-  /// each source.
+  /// Number of runs in a group of Saltelli's design: A, B, and A with a column
+  /// of B for each source.
   std::size_t group() const { return sources_.size() + 2; }
-  /// Group i of that design is a point of the sequence in shift i % shifts. The
-  /// shifts are independent of each other, points in one of them are not.
+  /// Group i of that design is a point of the sequence with shift i % shifts.
+  /// Different shifts are independent; points with the same shift are not.
   static constexpr std::size_t shifts = 8;
 
-  /// Whatever the numbers depend on beside the dispersions.
+  /// Identifies everything but the dispersions that affects the numbers.
   std::string identity() const;
 
  private:

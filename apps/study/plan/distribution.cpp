@@ -23,13 +23,13 @@ std::pair<double, double> read_range(const TomlTable& table) {
   const double low = table.number("low");
   const double high = table.number("high");
   if (!(low < high)) table.must_be("high", "above low");
-  // Draws square it.
+  // Draws are squared.
   constexpr double widest = 1e150;
   if (!(high - low <= widest)) table.must_be("high", "at most 1e150 above low");
   return {low, high};
 }
 
-// A distribution of Boost, cut off at low and high if they are there.
+// A distribution of Boost, truncated at low and high if they are given.
 template <class Distribution>
 Quantile truncated(const TomlTable& table, const Distribution& all) {
   const auto low = table.optional_number("low");
@@ -40,7 +40,7 @@ Quantile truncated(const TomlTable& table, const Distribution& all) {
   };
   const double from = low ? below(*low) : 0;
   const double to = high ? below(*high) : 1;
-  // The rest is drawn from, and must keep more than its last digits.
+  // The remaining part is drawn from, and must keep more than its last digits.
   constexpr double least = 1e-6;
   if (!(to - from > least)) {
     table.must_be(low ? "low" : "high",
@@ -49,7 +49,7 @@ Quantile truncated(const TomlTable& table, const Distribution& all) {
   const double bottom = low.value_or(-Interval::largest);
   const double top = high.value_or(Interval::largest);
   if (from >= 0.5) {
-    // By the upper tail: doubles are sparse next to 1, and 1 has no quantile.
+    // Uses the upper tail: doubles are sparse near 1, and 1 has no quantile.
     const double most = cdf(complement(all, *low));
     const double rest = high ? cdf(complement(all, *high)) : 0;
     return [all, most, rest, bottom, top](double u) {

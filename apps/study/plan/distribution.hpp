@@ -7,12 +7,12 @@
 
 namespace study {
 
-/// How a number scatters, in the unit of its key: the number below which a
-/// draw lies with probability u, for u in (0, 1).
+/// Quantile function of a number, in the unit of its key: a draw is below it
+/// with probability u, for u in (0, 1).
 using Quantile = std::function<double(double u)>;
 
 /// Reads a distribution from a table with distribution_keys(): its `kind` and
-/// the keys of that kind.
+/// the keys of this kind.
 Quantile read_distribution(const contact::TomlTable& table);
 /// Text of such a table: "uniform, low 1, high 2".
 std::string distribution_text(const contact::TomlTable& table);

@@ -43,8 +43,8 @@ double Stream::uniform(std::uint64_t run) const {
   return uniform_of(bits(run));
 }
 
-// A Feistel network on the next power of four; what falls outside is sent on
-// until it is inside.
+// A Feistel network on the next power of four; results outside are passed
+// through it again until they are inside.
 std::uint64_t Stream::permuted(std::uint64_t i, std::uint64_t n) const {
   constexpr std::uint64_t rounds = 6;
   const auto half = static_cast<unsigned>(std::bit_width(n - 1) + 1) / 2;

@@ -12,12 +12,12 @@
 
 namespace study {
 
-/// How the runs are spread.
+/// Sampling method of the runs.
 enum class Sampling { random, latin_hypercube, sobol, saltelli };
 inline const std::array<std::string, 4> sampling_names = {
     "random", "latin_hypercube", "sobol", "saltelli"};
 
-/// A common cause, by its place among the factors, and how much of it.
+/// Share of a common factor, given by the factor's index.
 struct Share {
   std::size_t factor;
   double loading;
@@ -26,17 +26,17 @@ struct Share {
 /// A key that scatters.
 struct Dispersion {
   std::string key;
-  /// The draw multiplies the number or all numbers of the key.
+  /// True: the draw multiplies the number or all numbers of the key.
   bool relative;
-  /// A draw for each copy of a pattern.
+  /// True: each copy of a pattern has its own draw.
   bool each;
   Quantile quantile;
-  /// The same in words: "uniform, low 1, high 2".
+  /// The distribution in words: "uniform, low 1, high 2".
   std::string distribution;
   std::vector<Share> shares;
   /// Text of the dispersion in the file: TomlTable::canonical_text().
   std::string content;
-  /// For messages: its table in the file.
+  /// Its table in the file, for messages.
   contact::TomlTable table;
 
   /// Setting of the key with this draw.
@@ -45,14 +45,14 @@ struct Dispersion {
 
 /// Condition on a quantity.
 struct Requirement {
-  /// With `*`: the worst of all that match.
+  /// With `*`: the worst of all matching quantities.
   std::string quantity;
   bool at_least;  ///< else at most
   double limit;
   Demand demand;
   contact::TomlTable table;
 
-  /// NaN, of a run that failed or has no such number, does not.
+  /// False for NaN: the run failed or has no such number.
   bool holds(double value) const {
     return at_least ? value >= limit : value <= limit;
   }
@@ -61,7 +61,7 @@ struct Requirement {
 /// A study as its file describes it.
 struct Plan {
   std::string name;
-  /// One of them.
+  /// One of the two files is given.
   std::filesystem::path case_file;
   std::filesystem::path joint_file;
   std::uint64_t runs;
@@ -76,7 +76,7 @@ struct Plan {
   contact::TomlTable file;
 };
 
-/// Settings of the command line in place of the file's.
+/// Settings of the command line that replace settings of the file.
 struct PlanChanges {
   std::optional<std::uint64_t> runs = {};
   std::optional<std::uint64_t> seed = {};
@@ -87,14 +87,14 @@ struct PlanChanges {
 /// the allowed values
 Plan read_plan(const std::filesystem::path& path,
                const PlanChanges& changes = {});
-/// The same of a text.
-/// @param source  what messages call it
+/// As above, from a text.
+/// @param source  its name in messages
 Plan parse_plan(std::string_view text, const std::string& source);
 
 /// All keys that a study file may have.
 contact::KnownKeys study_keys();
 
-/// More than anyone waits for.
+/// More runs than is practical.
 inline constexpr std::int64_t most_runs = 100'000'000;
 
 }  // namespace study

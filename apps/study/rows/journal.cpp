@@ -22,20 +22,19 @@ using contact::detail::must_be;
 
 // Application id in SQLite's header for this kind of file.
 constexpr int application = 0x686a6e6c;
-// Version of the rows: another one when the same study gives other numbers.
+// Version of the rows; increase it when the same study gives other numbers.
 constexpr int version = 3;
 constexpr const char* study_table = "CREATE TABLE study (identity)";
-// SQLite's own limit unless it was built for more.
+// SQLite's default limit.
 constexpr std::size_t most_columns = 2000;
-// Before the numbers of a row, and behind them.
+// Columns before and after the numbers of a row.
 constexpr std::size_t other_columns = 3;
 
 std::int64_t as_integer(std::uint64_t run) {
   return static_cast<std::int64_t>(run);
 }
 
-// A column's name in SQL, which two that differ in the case of letters alone
-// may not have.
+// Name of a column in SQL; names must differ in more than case.
 std::string column(std::string name, std::set<std::string>& taken) {
   const auto lower = [](std::string text) {
     std::ranges::transform(text, text.begin(), [](unsigned char c) {
@@ -57,7 +56,7 @@ std::string table_of(const std::vector<std::string>& names) {
   return sql + ", status, check_sum)";
 }
 
-// NaN of any bits is one number to SQLite.
+// All NaNs are equal in SQLite.
 std::int64_t check_sum(const Row& row) {
   boost::crc_32_type crc;
   crc.process_bytes(&row.run, sizeof row.run);
@@ -69,7 +68,7 @@ std::int64_t check_sum(const Row& row) {
   return crc.checksum();
 }
 
-// Journals were text and bytes up to version 2.
+// Up to version 2 journals were text and bytes.
 bool is_old(const std::string& path) {
   constexpr std::string_view beginning = "hinge-study journal ";
   std::array<char, beginning.size()> bytes = {};
@@ -110,7 +109,7 @@ Journal::Journal(const std::string& path, const std::string& identity,
                   "INSERT OR IGNORE INTO rows VALUES (" + places + ")");
 }
 
-// Open statements would keep the file as it is.
+// Open statements would keep SQLite from closing the file.
 Journal::~Journal() {
   append_.reset();
   has_.reset();
@@ -122,7 +121,7 @@ void Journal::fail(const std::string& why) const {
   throw contact::Error(fmt::format("{}: {}", database_.name(), why));
 }
 
-// The first of several programs that open a new journal makes it.
+// The first of several programs that open a new journal creates it.
 void Journal::make(const std::string& hash,
                    const std::vector<std::string>& names) {
   if (numbers_ + other_columns > most_columns) {
@@ -141,7 +140,7 @@ void Journal::make(const std::string& hash,
   }
 }
 
-// Another study has other columns.
+// Another study has different columns.
 void Journal::check(const std::string& hash,
                     const std::vector<std::string>& names) const {
   if (database_.ask("PRAGMA application_id") != application) {

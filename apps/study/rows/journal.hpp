@@ -10,19 +10,18 @@
 
 namespace study {
 
-/// The rows of a study that are done, in a database of SQLite: a table `rows`
-/// of run, inputs and quantities by their names, status ("ok" or the failure)
-/// and a check sum. A row is there whole or not at all whenever its writer is
-/// killed; several programs may write one journal. One thread at a time uses
-/// an object.
+/// Stores completed rows of a study in an SQLite database: a table `rows` of
+/// run, inputs and quantities by name, status ("ok" or the failure) and a
+/// checksum. If the writer is killed, each row is either complete or absent.
+/// Several programs may write one journal; each object is for one thread.
 class Journal {
  public:
   enum class Use { write, read };
-  /// Opens a journal, or makes it.
-  /// @param identity  whatever makes the rows of two studies different
-  /// @param names     of a row's numbers
-  /// @throws contact::Error if it cannot be opened, is of another study or
-  ///   version, or if SQLite has no room for as many columns
+  /// Opens or creates a journal.
+  /// @param identity  differs between any two different studies
+  /// @param names     names of a row's numbers
+  /// @throws contact::Error if it cannot be opened, belongs to another study or
+  ///   version, or has more columns than SQLite allows
   Journal(const std::string& path, const std::string& identity,
           const std::vector<std::string>& names, Use use);
   ~Journal();
@@ -31,18 +30,19 @@ class Journal {
 
   bool has(std::uint64_t run) const;
   std::size_t size() const;
-  /// Runs from `first` to `last` that are not there.
+  /// Runs from `first` to `last` that are not in the journal.
   std::vector<std::uint64_t> missing(std::uint64_t first,
                                      std::uint64_t last) const;
-  /// From now on nothing is appended here: rows are read in less time, and rows
-  /// of other programs are not seen.
+  /// Promises that nothing more is appended through this object: rows are read
+  /// faster, and later rows of other programs are not seen.
   void hold() const;
-  /// Does nothing if the row is there.
+  /// Appends a row unless it exists.
   /// @throws contact::Error if it cannot be written
   void append(const Row& row);
-  /// Takes the rows of another journal of the study up to `last`.
+  /// Copies the rows up to `last` from another journal of the same study.
   void take(const Journal& from, std::uint64_t last);
-  /// @throws contact::Error if it is not there, cannot be read or is damaged
+  /// @throws contact::Error if the row does not exist, cannot be read or is
+  ///   damaged
   Row at(std::uint64_t run) const;
 
  private:

@@ -6,12 +6,13 @@
 
 namespace study {
 
-/// Inputs of a run and its results.
+/// Inputs and results of a run.
 struct Row {
   std::uint64_t run;
-  std::string failure;  ///< "" or why there are no quantities
-  /// Inputs and quantities. NaN: quantities of a run that failed, what a run
-  /// has not, and inputs of run 0 but for factors of nominal values, 1.
+  std::string failure;  ///< "" or the reason why there are no quantities
+  /// Inputs and quantities. NaN for quantities of a failed run, for undefined
+  /// quantities, and for the inputs of run 0, except factors on nominal values,
+  /// which are 1.
   std::vector<double> numbers;
 
   bool operator==(const Row&) const = default;

@@ -33,9 +33,10 @@ std::vector<Group> whole_groups(std::span<const double> outputs,
   return groups;
 }
 
-// The ratio of two sums of independent parts, and its standard error: the
-// spread of the parts' excess over the ratio times their own divisor. Ratios of
-// the parts themselves would be biased, which no spread of them shows.
+// The ratio of two sums of independent parts, and its standard error from the
+// spread of the parts' excess over the ratio times their own divisor. The mean
+// of the parts' ratios would be biased, and their spread would not show the
+// bias.
 struct Ratio {
   double value;
   double error;
@@ -112,7 +113,7 @@ Regression::Answer Regression::solve() const {
   covariance -= sums_ * sums_.transpose() / count_;
   Eigen::VectorXd scale = covariance.diagonal().cwiseMax(0).cwiseSqrt();
   if (!(scale[inputs] > 0)) return answer;
-  // Constants correlate with nothing, not even themselves.
+  // Constants have no correlation, not even with themselves.
   for (double& s : scale) s = s > 0 ? 1 / s : 0;
   covariance = scale.asDiagonal() * covariance * scale.asDiagonal();
   for (Eigen::Index i = 0; i < inputs; ++i) {

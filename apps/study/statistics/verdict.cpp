@@ -57,8 +57,7 @@ Percentile percentile(std::span<const double> sorted, double p, double risk) {
   const std::size_t n = sorted.size();
   Percentile result{std::nan(""), {}, {}};
   if (n == 0) return result;
-  // As often too large as too small, whatever the distribution: Hyndman and Fan
-  // (1996), definition 8.
+  // Median-unbiased for any distribution: Hyndman and Fan (1996), definition 8.
   const double place =
       std::clamp(p * (static_cast<double>(n) + 1. / 3) - 2. / 3, 0.,
                  static_cast<double>(n - 1));
@@ -76,8 +75,8 @@ Percentile percentile(std::span<const double> sorted, double p, double risk) {
                      static_cast<double>(n), q),
                  1 - risk));
   };
-  // Fewer than `number` of n are below it but for the risk, and the same from
-  // above.
+  // Fewer than `number` of n are below it, except with probability `risk`;
+  // correspondingly from above.
   const std::size_t below = number(p);
   const std::size_t above = number(1 - p);
   if (below < n) result.high = sorted[below];

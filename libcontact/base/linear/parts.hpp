@@ -9,8 +9,8 @@ namespace contact::detail {
 /// From the largest one on.
 Eigen::VectorXd singular_values(const Eigen::Ref<const Eigen::MatrixXd>& a);
 
-/// Of a symmetric matrix: its eigenvalues, growing, and their unit vectors in
-/// columns.
+/// Eigenvalues of a symmetric matrix in ascending order, and their unit
+/// eigenvectors in columns.
 struct SymmetricParts {
   Eigen::Vector3d values;
   Eigen::Matrix3d vectors;

@@ -38,9 +38,9 @@ Size size_of(const LayeredPair& pair, double half_angle) {
                      std::max((thin < 0.04 ? 600 : 300) / half_angle, 64.0))};
 }
 
-// Harmonics 1 to N, of which one stands for its neighbours on either side where
-// that is enough: moments go round once in pi/theta0 harmonics, compliances
-// change with log n.
+// Harmonics 1 to N. Where this is accurate enough, one harmonic represents its
+// neighbours on either side: moments go round once in pi/theta0 harmonics,
+// compliances change with log n.
 struct Harmonics {
   ArrayXd n;
   ArrayXd weight;  // harmonics for which it stands
@@ -224,7 +224,7 @@ class Recurrence {
 
   double n = 1;
   ArrayXd value;
-  ArrayXd before;  // of n - 1
+  ArrayXd before;  // value at n - 1
 
   void step(const ArrayXd& cosine) {
     const double square = n * n;

@@ -52,7 +52,7 @@ StuckJoint stuck_joint(const JointSpec& joint, const JointContact& contact,
 
 namespace {
 
-// "" where there is a stiffness.
+// Why there is no stiffness; "" if there is one.
 std::string why_none(const JointSpec& joint, double half_angle) {
   if (joint.geometry.radial_clearance() < 0) {
     return "the joint has interference";
@@ -62,7 +62,7 @@ std::string why_none(const JointSpec& joint, double half_angle) {
           .relative_thickness();
   if (thickness < detail::thinnest_stuck) {
     return detail::message(
-        "a layer is {:.3g} radii thick: less than {} is not computed",
+        "a layer is {:.3g} radii thick: layers below {} cannot be computed",
         thickness, detail::thinnest_stuck);
   }
   const bool is_outside =
@@ -103,8 +103,8 @@ std::vector<std::string> stuck_notes(const JointSpec& joint,
   }
   const auto& zone = joint.geometry.drawn_seat();
   const auto leave_out = [&](const char* what) {
-    notes.push_back(detail::message(
-        "the stiffness of the stuck contact leaves out {}", what));
+    notes.push_back(
+        detail::message("the stiffness of the stuck contact ignores {}", what));
   };
   if (zone && half_angle > zone->reach()) {
     leave_out("the rims, which it reaches");

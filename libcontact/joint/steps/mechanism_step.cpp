@@ -91,7 +91,7 @@ void MechanismStep::begin(std::span<const MechanismStart> starts,
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
     const MechanismStart& s = starts[i];
-    constexpr double single = 1e-5;  // of hosts in single precision
+    constexpr double single = 1e-5;  // for hosts in single precision
     if (!s.from_seat.isUnitary(single) || !(s.from_seat.determinant() > 0)) {
       throw Error(detail::must_be(
           detail::message("MechanismStep: from_seat of joint {}", i),
@@ -99,7 +99,7 @@ void MechanismStep::begin(std::span<const MechanismStart> starts,
     }
     starts_[i].reaction = s.reaction;
     starts_[i].axis = s.axis;
-    // Of a pin a placement would ask for its ends.
+    // A placement would turn a pin into a finite-length pin.
     placements_[i].from_seat = s.from_seat;
     const bool is_turned = !is_pin(i) && !s.from_seat.isIdentity(0);
     starts_[i].placement = is_turned ? &placements_[i] : nullptr;
@@ -117,7 +117,7 @@ double MechanismStep::turn(const Ref<const VectorXd>& rates_at_end,
     throw Error("MechanismStep: weigh() and begin() must come before turn()");
   }
   const VectorXd before = force(own_);
-  // What the rates would be without this friction.
+  // The rates without this friction.
   VectorXd free = rates_at_end;
   if (!before.isZero(0)) {
     free(own_) -= detail::solve_positive(weight_, before).col(0);

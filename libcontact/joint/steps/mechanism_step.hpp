@@ -17,21 +17,21 @@ struct MechanismJoint {
   int first;
 };
 
-/// What a simulator knows of a joint as a step begins.
+/// State of a joint in a simulator at the start of a step.
 struct MechanismStart {
-  /// R on the body, N, of the step before: of a ball in the axes of its rates,
-  /// of a pin in those of `axis`.
+  /// R on the body in the previous step, N: for a ball in the axes of its
+  /// rates, for a pin in the axes of `axis`.
   Eigen::Vector3d reaction;
   /// Unit axis of a pin.
   Eigen::Vector3d axis = Eigen::Vector3d::Zero();
-  /// Of a ball with a [seat]: rotation from the axes of the body that has it to
-  /// those of the rates.
+  /// For a ball with a [seat]: rotation from the axes of the body with the seat
+  /// to the axes of the rates.
   Eigen::Matrix3d from_seat = Eigen::Matrix3d::Identity();
 };
 
-/// Steps of a simulator's mechanism whose joints have friction: step() of all
-/// of them in the simulator's own coordinates, in turns with constraints that
-/// it solves itself. H q'' = forces + J^T lambda + friction; the rates at the
+/// Time steps of a mechanism with joint friction in a simulator's own
+/// coordinates: step() of all joints, alternating with constraints that the
+/// simulator solves. H q'' = forces + J^T lambda + friction; the rates at the
 /// end of a step are q' + dt q''. In each step, `force` of friction being 0:
 ///
 ///     weigh(H, J, D, dt); begin(starts, q', likely);
@@ -39,14 +39,14 @@ struct MechanismStart {
 ///     while there are constraints and the force still changes
 ///
 /// Rates of joints that hold() are exactly 0: the simulator must keep them and
-/// their angles as they are, where its rounding would move them.
+/// their angles as they are, even where its rounding would move them.
 ///
 /// Accuracy: as step(), 1e-12 of the moments in a turn. Constraints count in W
 /// as far as they are linear in the acceleration (rows of J with stiffness D);
 /// turns settle in one without others, and in 2 to 10 with contacts.
 class MechanismStep {
  public:
-  /// @param size  of the generalized rates
+  /// @param size  number of generalized rates
   /// @throws Error for joints whose rates overlap or are none of these
   MechanismStep(const std::vector<MechanismJoint>& joints, int size);
   /// Starts point at placements.
@@ -66,13 +66,13 @@ class MechanismStep {
 
   /// Starts a step.
   /// @param rates   q', (size)
-  /// @param likely  a guess of those at the end, for speed
+  /// @param likely  a guess of the rates at the end, for speed
   /// @throws Error for other sizes, and a from_seat that is no rotation
   void begin(std::span<const MechanismStart> starts,
              const Eigen::Ref<const Eigen::VectorXd>& rates,
              const Eigen::Ref<const Eigen::VectorXd>& likely);
 
-  /// Friction in place of the one that there is.
+  /// Replaces the present friction force.
   /// @param rates_at_end  q' + dt q'' with the friction `force`, (size)
   /// @param force         generalized force of friction, (size): changed in the
   ///                      joints' rates alone
@@ -81,14 +81,14 @@ class MechanismStep {
   double turn(const Eigen::Ref<const Eigen::VectorXd>& rates_at_end,
               Eigen::Ref<Eigen::VectorXd> force);
 
-  /// The force with which rates would stay as they are, for the reactions of
-  /// the first step.
+  /// The force that would keep the rates constant, for the reactions of the
+  /// first step.
   /// @throws Error for other sizes, and before weigh()
   Eigen::VectorXd holding_force(
       const Eigen::Ref<const Eigen::VectorXd>& rates,
       const Eigen::Ref<const Eigen::VectorXd>& rates_at_end) const;
 
-  /// Of the last turn, in the axes of the rates.
+  /// Steps of the last turn, in the axes of the rates.
   const std::vector<JointStep>& steps() const { return steps_; }
   const StepSweeps& sweeps() const { return sweeps_; }
 

@@ -1,4 +1,4 @@
-// A hip of polyethylene without end, with a pressure of one's own: a flat top.
+// A hip of unbounded polyethylene with a user-defined pressure: a flat top.
 #include <cmath>
 #include <cstdio>
 #include <libcontact/contact.hpp>

@@ -1,4 +1,4 @@
-// Runs of hinge-separation that are stopped, and go on.
+// Runs of hinge-separation that are stopped and resumed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -203,7 +203,7 @@ TEST(Checkpoint, CheckpointsStayWholeAndSmall) {
   EXPECT_LT(ask("c.db", "sum(length(block)) FROM blocks"),
             10.0 * static_cast<double>(rows * columns));
 
-  // Gone on from as often as before without being told; into the same file.
+  // Resumed with the same interval by default, and into the same file.
   const auto resumed = [&](const std::string& more) {
     return folder.run(run + "--output r.json --history r.csv --resume " + more);
   };
@@ -309,8 +309,8 @@ run = { end_time_s = 20, output_step_s = 0.1 }
   EXPECT_GT(hits, 20u);
 }
 
-// A station of 1e9 kg m^2 that begins to turn on its ball joint: the direction
-// in which it does follows that of the moment, also from a checkpoint on.
+// A station of 1e9 kg m^2 that begins to turn on its ball joint: its direction
+// of sliding follows the direction of the moment, also after a checkpoint.
 TEST(Checkpoint, GoesOnInTheMiddleOfASlowOnset) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
@@ -361,7 +361,7 @@ damping_N_s_per_m = 1e8; starts_at_s = 0.5
                   exchanged(text, "end_time_s = 2",
                             "end_time_s = 1000\noutput_step_s = 0.25"));
   }
-  // Its results are those of a run that was stopped, and whole.
+  // Its results equal the results of a stopped run, and are complete.
   void expect_results(const ProgramResult& result, int status,
                       const std::string& why) {
     EXPECT_EQ(result.status, status) << result.err;
@@ -419,7 +419,7 @@ TEST_F(RunsThatCannotGetOn, StopAtSignals) {
                     name + " $program; wait $program");
     expect_results(result, status, std::string("SIG") + name);
     EXPECT_TRUE(
-        has_text(result.err, "; --resume c.db goes on from t = 0.5 s\n"));
+        has_text(result.err, "; --resume c.db continues from t = 0.5 s\n"));
     expect_results(folder_.run(run_ + "--resume c.db --step-limit 3000"), 1,
                    "--step-limit 3000");
   }
@@ -438,7 +438,7 @@ TEST(Checkpoint, HasOneWriterAtATime) {
                        "checkpoint\n");
   };
   expect_locked_out("c.db");
-  // Remains of a program that was killed at its beginning lock nobody out.
+  // Remains of a program killed at its start do not lock the file.
   EXPECT_EQ(folder.read("c.db"), "");
   folder.run_well(run + "c.db && ln -s c.db link.db");
   expect_locked_out("link.db");

@@ -130,7 +130,7 @@ TEST(HingeSeparation, FrictionIsBetweenIdealAndTheTraditionalEstimate) {
   }
 }
 
-// A carrier alone and one beside a free body: every output is there, and
+// A carrier alone, and one with a free body: every output is written, and
 // resuming works.
 TEST(HingeSeparation, CasesWithoutHingesRun) {
   const ProgramFolder folder;

@@ -97,8 +97,8 @@ breaks = "hinge"
   EXPECT_NEAR(both["bodies"][0]["at_release"]["angle_deg"], 60, 1e-5);
 }
 
-// A pendulum whose reaction is above the limit for some milliseconds: whether
-// it breaks does not depend on who looks.
+// A pendulum whose reaction exceeds the limit for some milliseconds: whether it
+// breaks must not depend on the output times.
 TEST(SeparationMotion, OutputTimesDoNotChangeTheMotion) {
   const ProgramFolder folder;
   for (const char* limit : {"58.5", "58.8", "58.84", "58.85", "58.855"}) {
@@ -154,8 +154,8 @@ angle_deg = [0, 1440]; moment_N_m = [10, 2]; ends_at_event = "off"
               800 + std::remainder(rate * (3 - time), 360), 1e-3);
 }
 
-// A ball joint that begins to slide where little more than its limit is asked
-// of it: friction follows a velocity of next to nothing, which is stiff.
+// A ball joint that begins to slide slightly above its limit: friction follows
+// a tiny velocity, which is stiff.
 TEST(SeparationMotion, OnsetsOfSlidingDoNotStall) {
   std::string text = R"(
 name = "two arms on a tumbling body"; gravity_m_per_s2 = [0, 0, -10]
@@ -218,9 +218,9 @@ friction = { adhesion_MPa = 20, coefficient = 0.1 }
 }
 
 // A balanced wheel on a viscous pin under its weight. Friction is so weak that
-// the contact does not change with it: tan g = 3e-4, and a square of that of
-// R_n. The rate falls as exp(-c t), c from the area and the pressure (cosine)
-// over the contact, whose half-angle the table has.
+// the contact does not depend on it: tan g = 3e-4, with an effect on R_n of its
+// square. The rate falls as exp(-c t), with c from the area and the pressure
+// (cosine) over the contact; the table gives the half-angle.
 TEST(SeparationMotion, ViscousWheelSlowsDownExponentially) {
   const ProgramFolder folder;
   folder.write("c.toml", R"(
@@ -253,7 +253,7 @@ friction = { viscous_constant_kPa_s_per_m = 2, viscous_pressure_slope_s_per_m = 
     EXPECT_NEAR(h["wheel.rate_deg_per_s"][i] * degree,
                 6 * std::exp(-c * h["time_s"][i]), 1e-6);
   }
-  // It does not come to rest, and its energy goes into friction.
+  // It does not come to rest; friction dissipates its energy.
   EXPECT_TRUE(j["events"].empty());
   EXPECT_EQ(j["bodies"][0]["mode_at_end"], "sliding");
   EXPECT_NEAR(j["bodies"][0]["work_of_friction_J"],
@@ -269,7 +269,7 @@ TEST(SeparationMotion, PusherPushesOnceAndOnlyInItsTime) {
     return std::pair(h["s.vx_m_per_s"].back(), h["c.vx_m_per_s"].back());
   };
   const std::pair still(0.0, 0.0);
-  // Used up when it starts, at its end or past it, whatever starts it.
+  // Used up when it starts, at its end or beyond, for any kind of start.
   for (const double used : {0.125, 0.25}) {
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "")), still);
     EXPECT_EQ(last_speeds(pushed_case(used, 0, "starts_at_s = 0.35")), still);
@@ -454,8 +454,8 @@ TEST(SeparationMotion, DoorStopsAsItsWasherAndPinsSay) {
   EXPECT_EQ(door["bodies"][0]["mode_at_end"], "resting");
 }
 
-// Every peak of joints that slide and turn against those of a run whose steps
-// are some 12 times as short.
+// Every peak of joints that slide and turn, against a run with steps about 12
+// times shorter.
 TEST(SeparationMotion, PeaksAreThoseOfShortSteps) {
   const ProgramFolder folder;
   folder.write("short.toml", exchanged(sample_case("platform"), "[run]\n",

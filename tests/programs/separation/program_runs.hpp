@@ -10,7 +10,7 @@
 #include "support/program.hpp"
 #include "support/toml_text.hpp"
 
-/// Runs of hinge-separation and cases that several tests run.
+/// Runs of hinge-separation, and cases shared by several tests.
 namespace contact::test {
 
 using Eigen::Vector3d;
@@ -44,13 +44,13 @@ class History : public CsvTable {
   }
 };
 
-/// Output of a run that goes well.
+/// Output of a run that must succeed.
 inline json run_json(const ProgramFolder& folder,
                      const std::string& arguments) {
   return json::parse(folder.run_well("hinge-separation " + arguments).out);
 }
 
-/// A text with another one in the place of what is found first.
+/// Replaces the first occurrence of a text.
 inline std::string exchanged(std::string text, const std::string& from,
                              const std::string& to) {
   const auto at = text.find(from);
@@ -67,14 +67,14 @@ inline std::string sample_case(const std::string& name) {
   return text;
 }
 
-/// Table of a carrier that stays where it is.
+/// Table of a fixed carrier.
 inline std::string carrier_at_rest(const std::string& name) {
   return "[carrier]\nname = \"" + name + R"("
 mass_kg = 1000; principal_inertia_kg_m2 = [1, 1, 1]
 drive = { acceleration_m_per_s2 = [0, 0, 0] })"_toml;
 }
 
-/// Two bodies that only push each other: nothing from outside.
+/// Two bodies that push each other, without external forces.
 inline const std::string alone = R"(
 name = "alone"
 [run]; end_time_s = 3; output_step_s = 0.05
@@ -102,7 +102,7 @@ stiffness_N_per_m = 300; free_length_m = 0.9; damping_N_s_per_m = 5
 )"_toml;
 
 /// A pusher of 100 to 40 N over 0.1 m between bodies of 10 and 5 kg, with the
-/// part of its stroke that is used at the start and what else its table says.
+/// used part of its stroke at the start, and further keys.
 inline std::string pushed_case(double used, double speed,
                                const std::string& more) {
   return R"(

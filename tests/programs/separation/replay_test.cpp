@@ -163,8 +163,8 @@ start = { angular_velocity_deg_per_s = [0, 90, 0] }
   EXPECT_EQ(faults[0],
             "bodies without shapes are shown as axes: a, wheel, top");
   EXPECT_EQ(faults[1],
-            "top turns by up to 1.6 rad between two rows, which the replay has "
-            "to guess: use a shorter output_step");
+            "top turns by up to 1.6 rad between two rows, too far to "
+            "interpolate the replay: use a shorter output_step");
   const auto kept = separation::replay_rows(outcome.memory.rows, 1);
   const BodyPath wheel(c, outcome.memory.rows, kept, 1);
   // 0.07 of 10 turns.

@@ -212,8 +212,8 @@ TEST_F(HingeStudy, TheTableSaysWhatTheVerdictRestsOn) {
   }
 }
 
-// Some runs have pressures above what a material bears: their number is said,
-// as the rows have it.
+// Some runs have pressures above the strength of a material: their number is
+// reported, and agrees with the rows.
 TEST_F(HingeStudy, RunsAboveALimitOfPressureAreCounted) {
   std::string text = "quantities = 'p_peak_Pa'\n" + balls;
   folder_.write("s.toml", text);
@@ -354,7 +354,7 @@ TEST_F(HingeStudy, SaysTheWarningsOfTheNominalRun) {
   EXPECT_EQ(folder_.run("hinge-study s.toml --rows 0:3 --journal p").err, "");
 }
 
-// All that was asked for but the page.
+// All requested files except the page.
 TEST_F(HingeStudy, AReportOnAFullDiskCostsNothingElse) {
   const auto expected = results("a");
   const auto result = folder_.run(
@@ -450,7 +450,7 @@ TEST_F(HingeStudy, WorstRunsLinkToTheirReplays) {
   EXPECT_EQ(pages, 5);
 }
 
-// The stage is let go after the end, and passes through the carrier before.
+// The stage is released after the end, and passes through the carrier before.
 TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
   if (!folder_.has_page_libraries()) GTEST_SKIP() << "libjs-three";
   std::ifstream file(CONTACT_DATA_DIR "/cases/two_stage_turn.toml");
@@ -496,8 +496,8 @@ TEST_F(HingeStudy, ReplaysHaveTheWarningsOfHingeSeparation) {
   EXPECT_EQ(warnings("r_run2.html"), found);
 }
 
-// Two moments of inertia that are good alone make no body together.
-// An older program did not come to the end of these.
+// Two moments of inertia that are valid separately but not together. An older
+// program did not end for them.
 TEST_F(HingeStudy, RunsOfTheSolarArrayDoNotFail) {
   for (const char* number : {"1", "19", "33"}) {
     const auto result =

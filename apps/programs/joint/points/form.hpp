@@ -8,7 +8,7 @@
 
 namespace hinge_joint {
 
-/// A way in which a file of points gives states.
+/// A set of columns by which a file of points gives states.
 struct Form {
   Question question;
   std::vector<cli::PointColumn> columns;
@@ -16,15 +16,15 @@ struct Form {
   bool has_vectors() const { return columns.size() == 6; }
 };
 
-/// The first of the forms that a header has, vectors first: outputs of
-/// hinge-joint have the columns of several. Throws contact::Error if it has
-/// none.
-/// @param questions  that are asked
+/// The first form whose columns the header has. Vectors come first, because
+/// outputs of hinge-joint have the columns of several forms. Throws
+/// contact::Error if no form fits.
+/// @param questions  those that the options allow
 Form find_form(const cli::PointHeader& header, bool pin,
                std::span<const Question> questions);
 
-/// The state of a point, its columns the first ones.
-/// @param rate  |Dw| of forms without vectors, rad/s
+/// The state of a point; the columns of the form come first.
+/// @param rate  |Dw| for forms without vectors, rad/s
 Input state_of(const Form& form, const cli::PointLines& block, std::size_t i,
                bool pin, double rate);
 

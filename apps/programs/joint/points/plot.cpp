@@ -10,7 +10,7 @@
 namespace hinge_joint {
 namespace {
 
-// Places in point_columns().
+// Indices in point_columns().
 constexpr std::size_t reaction = 0;
 constexpr std::size_t normal_force = 1;
 constexpr std::size_t moment_column = 2;

@@ -7,9 +7,9 @@
 
 namespace hinge_joint {
 
-/// Draws friction moment, reaction (of states by their contact: normal force)
-/// and peak pressure over the time, or the number of the state.
-/// @return "" or why there is no picture
+/// Draws friction moment, reaction (normal force if states give it) and peak
+/// pressure over the time, or over the number of the state.
+/// @return "" or the reason why there is no picture
 std::string draw_points(const Setup& setup, const PointSeries& series,
                         const std::string& file);
 

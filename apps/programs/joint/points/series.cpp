@@ -14,7 +14,7 @@ namespace {
 
 using contact::detail::nan;
 
-// The names that a column of the time may have, the first that is there.
+// Possible names of a column of time; the first one found is used.
 struct TimeColumn {
   std::string_view name;
   double seconds;
@@ -83,7 +83,7 @@ void PointSeries::append(std::span<const PointRow> rows, std::size_t states) {
   states_ += states;
 }
 
-// The row is the last one.
+// Call for the last row.
 void PointSeries::check_time(const PointRow& row) {
   const bool first = rows_.size() == 1;
   if (std::isfinite(row.time) &&

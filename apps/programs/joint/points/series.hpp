@@ -11,7 +11,7 @@
 
 namespace hinge_joint {
 
-/// Number of quantities that --summary and --plot of --points show of a state.
+/// Number of quantities in --summary and --plot of --points.
 inline constexpr std::size_t point_numbers = 7;
 
 /// R_N, R_n_N, M_t_N_m, f_M, p_peak_Pa, theta0_deg, and power_W or, at rest,
@@ -26,30 +26,30 @@ struct PointRow {
 };
 
 /// The states of a file of points in their order: a duty cycle, if the file has
-/// a column of the time.
+/// a column of time.
 class PointSeries {
  public:
-  /// @param columns  of the states, and those beside them
+  /// @param columns  columns of the states, and those passed through
   PointSeries(Question question, const cli::PointColumns& columns);
 
   Question question() const { return question_; }
   const std::vector<AnswerColumn>& columns() const { return columns_; }
-  /// A row, its state counted from the beginning of the block.
+  /// A row; its state is counted from the beginning of the block.
   PointRow row(const Answer& a, const cli::PointLines& block,
                std::size_t point) const;
-  /// @param states  of the block, with those that have no row
+  /// @param states  number of states in the block, with or without a row
   void append(std::span<const PointRow> rows, std::size_t states);
 
   const std::vector<PointRow>& rows() const { return rows_; }
   std::size_t left_out() const { return states_ - rows_.size(); }
-  /// Whether there is a time that never falls.
+  /// True if there is a column of time that never decreases.
   bool has_time() const { return has_time_; }
-  /// Why a column of the time is not used; "".
+  /// Why a column of time is not used, else "".
   const std::string& time_problem() const { return time_problem_; }
-  /// From the first row to the last, s; 0 without a time.
+  /// Time from the first row to the last, s; 0 without a time.
   double duration() const;
-  /// Mean of a number, by the trapezoidal rule over the time; without a
-  /// duration over the rows.
+  /// Mean of a number: by the trapezoidal rule over the time, or over the rows
+  /// if there is no duration.
   double mean(std::size_t number) const;
 
  private:
@@ -58,9 +58,9 @@ class PointSeries {
   Question question_;
   cli::CsvForm form_;
   std::vector<AnswerColumn> columns_;
-  std::size_t time_at_ = 0;  // among the riding columns
+  std::size_t time_at_ = 0;  // among the columns passed through
   std::string_view time_name_;
-  double seconds_ = 1;  // in a unit of that column
+  double seconds_ = 1;  // unit of that column
   bool has_time_ = false;
   std::string time_problem_;
   std::size_t states_ = 0;

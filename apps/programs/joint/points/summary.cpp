@@ -9,7 +9,7 @@
 namespace hinge_joint {
 namespace {
 
-// The row with the largest number, its sign left out; null without rows.
+// The row with the number of largest magnitude; null without rows.
 const PointRow* peak(const std::vector<PointRow>& rows, std::size_t number) {
   const auto found = std::ranges::max_element(
       rows, {},

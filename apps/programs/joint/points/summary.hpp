@@ -5,8 +5,8 @@
 
 namespace hinge_joint {
 
-/// Peaks with their states and times, means, and the dissipated energy of a
-/// duty cycle.
+/// Writes peaks with their states and times, means, and the energy dissipated
+/// in a duty cycle.
 void write_point_summary(const NamedJoint& joint, const PointSeries& series,
                          const cli::OutputOptions& options);
 

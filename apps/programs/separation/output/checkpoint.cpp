@@ -34,8 +34,7 @@ void add(const json& from, Notes& notes) {
   for (const Note& note : from.get<Notes>()) notes.push_back(note);
 }
 
-// Refuses files of another program or another version of this one, and those
-// that somebody has changed.
+// Rejects files of another program or another version, and modified ones.
 void check_application(const Database& database) {
   try {
     if (database.ask("PRAGMA application_id") == application &&
@@ -49,7 +48,7 @@ void check_application(const Database& database) {
   refuse_stranger(database.name());
 }
 
-// The rows and notes that do not change any more, from a place on.
+// Rows and notes from a place on that no longer change.
 json block_of(const Recorder::Memory& memory, std::size_t numbers,
               std::size_t notes, std::size_t notes_end) {
   const auto place = [](const auto& of, std::size_t i) {
@@ -115,8 +114,8 @@ CheckpointWriter::~CheckpointWriter() {
   if (lock_.is_empty()) std::filesystem::remove(database_.name(), ignored);
 }
 
-// A hinge that turns back takes back a note of the same instant: those of now
-// may still go.
+// A hinge that reverses removes a note of the same instant, so that notes of
+// the present time are not final.
 void CheckpointWriter::write(const SimulationState& simulation,
                              const Recorder::Memory& memory) {
   std::size_t notes = notes_;

@@ -8,19 +8,19 @@
 
 namespace separation {
 
-/// A run in the middle.
+/// State in the middle of a run.
 struct Checkpoint {
-  double every;  ///< s of the motion between checkpoints
+  double every;  ///< simulated seconds between checkpoints
   RunState state;
 };
 
-/// A checkpoint, and what SQLite has beside it while it is written.
+/// Names of a checkpoint and of the file that SQLite writes beside it.
 std::array<std::string, 2> checkpoint_files(const std::string& file);
 
-/// A file that one program at a time has, made if it is not there.
+/// Locks a file for one program at a time; makes the file if needed.
 class FileLock {
  public:
-  /// @throws contact::Error if it cannot be made or another program has it
+  /// @throws contact::Error if it cannot be made or another program holds it
   explicit FileLock(const std::string& file);
   ~FileLock();
   FileLock(const FileLock&) = delete;
@@ -32,23 +32,23 @@ class FileLock {
   int file_;
 };
 
-/// The checkpoint of a run, renewed on its way: a database of SQLite with the
-/// state that the run goes on from, and the rows and events so far, to which
-/// each write() appends what is new. A checkpoint costs the same late in a run
-/// as early, and there is a whole one at any time: that of an earlier run until
-/// the first of this one is written.
+/// Writes the checkpoints of a run into an SQLite database: the state from
+/// which the run resumes, and all rows and events so far. Each write() appends
+/// only new ones, so a checkpoint late in a run costs no more than an early
+/// one. A complete checkpoint always exists: the previous run's until the first
+/// one of this run is written.
 class CheckpointWriter {
  public:
-  /// @param identity  of the run: what the case file says, joints and options
-  /// @throws contact::Error if the file cannot be made, is there and no
-  ///   checkpoint, or if another program writes it
+  /// @param identity  of the run: its case file, joints and options
+  /// @throws contact::Error if the file cannot be made, exists and is no
+  ///   checkpoint, or is in use by another program
   CheckpointWriter(const std::string& file, std::string identity, double every);
   /// Removes the file if it is empty.
   ~CheckpointWriter();
   CheckpointWriter(const CheckpointWriter&) = delete;
   CheckpointWriter& operator=(const CheckpointWriter&) = delete;
 
-  /// @param memory  that of the last call, with what is new
+  /// @param memory  the recorder's memory; extends the one of the last call
   /// @throws contact::Error if it cannot be written
   void write(const SimulationState& simulation, const Recorder::Memory& memory);
 
@@ -57,14 +57,14 @@ class CheckpointWriter {
   cli::Database database_;
   std::string identity_;
   double every_;
-  // Numbers, notes and blocks written.
+  // Number of values, notes and blocks written so far.
   std::size_t numbers_ = 0;
   std::size_t notes_ = 0;
   std::size_t blocks_ = 0;
 };
 
-/// @throws contact::Error if the file cannot be read, is no checkpoint,
-///   damaged, or of another run
+/// @throws contact::Error if the file cannot be read, is no checkpoint, is
+///   damaged, or belongs to another run
 Checkpoint read_checkpoint(const std::string& file,
                            const std::string& identity);
 

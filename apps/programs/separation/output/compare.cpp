@@ -13,14 +13,14 @@ namespace {
 
 using contact::degree;
 
-// A value of one body in one run; NaN where there is none.
+// A value of one body in one run; NaN if there is none.
 struct Quantity {
   std::string name;
   std::function<double(const Outcome&, int body)> value;
 };
 
-// In the first row in which nothing locks the body (NaN: there is none), or in
-// the last.
+// Value in the first row in which no lock holds the body (NaN if there is
+// none), or in the last row.
 double number_in_row(const Case& c, const Outcome& o, int body,
                      const char* quantity, bool first) {
   const Rows& rows = o.memory.rows;

@@ -7,12 +7,12 @@
 
 namespace separation {
 
-/// The same case with ideal joints, full friction and the traditional
-/// estimate, side by side: a row for each body and quantity.
+/// Compares the case with ideal joints, full friction and the traditional
+/// estimate: a row for each body and quantity.
 ///
-/// Section 6 of the paper: the normal force R_n is less than the reaction
-/// R of which the traditional estimate takes the friction, so that friction
-/// sets itself to the least that fits.
+/// Section 6 of the paper: the traditional estimate applies the friction
+/// coefficient to the reaction R. The normal force R_n is less than R, so true
+/// friction is smaller.
 void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
                       const cli::OutputOptions& options);
 

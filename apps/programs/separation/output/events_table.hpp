@@ -7,8 +7,8 @@
 
 namespace separation {
 
-/// Events as a CSV table: time_s, body, what; all of them in any style.
-/// With the rates, impulses and losses of impacts where the case has such.
+/// Events as a CSV table, time_s, body, what, with all columns in any style. If
+/// the case has impacts: also their rates, impulses and losses.
 std::string events_csv(const Case& c, const Outcome& outcome,
                        cli::TableStyle style);
 

@@ -40,8 +40,8 @@ void write_csv(const Rows& rows, const cli::Table& table, cli::Output& output) {
   writer.finish();
 }
 
-// Column "BODY.QUANTITY_UNIT" as a path and its unit; the unit is what
-// follows the quantity's name, which has no unit inside.
+// Splits the column "BODY.QUANTITY_UNIT" into a path and its unit. The
+// quantity's name itself contains no unit.
 struct Place {
   std::string path;
   std::string unit;

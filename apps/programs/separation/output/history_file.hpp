@@ -9,18 +9,18 @@
 
 namespace separation {
 
-/// A time history's file: HDF5 if the name ends in .h5 or .hdf5, CSV if it
-/// ends in .csv, is "-" or that of a pipe or device; whole or not at all.
+/// Writes a time history completely or not at all: HDF5 if the name ends in .h5
+/// or .hdf5, CSV if the name ends in .csv, is "-", or names a pipe or device.
 ///
-/// CSV: columns as named, modes as words, empty where there is no value.
-/// HDF5: one data set for each column, "BODY/QUANTITY" with its unit as
-/// attribute "unit" (time: "time_s"); modes as integers, their words in the
-/// attribute "words"; no value is NaN.
+/// CSV: named columns, modes as words, empty cells for missing values.
+/// HDF5: one data set for each column, "BODY/QUANTITY", with its unit as
+/// attribute "unit" (time: "time_s"). Modes are integers; the attribute "words"
+/// lists their words. A missing value is NaN.
 class HistoryFile {
  public:
-  /// @param columns  of the rows; those that the style asks for are written
-  /// @throws contact::Error for other names, if the file cannot be made, and if
-  ///   the style asks for a column that is not there
+  /// @param columns  columns of the rows; the style selects those written
+  /// @throws contact::Error for other names, if the file cannot be made, or if
+  ///   the style asks for an unknown column
   HistoryFile(const std::string& name, const cli::TableStyle& style,
               const std::vector<std::string>& columns);
   /// @throws contact::Error if it cannot be written

@@ -24,7 +24,7 @@ cli::Curve curve(const Rows& rows, const std::string& label,
   return result;
 }
 
-// As long as the hinge's mode is as asked for.
+// While the hinge is in this mode.
 template <class F>
 void end_curve(const Rows& rows, const std::string& body, F goes_on,
                cli::Curve& c) {
@@ -100,7 +100,8 @@ cli::LinePlot clearances(const Case& c, const Rows& rows) {
                           c.rigid_body(pair.b).name),
               clearance_column(c, pair) + "_m"));
   }
-  // Bodies that drift far apart do not hide how near they were.
+  // The logarithmic scale shows small distances beside distances of bodies that
+  // drift far apart.
   plot.y.logarithmic = cli::is_wide(plot.curves);
   return plot;
 }

@@ -12,7 +12,8 @@ namespace {
 
 using nlohmann::ordered_json;
 
-// Numbers of a body or joint, and of what is in it under its name.
+// Adds the numbers of a body or joint, and of its nested objects under their
+// names.
 void add_numbers(const std::string& name, const ordered_json& of,
                  cli::RowWriter& row) {
   for (const auto& [key, value] : of.items()) {
@@ -37,7 +38,7 @@ void add_numbers(const std::string& name, const ordered_json& of,
 void write_report(const ordered_json& summary, cli::Output& output,
                   const cli::TableStyle& style) {
   cli::TableStyle shown = style.titled(summary.at("case").get<std::string>());
-  shown.columns.clear();  // those of histories
+  shown.columns.clear();  // --columns selects columns of histories
   cli::write_table(
       shown, {"body", "quantity", "value"}, output, [&](cli::RowWriter& row) {
         for (const ordered_json& event : summary.at("events")) {

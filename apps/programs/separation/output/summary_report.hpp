@@ -7,8 +7,8 @@
 
 namespace separation {
 
-/// The summary of a run for people: its events, then the numbers of each body,
-/// of its joints and clearances, a line each.
+/// Prints the summary of a run for people: its events, then a line for each
+/// number of the bodies, joints and clearances.
 void write_report(const nlohmann::ordered_json& summary, cli::Output& output,
                   const cli::TableStyle& style);
 

@@ -9,26 +9,26 @@
 
 namespace separation {
 
-/// A glTF 2.0 file as it grows: JSON that points into binary data. What is
-/// added has the number that is returned.
+/// Builds a glTF 2.0 file: JSON that points into binary data. The functions
+/// that add something return its index.
 class Gltf {
  public:
   using Json = nlohmann::ordered_json;
 
-  /// With node 0, under which all others are.
+  /// Makes node 0, the parent of all others.
   explicit Gltf(const Json& root);
 
-  /// Triangles without a colour, for several meshes.
+  /// Adds triangles without a colour, which several meshes can share.
   Json add_solid(const Mesh& mesh);
   /// @param colour  "#rrggbb", sRGB
   /// @param alpha   1: opaque
   int add_mesh(Json solid, const std::string& name, const std::string& colour,
                double alpha);
   int add_node(Json node);
-  /// Moves a node.
-  /// @param path    "translation", "rotation" (x, y, z, w) or "scale"
-  /// @param times   increasing, s
-  /// @param values  3 or 4 for each time
+  /// Animates a node.
+  /// @param path           "translation", "rotation" (x, y, z, w) or "scale"
+  /// @param times          increasing, s
+  /// @param values         3 or 4 for each time
   /// @param interpolation  "LINEAR" or "STEP"
   void add_channel(int node, const char* path, const std::vector<float>& times,
                    const std::vector<float>& values, const char* interpolation);

@@ -14,8 +14,7 @@ struct Mesh {
   std::vector<Eigen::Vector3f> normals;    ///< unit
   std::vector<std::uint32_t> corners;      ///< three for each triangle
 
-  /// Round solids have so many sides that they are within 0.3 % of their
-  /// radius.
+  /// Round solids get enough sides to be within 0.3 % of their radius.
   void add(const Shape& shape);
 };
 

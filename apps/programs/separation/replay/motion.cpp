@@ -16,7 +16,8 @@ using Eigen::Vector3d;
 using multibody::HingeKind;
 using multibody::HingeMode;
 
-// The cubic with these ends and slopes (times the interval), at part of it.
+// The cubic with these end values and slopes (times the interval), at a
+// fraction of the interval.
 template <class Value>
 Value cubic(const Value& from, const Value& slope, const Value& to,
             const Value& slope_there, double part) {
@@ -103,7 +104,7 @@ bool BodyPath::is_held(std::size_t i, int link) const {
   return mode > 0 && value(i, mode) != static_cast<double>(HingeMode::released);
 }
 
-// From row i on; the last row has nothing behind it.
+// Rotation after row i; the last row has no successor.
 Quaterniond BodyPath::rotation(std::size_t i, double part, int link) const {
   const State from = state(i, link);
   if (part == 0) return from.rotation;
@@ -119,8 +120,8 @@ Quaterniond BodyPath::rotation(std::size_t i, double part, int link) const {
     return rotation(i, part, link - 1) * AngleAxisd(turn * degree, hinge.axis) *
            Quaterniond(hinge.zero_rotation);
   }
-  // Slope of the vector v of the turn since row i. The rates in body axes are
-  // v' - v x v'/2 + v x (v x v')/6 - ..., which is turned round here.
+  // Slope of the vector v of the rotation since row i. The rates in body axes
+  // are v' - v x v'/2 + v x (v x v')/6 - ...; this inverts the series.
   const Vector3d all = turn_vector(from.rotation.conjugate() * to.rotation);
   const Vector3d across = all.cross(to.rates);
   const Vector3d slope = to.rates + across / 2 + all.cross(across) / 12;
@@ -136,7 +137,7 @@ double BodyPath::time(double place) const {
   return value(i, 0) + part * (value(i + 1, 0) - value(i, 0));
 }
 
-// From the carrier's centre of mass.
+// Relative to the carrier's centre of mass.
 Vector3d BodyPath::position(std::size_t i, double part, int link) const {
   if (link == 0) return Vector3d::Zero();
   if (is_held(i, link)) {
@@ -177,7 +178,7 @@ double BodyPath::largest_turn() const {
 
 namespace {
 
-// Halves a piece of the path until it is straight enough.
+// Bisects a piece of the path until it is straight enough.
 class Splitter {
  public:
   Splitter(const BodyPath& path, double length, double angle)
@@ -196,9 +197,9 @@ class Splitter {
     keys_.poses.push_back(pose);
   }
 
-  // At the rows between and three times between two of these.
+  // Checks the rows between, and three times between each two of them.
   bool fits(double a, const Pose& from, double b, const Pose& to) const {
-    // Turns by more than half a turn would go back.
+    // A rotation by more than half a turn would go the other way.
     constexpr double most = std::numbers::pi / 2;
     if (from.rotation.angularDistance(to.rotation) > most) return false;
     const double start = path_.time(a);

@@ -6,39 +6,40 @@
 #include "separation/case/case.hpp"
 #include "separation/results/record.hpp"
 
-/// The motion between the rows of a history, as it is shown.
+/// Interpolates the motion between the rows of a history.
 namespace separation {
 
-/// Place of a body: its centre of mass from the carrier's, in inertial
-/// directions, m, and its turn from body axes to inertial ones. Without the
-/// drift of the carrier, floats have room for millimetres.
+/// Position of a body's centre of mass relative to the carrier's, in inertial
+/// directions, m, and the rotation from body axes to inertial axes. Positions
+/// are relative because the carrier drifts away, and floats would then not
+/// resolve millimetres.
 struct Pose {
   Eigen::Vector3d position;
   Eigen::Quaterniond rotation;
 };
 
-/// The rows of which a replay is made: every `every`-th, the first, the last,
-/// and those before and after events.
+/// Selects the rows of a replay: every `every`-th, the first, the last, and the
+/// rows before and after events.
 std::vector<std::size_t> replay_rows(const Rows& rows, int every);
 
 /// The motion of one body between rows: cubics through poses and velocities at
-/// both ends. As long as the hinge holds, the body stays on it, and about an
-/// axis it is the angle that is a cubic, so that a wheel may turn many times
-/// between two rows.
+/// both ends. While the hinge holds, the body stays on it. For a hinge with an
+/// axis the angle is interpolated, so that a wheel may turn many times between
+/// two rows.
 class BodyPath {
  public:
   /// @param body  0: the carrier
-  /// @param kept  rows that count; of several at one time the last does
-  /// Case and rows have to outlive this object.
+  /// @param kept  rows to use; of several rows at one time the last one counts
+  /// Case and rows must outlive this object.
   BodyPath(const Case& c, const Rows& rows,
            const std::vector<std::size_t>& kept, int body);
 
   std::size_t size() const { return kept_.size(); }
-  /// At a place between the rows kept, from 0 to size() - 1.
+  /// Time at a place between the rows kept, from 0 to size() - 1.
   double time(double place) const;
   Pose pose(double place) const;
-  /// Largest turn between two rows that the cubics have to guess, rad: of all
-  /// but an axis.
+  /// Largest rotation between two rows that the cubics interpolate without a
+  /// known angle, rad.
   double largest_turn() const;
 
  private:
@@ -65,23 +66,23 @@ class BodyPath {
   std::vector<std::size_t> kept_;
   struct Columns {
     int body;
-    std::size_t motion;     // the first of position, velocity, ...
+    std::size_t motion;     // first of position, velocity, ...
     std::size_t mode = 0;   // 0: no hinge
     std::size_t angle = 0;  // 0: no axis
   };
-  // Of the carrier, of each body that hangs on the one before, of the body.
+  // Columns of the carrier, each body in the chain, and the body.
   std::vector<Columns> columns_;
 };
 
-/// Key frames between which poses are interpolated: positions on straight
-/// lines, turns about a fixed axis.
+/// Key frames. Poses between them are interpolated: positions linearly,
+/// rotations about a fixed axis.
 struct KeyFrames {
   std::vector<double> times;
   std::vector<Pose> poses;
 };
 
-/// As few as keep within these of the path: twice as many as are needed, at
-/// most.
+/// Selects key frames that keep within these tolerances of the path: at most
+/// twice as many as needed.
 /// @param length  m
 /// @param angle   rad
 KeyFrames key_frames(const BodyPath& path, double length, double angle);

@@ -7,13 +7,13 @@
 /// A replay as one page that needs no network.
 namespace separation {
 
-/// Parts of a page beside runs, read before they begin.
+/// Parts of a page other than runs, read before the runs begin.
 class PageParts {
  public:
   /// Reads three.js and dygraphs from the folders `javascript` of XDG_DATA_DIRS
   /// (else /usr/local/share and /usr/share).
-  /// @param wanted  that needs them: "--replay FILE"
-  /// @throws contact::Error "WANTED requires ..." what to install
+  /// @param wanted  the option that needs them: "--replay FILE"
+  /// @throws contact::Error "WANTED requires ..." naming the packages
   explicit PageParts(const std::string& wanted);
 
   /// The template with scripts, styles and this data.
@@ -23,8 +23,8 @@ class PageParts {
   std::string scripts_, style_;
 };
 
-/// A page of at most `most_page` bytes: of more rows than fit every second,
-/// fourth, ... is shown.
+/// A page of at most `most_page` bytes. If not all rows fit, it shows every
+/// second, fourth, ... row.
 struct Page {
   std::string text;
   int every;  ///< one row in `every` is shown

@@ -53,8 +53,8 @@ std::string base64(const std::vector<Number>& numbers) {
 
 ordered_json xyz(const Vector3d& v) { return {v.x(), v.y(), v.z()}; }
 
-// Pressures over the peak from the centre of the contact to its edge, of some
-// half-angles.
+// Pressures relative to the peak, from the centre of the contact to its edge,
+// for several half-angles.
 ordered_json contact_json(const contact::PressureLaw& law) {
   ordered_json j;
   constexpr int places = 12;
@@ -161,7 +161,7 @@ std::string nearest_points(const Case& c, const Take& take) {
         nearest = i;
       }
     }
-    // Outside of its times a clearance is not watched.
+    // A clearance is not watched outside its time window.
     const bool known = !std::isnan(take.rows->at(row, columns[nearest]));
     for (std::size_t i = 0; i < paths.size(); ++i) {
       const Pose pose = paths[i].pose(static_cast<double>(place));
@@ -201,7 +201,7 @@ ordered_json take_json(const ShownRun& run, const Take& take) {
   const bool has_distances = std::ranges::any_of(
       names, [](const auto& name) { return name.starts_with("clearance."); });
   if (has_distances) j["nearest"] = nearest_points(c, take);
-  // Only those of the first one are drawn.
+  // Only forces of the first take are drawn.
   if (!take.faint && !c.forces.empty()) {
     j["forces"] = base64(shown_forces(take, run.outcome->history));
   }
@@ -240,7 +240,7 @@ std::string page_data(const Replay& replay, int every) {
   std::string result;
   for (const char character : text) {
     if (character == '<') {
-      result += "\\u003c";  // so that it ends no element
+      result += "\\u003c";  // cannot end an element
     } else {
       result += character;
     }

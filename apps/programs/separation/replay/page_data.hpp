@@ -6,8 +6,8 @@
 
 namespace separation {
 
-/// Data of a page's script: JSON that a script element may hold.
-/// @param every  of which rows one is shown
+/// Data for a page's script: JSON, safe inside a script element.
+/// @param every  shows one row in `every`
 std::string page_data(const Replay& replay, int every);
 
 }  // namespace separation

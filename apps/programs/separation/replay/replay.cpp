@@ -39,8 +39,8 @@ std::vector<std::string> replay_faults(const Replay& replay) {
         BodyPath(replay.c, *take.rows, take.kept, i).largest_turn();
     if (!(turn > far)) continue;
     faults.push_back(
-        fmt::format("{} turns by up to {:.2g} rad between two rows, which the "
-                    "replay has to guess: use a shorter output_step",
+        fmt::format("{} turns by up to {:.2g} rad between two rows, too far to "
+                    "interpolate the replay: use a shorter output_step",
                     replay.c.rigid_body(i).name, turn));
   }
   return faults;

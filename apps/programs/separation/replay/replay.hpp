@@ -11,13 +11,14 @@ namespace separation {
 
 /// A run and its place in a comparison.
 struct ShownRun {
-  std::string name;  ///< "" for the only one
+  std::string name;  ///< "" for a single run
   const Outcome* outcome;
-  /// Its own case if numbers differ from those of the replay's.
+  /// The run's own case if its numbers differ from the replay's case.
   const Case* of = nullptr;
 };
 
-/// Content of a replay, one or two runs of a case; the second one is faint.
+/// Content of a replay: one or two runs of a case; the second one is drawn
+/// faint.
 struct Replay {
   const Case& c;
   std::vector<ShownRun> runs;
@@ -25,14 +26,14 @@ struct Replay {
   std::string case_text;  ///< "" leaves it out
 };
 
-/// One row in `every`, and all rows at events.
+/// Shows one row in `every`, and all rows at events.
 std::vector<Take> takes_of(const Replay& replay, int every);
 
 /// Animated glTF, all rows.
 std::string replay_glb(const Replay& replay);
 
-/// Faults of the picture: bodies without shapes, turns that are too fast for
-/// the rows.
+/// Faults of the picture: bodies without shapes, and rotations too fast for the
+/// spacing of the rows.
 std::vector<std::string> replay_faults(const Replay& replay);
 
 }  // namespace separation

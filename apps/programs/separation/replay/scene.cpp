@@ -18,7 +18,7 @@ using Eigen::Vector3f;
 using multibody::HingeMode;
 using nlohmann::ordered_json;
 
-// Yellow comes last: on white it is pale.
+// Yellow comes last, because it is pale on white.
 constexpr std::array colours = {"#d55e00", "#0072b2", "#009e73", "#e69f00",
                                 "#56b4e9", "#cc79a7", "#f0e442"};
 constexpr const char* grey = "#9a9a9a";
@@ -28,7 +28,7 @@ ordered_json numbers(const Quaterniond& q) {
   return {q.x(), q.y(), q.z(), q.w()};
 }
 
-// How far the solids of a body reach from its centre of mass.
+// Largest distance of a body's solids from its centre of mass.
 double reach_of(const RigidBody& body) {
   double reach = 0;
   for (const Shape& shape : body.shapes) {
@@ -52,7 +52,7 @@ class Stage {
 
   // The numbers of its bodies' nodes.
   std::vector<int> add(const Take& take) {
-    // Bodies of another case may have their shapes elsewhere.
+    // Bodies of another case may have other shapes.
     if (solids_of_ != take.of) solids_.clear();
     solids_of_ = take.of;
     std::vector<int> nodes;
@@ -83,7 +83,7 @@ class Stage {
       lock_mesh_ = gltf_.add_mesh(gltf_.add_solid(cube), "lock", "#b01010", 1);
   }
 
-  // A body's shapes; the same for all takes of a case but for the colour.
+  // A body's shapes; takes of one case share them and differ in colour.
   Mesh mesh_of(const Case& c, int i) const {
     const RigidBody& body = c.rigid_body(i);
     Mesh mesh;
@@ -107,7 +107,7 @@ class Stage {
     const int mesh =
         gltf_.add_mesh(solids_[i], name, colour_of(i), take.faint ? 0.35 : 1);
     const BodyPath path(*take.of, *take.rows, take.kept, i);
-    // A tenth of the tolerance is left to the motion between rows.
+    // Leaves a tenth of the tolerance to the motion between rows.
     const double most = 0.9 * tolerance_;
     const KeyFrames keys =
         key_frames(path, most * shown_position * size_, most * shown_turn);
@@ -134,7 +134,7 @@ class Stage {
     return number;
   }
 
-  // Gone from the first row on with this mode, or (locked) without it.
+  // Hidden from the first row with this mode or, for locked, without it.
   int add_mark(const Take& take, int i, int mesh, const std::string& name,
                const Vector3d& place, HingeMode mode) {
     const int node = gltf_.add_node(
@@ -160,12 +160,12 @@ class Stage {
     Quaterniond before = keys.poses.front().rotation;
     for (std::size_t i = 0; i < keys.times.size(); ++i) {
       const auto time = static_cast<float>(keys.times[i]);
-      if (i > 0 && time <= times.back()) continue;  // the same to a float
+      if (i > 0 && time <= times.back()) continue;  // equal as floats
       times.push_back(time);
       const Pose& pose = keys.poses[i];
       const Vector3f p = pose.position.cast<float>();
       positions.insert(positions.end(), p.begin(), p.end());
-      // The nearer one of q and -q, which are the same turn.
+      // Takes the nearer one of q and -q, which are the same rotation.
       Quaterniond q = pose.rotation;
       if (q.dot(before) < 0) q.coeffs() *= -1;
       before = q;
@@ -192,7 +192,8 @@ class Stage {
   int lock_mesh_ = -1;
 };
 
-// How far from the carrier's centre of mass bodies reach in the first row.
+// Largest distance of bodies from the carrier's centre of mass in the first
+// row.
 double size_of(const Take& take) {
   const Case& c = *take.of;
   double size = 0;

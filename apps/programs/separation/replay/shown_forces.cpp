@@ -13,7 +13,7 @@ using Eigen::Vector3d;
 using multibody::BodyForce;
 using multibody::BodyMotion;
 
-// Works the forces out again from the rows and the times of events.
+// Recomputes the forces from the rows and the times of events.
 class ForceRows {
  public:
   ForceRows(const Take& take, const History& history)
@@ -32,7 +32,7 @@ class ForceRows {
 
   void add(std::size_t row, std::vector<float>& numbers) {
     read_bodies(row);
-    // The first one of two rows at one time is before what happens then.
+    // The first of two rows at one time is before the event.
     double time = rows_.at(row, 0);
     const bool before = row + 1 < rows_.size() && rows_.at(row + 1, 0) == time;
     if (before) {
@@ -104,7 +104,7 @@ class ForceRows {
     const Vector3d arm = bodies_[force.body].rotation *
                          force.law->where(case_, force.body).point;
     Vector3d moment = acts->moment - arm.cross(acts->force);
-    // A force without a moment of its own leaves rounding.
+    // A force without a moment leaves a moment of rounding.
     if (moment.norm() < 1e-9 * arm.norm() * acts->force.norm()) {
       moment.setZero();
     }

@@ -8,8 +8,8 @@
 namespace separation {
 
 /// Six numbers for each row of a take and each force of its case: the force on
-/// its body and its moment about the point where it enters (ForceLaw::where),
-/// inertial axes, N and N m. They are NaN while it does not act.
+/// its body and its moment about the point of application (ForceLaw::where),
+/// inertial axes, N and N m. NaN while the force does not act.
 std::vector<float> shown_forces(const Take& take, const History& history);
 
 }  // namespace separation

@@ -17,7 +17,7 @@ namespace {
 using separation::Rows;
 
 using contact::detail::nan;
-// Numbers of a row that an envelope is of.
+// Numbers of a row that contribute to an envelope.
 using Numbers = std::function<std::vector<double>(const Rows&, std::size_t)>;
 
 std::vector<double> smallest_clearance(const Rows& rows, std::size_t row) {
@@ -40,7 +40,7 @@ std::vector<double> angles(const Rows& rows, std::size_t row) {
   return all;
 }
 
-// Numbers at output times of the case, no more than a picture can show.
+// Numbers at output times of the case, not more than a picture can show.
 class Samples {
  public:
   Samples(const separation::Case& c, Numbers numbers)
@@ -59,7 +59,7 @@ class Samples {
         return rows.at(k, 0) <= time(i) + rounding * step_;
       };
       while (row + 1 < rows.size() && is_before(row + 1)) ++row;
-      // A run that failed ends before.
+      // A failed run ends earlier.
       if (row + 1 == rows.size() && rows.at(row, 0) < time(i) - step_) break;
       const std::size_t before = values_[i].size();
       for (const double x : numbers_(rows, row)) {
@@ -97,7 +97,7 @@ class Samples {
   std::vector<double> special_;              // the special run
 };
 
-// Draws that only together make no case have no history.
+// Draws that make no valid case together have no history.
 bool has_case(const Study& study, std::uint64_t run) {
   try {
     study.case_of(run);
@@ -107,7 +107,7 @@ bool has_case(const Study& study, std::uint64_t run) {
   return true;
 }
 
-// The worst run comes last, or the nominal one.
+// The worst run, or the nominal one, comes last.
 std::vector<std::uint64_t> runs_of(const Study& study,
                                    const Findings& findings) {
   constexpr std::uint64_t first = 100;

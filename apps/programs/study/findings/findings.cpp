@@ -20,7 +20,7 @@ std::vector<double> sorted_numbers(const std::vector<double>& values) {
   return result;
 }
 
-// All of them, with `missing` in the place of NaN.
+// All numbers, with `missing` in place of NaN.
 std::vector<double> sorted_with(double missing, std::vector<double> values) {
   std::ranges::replace_if(
       values, [](double x) { return std::isnan(x); }, missing);
@@ -28,7 +28,7 @@ std::vector<double> sorted_with(double missing, std::vector<double> values) {
   return values;
 }
 
-// The worst first; a run without a number is worst of all.
+// The worst run first; runs without a number are the worst.
 std::vector<RunValue> worst_of(const std::vector<double>& values,
                                bool at_least) {
   constexpr std::size_t shown = 5;
@@ -99,13 +99,13 @@ Scatter scatter(const std::string& name, double nominal,
           .missing = values.size() - sorted.size()};
 }
 
-// A number that is asked what drives it.
+// A number whose drivers are sought.
 struct Output {
   std::string name;
   std::function<double(const Row&)> of;
 };
 
-// Requirements and the quantities that are asked for beside them.
+// Requirements and further quantities.
 std::vector<Output> outputs_of(const Study& study) {
   std::vector<Output> result;
   const auto add = [&result](const std::string& name, const auto& of) {
@@ -165,8 +165,8 @@ std::size_t count_driven(const Study& study) {
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number) {
   std::vector<double> values(study.runs(), nan);
-  // In the order of the runs, so that sums have the same bytes whatever the
-  // order in which they came.
+  // Sums in the order of the runs, so that results are bit-identical for any
+  // order of completion.
   for (std::uint64_t run = 1; run <= study.runs(); ++run) {
     values[run - 1] = number(journal.at(run));
   }
@@ -175,7 +175,7 @@ std::vector<double> column(const Study& study, const Journal& journal,
 
 namespace {
 
-// Runs in which a contact leaves the theory, or what its materials bear.
+// Runs in which a contact exceeds the theory or the strength of its materials.
 std::size_t count_above_limit(const Study& study, const Journal& journal) {
   const auto names = study.columns();
   const auto found = std::ranges::find(names, over_limit);
@@ -214,7 +214,7 @@ Findings find(const Study& study, const Journal& journal) {
                [place](const Row& row) { return row.numbers[place]; })));
   }
   findings.driven = find_drivers(study, journal);
-  // Steps of the integrator that become others move a number by less.
+  // Changed integrator steps move a number by less.
   constexpr double notable_share = 1e-4;
   std::vector<double> notable;
   for (const Scatter& s : findings.quantities) {

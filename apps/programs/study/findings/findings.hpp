@@ -12,37 +12,36 @@
 
 namespace study {
 
-/// A run and a number of it; NaN if it failed.
+/// A run and one of its numbers; NaN if it failed.
 struct RunValue {
   std::uint64_t run;
   double value;
 };
 
-/// Verdict of the runs on a requirement.
+/// Verdict on a requirement.
 struct Judgement {
-  std::size_t misses;   ///< failed runs too
-  std::size_t missing;  ///< runs without the number, each of them a miss
-  /// None unless the runs are random: others are not independent of each other.
+  std::size_t misses;   ///< including failed runs
+  std::size_t missing;  ///< runs without the number; each counts as a miss
+  /// Only for random runs: runs of other samplings are not independent.
   std::optional<Answer> answer;
   Bounds miss_probability;  ///< at the consumer's risk
-  std::size_t needed;       ///< runs with so many misses for "met"
-  double share;             ///< share of the percentile: success, or the rest
-  /// Percentile of all runs. Those without the number are at the end that
-  /// misses, so that the percentile or a bound is infinite where it is one of
-  /// them.
+  std::size_t needed;       ///< runs needed for "met" with these misses
+  double share;             ///< percentile's: success, or 1 - success
+  /// Percentile of all runs. Runs without the number count at the failing end,
+  /// so the percentile or a bound can be infinite.
   Percentile percentile;
   std::vector<RunValue> worst;
 };
 
-/// Bounds of a number.
+/// Lower and upper bound of a number.
 struct Range {
   double low;
   double high;
 };
 
-/// How a number scatters: mean, deviation, low and high over the runs that have
-/// it. Percentiles are of all runs: from where they are if those without the
-/// number are below all others, to where if they are above.
+/// Scatter of a number: mean, deviation, low and high over the runs that have
+/// it. Percentiles count all runs: `from` counts runs without the number below
+/// all others, `to` above all others.
 struct Scatter {
   std::string quantity;
   double nominal;
@@ -54,12 +53,12 @@ struct Scatter {
   std::size_t missing;
 };
 
-/// Drivers of a number, by input.
+/// The drivers of a number, by input.
 struct Driven {
   std::string quantity;
   std::vector<double> spearman;
   Regression::Answer regression;
-  /// One for each source, with Saltelli's design only.
+  /// One for each source; only with Saltelli's design.
   std::vector<SobolIndex> sobol;
 };
 
@@ -73,14 +72,14 @@ struct Findings {
   std::vector<std::string> idle;
 };
 
-/// A number of each run from 1 on.
+/// One number of all runs from run 1.
 std::vector<double> column(const Study& study, const Journal& journal,
                            const std::function<double(const Row&)>& number);
 
-/// Numbers that are asked what drives them.
+/// Number of quantities whose drivers are sought.
 std::size_t count_driven(const Study& study);
 
-/// Reads the journal a column at a time.
+/// Evaluates the journal, one column at a time.
 Findings find(const Study& study, const Journal& journal);
 
 }  // namespace study

@@ -22,9 +22,9 @@ std::string heading(const std::string& title, const std::string& x_label,
 
 namespace {
 
-// Counts of equal classes between the smallest and the largest number: as wide
-// as Freedman and Diaconis have them, 80 at most; as many as Sturges has where
-// half of the numbers are one.
+// Counts in equal classes between the smallest and the largest number. Width
+// after Freedman and Diaconis, at most 80 classes; if half of the numbers are
+// equal, the number of classes after Sturges.
 struct Classes {
   double low;
   double width;
@@ -66,7 +66,7 @@ std::string data_of(const Classes& classes, const std::string& name) {
   return script + "END\n";
 }
 
-// A line across the picture; none at infinity.
+// A vertical line across the picture; none at infinity.
 std::string upright(double x, int style, int dash, const std::string& label) {
   if (std::isinf(x)) return {};
   return fmt::format(
@@ -91,7 +91,7 @@ std::string histogram(const Study& study, const Journal& journal,
   std::string script =
       data_of(classes, "counts") +
       heading(study.plan().name, shown_label(requirement.quantity), "runs");
-  // A limit at the end of the numbers is not on an axis.
+  // A limit at the end of the range is not drawn on the axis.
   const double high =
       classes.low + classes.width * static_cast<double>(classes.counts.size());
   cli::Extent extent{classes.low, high};
@@ -123,7 +123,7 @@ std::string histogram(const Study& study, const Journal& journal,
 
 namespace {
 
-// Panels of a picture; more leave no room for their names.
+// More panels would leave no room for their names.
 constexpr std::size_t most_panels = 9;
 
 // All draws of a dispersion, in all runs.
@@ -183,7 +183,7 @@ std::string input_histograms(const Study& study, const Journal& journal,
   const std::size_t end =
       std::min(first + most_panels, study.plan().dispersions.size());
   const std::size_t panels = end - first;
-  // Later pictures have the places of the first.
+  // Later pictures have the layout of the first one.
   const std::size_t places = number > 0 ? most_panels : panels;
   const std::size_t columns = places == 1 ? 1 : places <= 4 ? 2 : 3;
   std::string script = fmt::format(
@@ -193,8 +193,7 @@ std::string input_histograms(const Study& study, const Journal& journal,
       "set style fill solid 0.5\nset lmargin 3\nset rmargin 4\n"
       "set multiplot layout {},{} title {}\n",
       (places + columns - 1) / columns, columns,
-      cli::gnuplot_text(
-          fmt::format("What was drawn in {} runs", study.runs())));
+      cli::gnuplot_text(fmt::format("Inputs drawn in {} runs", study.runs())));
   for (std::size_t i = first; i < end; ++i) {
     script += panel(study, journal, i);
   }

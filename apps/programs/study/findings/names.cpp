@@ -16,7 +16,7 @@ std::string with_blanks(std::string_view text) {
   return shown;
 }
 
-// "joint 1" of "joint[1]"; of a body its name.
+// "joint 1" for "joint[1]"; a body's name for a body.
 std::string shown_step(std::string_view step) {
   const std::size_t bracket = step.find('[');
   if (bracket == step.npos || !step.ends_with(']')) return std::string(step);
@@ -42,13 +42,13 @@ std::string shown_name(std::string_view key) {
     if (dot == rest.npos) break;
     rest.remove_prefix(dot + 1);
   }
-  // Symbols of tables stand alone.
+  // Symbols of tables need no further words.
   if (steps.size() == 1) return cli::shown_symbol(stem);
-  // From the inside out.
+  // From the innermost part to the outermost.
   std::string name = with_blanks(steps.back());
   for (std::size_t i = steps.size() - 1; i-- > 0;) {
     const std::string_view step = steps[i];
-    // Their keys say as much.
+    // The keys of these tables suffice.
     if (step == "geometry" || step == "materials") continue;
     name += step == "clearance"       ? " clearance"
             : step.starts_with("at_") ? ' ' + with_blanks(step)

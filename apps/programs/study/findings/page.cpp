@@ -12,7 +12,7 @@ namespace {
 
 using cli::in_markup;
 
-// A file's name as a relative address, which holds no quotes.
+// A file's name as a relative URL without quotes.
 std::string address(std::string_view name) {
   constexpr std::string_view plain =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789-._~";
@@ -29,14 +29,14 @@ std::string cell(const char* element, const std::string& markup) {
   return fmt::format("<{0}>{1}</{0}>", element, markup);
 }
 
-// With the name of its column, which stands before it where a row is a card.
+// A cell with the name of its column, shown before it when rows are cards.
 std::string named_cell(const char* element, const std::string& name,
                        const std::string& content) {
   return fmt::format("<{0} data-name=\"{1}\">{2}</{0}>", element,
                      in_markup(name), in_markup(content));
 }
 
-// Cells of the worst runs beside their numbers.
+// Links of the worst runs beside their numbers.
 std::string ways_to(const Study& study, std::uint64_t run,
                     const std::string& command, const PageExtras& extras) {
   std::string text;
@@ -74,7 +74,7 @@ std::string table(const Study& study, const Part& part,
   return text + "</tbody>\n</table></div>\n";
 }
 
-// Without what stands before the element in a file.
+// Removes the text before the svg element.
 std::string figure(const std::string& svg) {
   return "<figure>" + svg.substr(svg.find("<svg")) + "</figure>\n";
 }
@@ -99,7 +99,7 @@ std::string markup(const Study& study, const std::vector<Part>& parts,
   return body + end;
 }
 
-// The answers, before everything else.
+// The answers, which stand before everything else.
 std::string answers_of(const Study& study, const Findings& findings) {
   std::string body;
   for (std::size_t i = 0; i < findings.requirements.size(); ++i) {

@@ -7,16 +7,16 @@
 
 namespace study {
 
-/// Picture drawn by gnuplot.
+/// A picture drawn by gnuplot.
 struct Picture {
   std::string name;
-  std::string script;  ///< "": there are no numbers
+  std::string script;  ///< "" if there are no numbers
 };
 
-/// "1", ...: the histogram of each requirement with its limit and bounds,
-/// "ranking_1", ...: what drives it, "inputs_1", ...: what was drawn, and of a
-/// case "clearance" and "angles", between which values the first runs and the
-/// worst ones were over the time.
+/// "1", ...: the histogram of each requirement with its limit and bounds;
+/// "ranking_1", ...: its drivers; "inputs_1", ...: the draws. For a case also
+/// "clearance" and "angles": envelopes over time of the first runs and the
+/// worst ones.
 std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
                                  const Journal& journal);
 
@@ -24,8 +24,8 @@ std::vector<Picture> pictures_of(const Study& study, const Findings& findings,
 std::vector<std::string> picture_files(const Study& study,
                                        const std::string& file);
 
-/// Draws each as FILE_NAME.EXT.
-/// @return "" or why there are not all of them
+/// Draws each picture as FILE_NAME.EXT.
+/// @return "" or the reason why pictures are missing
 std::string draw(const std::vector<Picture>& pictures, const std::string& file);
 
 }  // namespace study

@@ -18,7 +18,7 @@ using nlohmann::ordered_json;
 
 constexpr int digits = 4;
 
-// A percentile is infinite where it is one of the runs without a number.
+// A percentile is infinite if it falls on a run without the number.
 std::string number(double value) {
   return std::isinf(value) ? "no number" : cli::rounded_text(value, digits);
 }
@@ -117,9 +117,8 @@ void add_requirements(const Study& study, const Findings& findings,
   parts.push_back(std::move(verdicts));
   parts.push_back(std::move(percentiles));
   if (study.plan().sampling == Sampling::random) return;
-  parts.push_back(
-      {.text = "No verdict: only random runs are independent of each other, "
-               "so that misses can be counted."});
+  parts.push_back({.text = "No verdict: counting misses requires independent "
+                           "runs, which only random sampling gives."});
 }
 
 Part quantities_part(const Study& study, const Findings& findings,
@@ -137,7 +136,7 @@ Part quantities_part(const Study& study, const Findings& findings,
   return part;
 }
 
-// The error with two digits, and the value to the same place.
+// The error with two digits, and the value rounded to the same place.
 std::string with_error(double value, double error) {
   constexpr int most = 6;
   const int decimals =
@@ -148,7 +147,7 @@ std::string with_error(double value, double error) {
   return fmt::format("{0:.{2}f} +- {1:.{2}f}", value, error, decimals);
 }
 
-// The strongest first.
+// The strongest driver comes first.
 Part drivers_part(const Study& study, const Driven& driven,
                   const Words& words) {
   constexpr std::size_t shown = 10;

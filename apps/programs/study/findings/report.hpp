@@ -9,23 +9,23 @@
 
 namespace study {
 
-/// Results of a study, for programs; NaN is null, infinity the text "inf" or
-/// "-inf".
+/// Results of a study for other programs; NaN is null, infinity the text "inf"
+/// or "-inf".
 nlohmann::ordered_json to_json(const Study& study, const Findings& findings);
 
 using Cells = std::vector<std::string>;
 
-/// A paragraph and a table below it, or one of the two.
+/// A paragraph, a table, or a paragraph above a table.
 struct Part {
-  std::string heading = {};  ///< "": belongs to the one before
+  std::string heading = {};  ///< "": continues the previous part
   std::string text = {};
-  Cells header = {};  ///< none: no table
+  Cells header = {};  ///< empty: no table
   std::vector<Cells> rows = {};
-  std::vector<std::string> pictures = {};  ///< their names
+  std::vector<std::string> pictures = {};  ///< names of pictures
   std::vector<std::uint64_t> runs = {};    ///< run of each row
 };
 
-/// How keys and requirements are written: as in files, or in words.
+/// Style of keys and requirements: as in files, or in words.
 struct Words {
   std::string (*key)(std::string_view);
   std::string (*demand)(const Requirement&);
@@ -47,7 +47,7 @@ std::string command_of(const Study& study, const std::string& command,
                        std::uint64_t run);
 
 /// The parts as Markdown.
-/// @param command  that begins the one for a single run
+/// @param command  beginning of the command that repeats a run
 std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command);
 
