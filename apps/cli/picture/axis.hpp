@@ -77,7 +77,7 @@ struct Ticks {
 
 /// gnuplot's marks, with which numbers stand where the next two have them.
 inline constexpr std::string_view tick_style =
-    "set tics scale 0.5\nset xtics offset 0,0.65\n";
+    "set tics scale 0.5\nset xtics offset 0,0.35\n";
 /// From y to the ends of its numbers, em.
 inline constexpr double beside_axis = 1.4;
 /// From x to the end of its label, em.
