@@ -318,7 +318,7 @@ TEST(Pictures, Contacts) {
   const auto draw = [&](const std::string& joint) {
     folder.run_well("hinge-joint --joint data/joints/" + joint +
                     " --map p.svg --pv --output p.csv --columns p_peak_Pa,"
-                    "pv_max_W_per_m2,pv_max_theta_deg,v_m_per_s");
+                    "pv_max_W_per_m2,v_m_per_s");
     return texts(folder.read("p.svg"));
   };
   const auto value = [&](const std::string& column, double unit) {
@@ -328,14 +328,12 @@ TEST(Pictures, Contacts) {
   };
   const auto ball =
       draw("hip_cocr_uhmwpe.toml --reaction 2000 --beta 50 --rate 2");
+  EXPECT_TRUE(has(ball, "p to " + value("p_peak_Pa", 1e6) + " MPa"));
   EXPECT_TRUE(
-      has_text(joined(ball), "p: " + value("p_peak_Pa", 1e6) + " MPa at 0°"));
-  EXPECT_TRUE(has_text(joined(ball), "p v: " + value("pv_max_W_per_m2", 1e6) +
-                                         " MPa m/s at " +
-                                         value("pv_max_theta_deg", 1) + "°"));
+      has(ball, "p v to " + value("pv_max_W_per_m2", 1e6) + " MPa m/s"));
   // The contact is wider than a: where it crosses the equator of Dw the slip
   // is rho |Dw|.
-  EXPECT_TRUE(has(ball, "slip: to 0.028 m/s"));
+  EXPECT_TRUE(has(ball, "slip to 0.028 m/s"));
   EXPECT_TRUE(has(ball, "−X"));
   const auto pin = draw("pin_joint.toml --reaction 2e5 --rate 2");
   EXPECT_TRUE(has(pin, value("p_peak_Pa", 1e6)));

@@ -56,6 +56,10 @@ TEST(ShownUnit, IsTheColumnsAndItsPrefixLeavesOneToAThousand) {
   EXPECT_EQ(shown("evaluations", 1234567), "evaluations 1234567 ");
   // As given, in its own unit.
   EXPECT_EQ(shown("geometry.radius_mm", 16000), "geometry.radius 16000 mm");
+  // A unit that no key has, and what rounding leaves.
+  EXPECT_EQ(shown("K_load_N_m_per_rad", 96710), "K_load 96710 N m/rad");
+  EXPECT_EQ(shown("drift_J", 9.379e-13), "drift 9.379e-13 J");
+  EXPECT_EQ(shown("pv_max_W_per_m2", 1.667e6), "pv_max 1.667 MPa m/s");
 }
 
 TEST(TerminalReport, OfOneRowHasTheAnswerBesideTheTextbooks) {
@@ -148,6 +152,19 @@ TEST(TerminalReport, ColoursVerdictsWhereTheyAreWanted) {
   EXPECT_FALSE(
       has_text(on_terminal(folder, "hinge-joint --joint j.toml --reaction 1kN"),
                "\033"));
+}
+
+TEST(TerminalReport, OfAStudyBeginsWithItsVerdictInWords) {
+  const ProgramFolder folder;
+  const std::string study =
+      "hinge-study data/studies/lined_bearing.toml --runs 20 --journal s.j";
+  const std::string text = on_terminal(folder, study + " 2>/dev/null");
+  EXPECT_TRUE(has_text(text, "Open: whether")) << text;
+  EXPECT_TRUE(has_text(text, "at most 40 N m")) << text;
+  EXPECT_FALSE(has_text(text, "|")) << text;
+  EXPECT_FALSE(has_text(text, "M_t_N_m")) << text;
+  // In a pipe the same Markdown as ever.
+  EXPECT_TRUE(has_text(folder.run_well(study).out, "| M_t_N_m at most 40 |"));
 }
 
 TEST(Verdict, OfATableIsColoured) {

@@ -207,8 +207,10 @@ ExitStatus write_placed(const std::vector<Joint>& joints,
   std::vector<Joint> straight = joints;  // the relief is not left out
   for (Joint& joint : straight) joint.spec = joint.spec.without_relief();
   warn_of_validity(table.program, straight);
+  OutputOptions titled = output;
+  titled.report.title = shared_title(joints, "");
   std::array<std::size_t, 2> bad = {};
-  write_table(output, joint_columns(joints, {names}), [&](RowWriter& row) {
+  write_table(titled, joint_columns(joints, {names}), [&](RowWriter& row) {
     for (const Rows& of : rows) {
       const auto [none, rough] = of.write(row);
       bad[0] += none;

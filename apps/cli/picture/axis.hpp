@@ -77,7 +77,7 @@ struct Ticks {
 
 /// gnuplot's style of ticks, which the next two distances assume.
 inline constexpr std::string_view tick_style =
-    "set tics scale 0.5\nset xtics offset 0,0.65\n";
+    "set tics scale 0.5\nset xtics offset 0,0.35\n";
 /// Distance of the y axis from the ends of its numbers, em.
 inline constexpr double beside_axis = 1.4;
 /// Distance of the x axis from the lower end of its label, em.

@@ -53,7 +53,7 @@ std::optional<std::string> middle(std::string_view name,
       name.substr(begin.size(), name.size() - begin.size() - end.size()));
   if (!law.empty() && law[0] != '_') return std::nullopt;
   std::ranges::replace(law, '_', ' ');
-  return law;
+  return law.empty() ? "" : " (" + law.substr(1) + ')';
 }
 
 std::size_t place_of(std::string_view name,
@@ -201,6 +201,17 @@ std::string TerminalReport::lines(const Row& row) const {
   return text;
 }
 
+// A number in the unit of its column, or of the quantity of its row.
+std::string TerminalReport::shown_cell(const Row& row, std::size_t at,
+                                       const ShownUnit& unit) const {
+  const std::size_t quantity = place_of("quantity", names_);
+  if (at == quantity) return spaced(shown_unit(row[at]).stem);
+  const auto number = parse_number(row[at]);
+  if (!number) return row[at];
+  return quantity < names_.size() ? with_unit(row[at], row[quantity])
+                                  : unit.text(*number);
+}
+
 // Columns before the known ones are differences of joints; they are shown.
 void TerminalReport::begin_table() {
   is_table_ = true;
@@ -237,7 +248,6 @@ void TerminalReport::begin_table() {
       shown_.push_back(status);
     }
   }
-  const bool has_quantity = place_of("quantity", names_) < names_.size();
   for (const std::size_t i : shown_) {
     double largest = 0;
     for (const Row& row : rows_) {
@@ -248,15 +258,15 @@ void TerminalReport::begin_table() {
     }
     ShownUnit unit = shown_unit(names_[i]).scaled(largest);
     std::size_t width = 0;
+    bool has_number = false;
     for (const Row& row : rows_) {
-      const auto number = parse_number(row[i]);
-      width =
-          std::max(width, number ? has_quantity ? 13 : unit.text(*number).size()
-                                 : width_of(row[i]));
+      has_number = has_number || parse_number(row[i]);
+      width = std::max(width, width_of(shown_cell(row, i, unit)));
     }
     const std::string head =
         unit.stem + (unit.symbol.empty() ? "" : ", " + unit.symbol);
     widths_.push_back(std::max(width, width_of(head)));
+    has_number_.push_back(has_number);
     units_.push_back(std::move(unit));
   }
 }
@@ -276,27 +286,18 @@ std::string TerminalReport::table_rows() {
       const std::string& symbol = units_[c].symbol;
       const std::string head =
           units_[c].stem + (symbol.empty() ? "" : ", " + symbol);
-      text +=
-          "  " + (parse_number(rows_[0][shown_[c]]) ? right(head, widths_[c])
-                                                    : left(head, widths_[c]));
+      text += "  " + (has_number_[c] ? right(head, widths_[c])
+                                     : left(head, widths_[c]));
     }
     end_line();
   }
-  const std::size_t quantity = place_of("quantity", names_);
   for (const Row& row : rows_) {
     for (std::size_t c = 0; c < shown_.size(); ++c) {
-      const std::string& cell = row[shown_[c]];
-      const auto number = parse_number(cell);
-      text += "  ";
-      if (number && quantity < names_.size()) {
-        text += right(with_unit(cell, row[quantity]), widths_[c]);
-      } else if (number) {
-        text += right(units_[c].text(*number), widths_[c]);
-      } else if (shown_[c] == quantity) {
-        text += left(spaced(shown_unit(cell).stem), widths_[c]);
-      } else {
-        text += shown(left(cell, widths_[c]), cell, style_.colour);
-      }
+      const std::string cell = shown_cell(row, shown_[c], units_[c]);
+      const std::size_t width = widths_[c];
+      text +=
+          "  " + shown(has_number_[c] ? right(cell, width) : left(cell, width),
+                       row[shown_[c]], style_.colour);
     }
     end_line();
   }

@@ -48,6 +48,8 @@ class TerminalReport {
   std::optional<Line> line(const ReportRow& of, std::size_t at,
                            const Row& row) const;
   std::optional<Line> plain_line(std::size_t at, const Row& row) const;
+  std::string shown_cell(const Row& row, std::size_t at,
+                         const ShownUnit& unit) const;
   void begin_table();
   std::string table_rows();
 
@@ -57,6 +59,7 @@ class TerminalReport {
   std::vector<std::size_t> shown_ = {};  ///< columns of a table of rows
   std::vector<ShownUnit> units_ = {};
   std::vector<std::size_t> widths_ = {};
+  std::vector<bool> has_number_ = {};  ///< such columns stand to the right
   bool is_table_ = false;
   bool empty_ = true;
 };

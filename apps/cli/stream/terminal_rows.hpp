@@ -24,8 +24,8 @@ struct ReportRow {
 };
 
 inline constexpr ReportRow report_rows[] = {
-    {"load", "load_N", {{{"of x", "x"}}}},
-    {"load", "load_N_per_m", {{{"of x", "x"}}}},
+    {"load", "load_N", {{{"load parameter", "x"}}}},
+    {"load", "load_N_per_m", {{{"load parameter", "x"}}}},
     {"reaction", "R_N", {{{"at beta", "b_deg"}}}},
     {"friction torque",
      "M_t_N_m",

@@ -44,7 +44,11 @@ const SiPrefix& prefix_for(double value, const Prefixes& all) {
 }  // namespace
 
 ShownUnit ShownUnit::scaled(double value) const {
-  if (!prefixes || value == 0 || !std::isfinite(value)) return *this;
+  // What is left by rounding has an exponent and no prefix.
+  constexpr double least = 1e-12;
+  if (!prefixes || std::abs(value) < least || !std::isfinite(value)) {
+    return *this;
+  }
   const SiPrefix& prefix =
       symbol == "m^2"   ? prefix_for(value, area_prefixes)
       : symbol == "m^3" ? prefix_for(value, volume_prefixes)
@@ -94,11 +98,22 @@ ShownUnit shown_unit(std::string_view column) {
   }
   if (best == nullptr) return {std::string(column)};
   const std::string_view end = best->ending;
+  const std::string_view front =
+      column.substr(0, column.size() - end.size() - 1);
+  if (front.ends_with("_per")) {
+    // Units that no key has: K_N_m_per_rad.
+    ShownUnit unit = shown_unit(front.substr(0, front.size() - 4));
+    unit.symbol += "/" + contact::unit_symbol(end);
+    unit.prefixes = false;
+    return unit;
+  }
   ShownUnit unit{std::string(column.substr(0, column.size() - end.size() - 1)),
                  contact::unit_symbol(end)};
   unit.prefixes = printed && end != "deg" && end != "C" && end != "kg" &&
                   end != "per_K" && end != "rad_per_s" && end != "kg_m2";
   if (end == "deg") unit.symbol = "°";
+  // As pictures and catalogues have it.
+  if (unit.stem.find("pv") != unit.stem.npos) unit.symbol = "Pa m/s";
   return unit;
 }
 

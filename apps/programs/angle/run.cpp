@@ -176,7 +176,8 @@ cli::ExitStatus run(const Options& options) {
   const Tables tables(joints, inputs, own_hertz);
   check_plot(options.output, inputs);
   if (!options.output.plot.empty()) check_curves(joints);
-  const cli::Table table(options.output, tables.columns());
+  const cli::Table table(options.output.titled(shared_title(joints, "")),
+                         tables.columns());
   warn_of_validity("hinge-angle", joints);
   const auto findings = write_table(tables, table, options.output);
   const cli::ExitStatus status = report(joints, findings, tables.size());

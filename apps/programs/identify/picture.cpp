@@ -181,29 +181,35 @@ cli::Extent moments(std::span<const MeasuredMoment> data, double radius) {
   return cli::extent_of(all, false);
 }
 
-// The residuals over load, direction and rate, side by side in a box.
+// The residuals over what varies of load, direction and rate, side by side in a
+// box.
 std::string residual_panels(const cli::Canvas& canvas, const cli::Box& box,
                             const cli::Ticks& residuals,
                             std::span<const MeasuredMoment> data) {
   constexpr double gap = 2.2;  // between numbers at the ends of neighbours
-  const double width = (box.width() - 2 * gap) / 3;
   struct Over {
+    int column;
     cli::Axis axis;
     Range values;
   };
-  const Over panels[] = {{{"R", "N", true}, range(data, load)},
-                         {{"β", "deg"}, range(data, direction_deg)},
-                         {{"|Δω|", "rad/s"}, range(data, rate_of)}};
+  std::vector<Over> panels = {{1, {"R", "N", true}, range(data, load)},
+                              {2, {"β", "deg"}, range(data, direction_deg)},
+                              {3, {"|Δω|", "rad/s"}, range(data, rate_of)}};
+  std::erase_if(panels, [](const Over& over) {
+    return over.column > 1 && !(over.values.high > over.values.low);
+  });
+  const auto count = static_cast<double>(panels.size());
+  const double width = (box.width() - (count - 1) * gap) / count;
   std::string script;
-  for (int i = 0; i < 3; ++i) {
-    const double left = box.left + i * (width + gap);
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double left = box.left + static_cast<double>(i) * (width + gap);
     const Panel panel({left, left + width, box.top, box.bottom}, panels[i].axis,
                       {panels[i].values.low, panels[i].values.high});
     script += panel.script(canvas) + residuals.script("y", i == 0) +
               fmt::format(
                   "plot 0 lt 7 lw 1, $residual using (${}*{}):4 with points lt "
                   "1 pt 7 ps 0.35\nunset label\n",
-                  i + 1, cli::number_text(panel.prefix.factor));
+                  panels[i].column, cli::number_text(panel.prefix.factor));
   }
   return script;
 }

@@ -126,16 +126,16 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
     std::string over;  // drawing over the dots
     std::string plot;
   };
+  // Crosses show where; titles stay short enough for one line.
   const auto peak_title = [](const char* name, const Peak& peak,
                              const char* unit) {
-    return fmt::format("{}: {:.3g} {} at {:.3g}°", name, peak.value / mega,
-                       unit, peak.theta / degree + 0.0);
+    return fmt::format("{} to {:.3g} {}", name, peak.value / mega, unit);
   };
   const std::array<Panel, 3> panels = {
       Panel{peak_title("p", p, "MPa"), p.value / mega, mark(p, view), ""},
       Panel{peak_title("p v", pv, "MPa m/s"), pv.value / mega, mark(pv, view),
             ""},
-      Panel{fmt::format("slip: to {:.3g} m/s", slip), slip, "",
+      Panel{fmt::format("slip to {:.3g} m/s", slip), slip, "",
             ", $slip using 1:2:3:4 with vectors head filled size graph "
             "0.03,20 lw 1 lc rgb 'white'"}};
   const cli::Canvas canvas(title);
@@ -146,6 +146,11 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
     titles = std::max(
         titles, cli::Canvas::above_height({0, width - 1, 0, 0}, panel.title));
   }
+  // Its edge over those of the dots.
+  const std::string edge = fmt::format(
+      "set object circle at 0,0 size {} front fs empty border lc rgb '#333333' "
+      "lw 1.5\n",
+      cli::number_text(2 * std::sin(half_angle / 2)));
   std::string script =
       dots(contact, half_angle, view) +
       arrows(contact, half_angle, view, slip) +
@@ -164,7 +169,7 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
                            room.bottom - 2.7};
     const cli::Ticks ticks = cli::ticks_of(
         {}, {0, panel.largest}, cli::Run::across, colours.width(), false);
-    script += view.axis_labels() + view.circles() + panel.over +
+    script += view.axis_labels() + view.circles() + edge + panel.over +
               canvas.margins(box) + canvas.above(box, panel.title) +
               ticks.script("cb") + "set colorbox horizontal\n" +
               canvas.colour_box(colours) +

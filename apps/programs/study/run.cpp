@@ -211,8 +211,14 @@ void write_results(const Options& o, const Study& study,
     if (o.output.output == "-") return;
   }
   cli::Output text("");
-  const std::string said = to_text(study, findings, command_of(o));
-  if (o.output.report.colour) {
+  const bool colour = o.output.report.colour;
+  const std::string said =
+      o.output.format == cli::Format::report
+          ? to_report(study, findings, command_of(o), colour)
+          : to_text(study, findings, command_of(o));
+  if (colour && o.output.format == cli::Format::report) {
+    text.write_coloured(said);
+  } else if (colour) {
     text.write_coloured(cli::with_coloured_verdicts(cli::terminal_text(said)));
   } else {
     text.write(said);

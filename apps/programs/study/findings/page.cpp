@@ -114,8 +114,6 @@ std::string answers_of(const Study& study, const Findings& findings) {
   return body;
 }
 
-constexpr Words in_words = {shown_label, shown_demand};
-
 }  // namespace
 
 std::string report_page(const Study& study, const Findings& findings,

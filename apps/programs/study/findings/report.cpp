@@ -9,7 +9,9 @@
 
 #include "cli/number.hpp"
 #include "cli/stream/quoting.hpp"
+#include "cli/stream/verdict.hpp"
 #include "programs/study/findings/histograms.hpp"
+#include "programs/study/findings/names.hpp"
 
 namespace study {
 namespace {
@@ -81,6 +83,29 @@ std::string markdown(const Part& part) {
   text += '\n';
   for (const Cells& row : part.rows) text += line(row);
   return text + '\n';
+}
+
+// Columns of a width each, the first to the left. fmt counts characters.
+std::string aligned(const Part& part) {
+  std::string text = part.text.empty() ? "" : part.text + "\n\n";
+  std::vector<Cells> lines = part.rows;
+  lines.insert(lines.begin(), part.header);
+  std::vector<std::size_t> widths(part.header.size());
+  for (const Cells& cells : lines) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      const auto own = std::ranges::count_if(
+          cells[i], [](char c) { return (c & 0xc0) != 0x80; });
+      widths[i] = std::max(widths[i], static_cast<std::size_t>(own));
+    }
+  }
+  for (const Cells& cells : lines) {
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+      text += i == 0 ? fmt::format("  {:<{}}", cells[i], widths[i])
+                     : fmt::format("  {:>{}}", cells[i], widths[i]);
+    }
+    if (!cells.empty()) text += '\n';
+  }
+  return text + (part.header.empty() ? "" : "\n");
 }
 
 std::string verdict_text(const Judgement& judgement, std::size_t runs) {
@@ -250,6 +275,7 @@ ordered_json driven_json(const Study& study, const Driven& d) {
 
 const Words as_in_files = {
     [](std::string_view key) { return std::string(key); }, to_string};
+const Words in_words = {shown_label, shown_demand};
 
 std::string to_string(const Requirement& requirement) {
   return fmt::format("{} {} {}", requirement.quantity,
@@ -389,6 +415,32 @@ std::string to_text(const Study& study, const Findings& findings,
         fmt::format("To repeat one: {}\n\n", command_of(study, command, worst));
   }
   text.pop_back();
+  return text;
+}
+
+std::string to_report(const Study& study, const Findings& findings,
+                      const std::string& command, bool colour) {
+  // Texts of files have no colours of their own.
+  const auto plain = [colour](const std::string& text) {
+    return colour ? cli::terminal_text(text) : text;
+  };
+  std::string text = plain(study.plan().name) + "\n\n";
+  for (std::size_t i = 0; i < findings.requirements.size(); ++i) {
+    const Judgement& j = findings.requirements[i];
+    const std::string sentence =
+        plain(verdict_sentence(study, study.plan().requirements[i], j));
+    text += colour && j.answer ? cli::coloured(sentence, to_string(*j.answer))
+                               : sentence;
+    text += "\n\n";
+  }
+  for (const Part& part : parts_of(study, findings, in_words)) {
+    if (part.heading != "Verdicts") text += plain(aligned(part));
+  }
+  if (!findings.requirements.empty()) {
+    const std::uint64_t worst = findings.requirements[0].worst[0].run;
+    text +=
+        fmt::format("To repeat one: {}\n", command_of(study, command, worst));
+  }
   return text;
 }
 

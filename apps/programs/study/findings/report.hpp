@@ -31,6 +31,7 @@ struct Words {
   std::string (*demand)(const Requirement&);
 };
 extern const Words as_in_files;
+extern const Words in_words;
 
 /// Distributions of the inputs, for people.
 std::vector<Part> inputs_of(const Study& study, const Words& words);
@@ -50,6 +51,11 @@ std::string command_of(const Study& study, const std::string& command,
 /// @param command  beginning of the command that repeats a run
 std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command);
+
+/// The parts for a terminal: verdicts as sentences, then aligned tables.
+/// @param colour  of the verdicts
+std::string to_report(const Study& study, const Findings& findings,
+                      const std::string& command, bool colour);
 
 /// "clearance.smallest_m at least 0.05"
 std::string to_string(const Requirement& requirement);
