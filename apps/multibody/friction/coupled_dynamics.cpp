@@ -269,6 +269,8 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       if (lost != active.rend()) fail_at(*lost, at);
       return;
     }
+    // A step of Newton's through a tree may be the last one.
+    if (!first && at.is_tree()) update_slopes(at);
     if (report.residual <= tolerance) return;
     // Rounding of the reactions can be above the tolerance.
     constexpr double rounding = 1e-8;
@@ -279,7 +281,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       return;
     }
     if (!first) {
-      update_slopes(at);
+      if (!at.is_tree()) update_slopes(at);
       memory.usual_gain =
           std::max(report.residual / last, 0.7 * memory.usual_gain);
     }
