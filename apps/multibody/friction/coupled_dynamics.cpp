@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "multibody/friction/search.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -20,9 +21,9 @@ namespace {
 // near 1.
 constexpr double near_one = 0.5;
 
-// In a deeper tree kappa < 1 of each hinge proves nothing: chords of M_i over
-// R_i times |dR_i/dM_j| as a matrix do. |M|/R is a chord too; others are a
-// third steeper at most (M = rho f N S, S grows from 1 to 1.31).
+// Where kappa < 1 of each hinge proves nothing, chords of M_i over R_i times
+// |dR_i/dM_j| as a matrix do. |M|/R is a chord too; others are a third steeper
+// at most (M = rho f N S, S grows from 1 to 1.31).
 bool is_unique_in_tree(Hinges& at) {
   double most = 0;
   for (const int i : at.active()) {
@@ -31,10 +32,13 @@ bool is_unique_in_tree(Hinges& at) {
     // NaN: neither force nor moment.
     if (!(share <= most) && !std::isnan(share)) most = share;
   }
-  return std::sqrt(most) * at.tree_response() < near_one || at.tree_kappa() < 1;
+  Eigen::MatrixXd forces;
+  return std::sqrt(most) * at.tree_response(forces) < near_one ||
+         at.chord_kappa(std::move(forces)) < 1;
 }
 
-// Whether the moments found can be the only ones: kappa < 1.
+// Whether the moments found can be the only ones. In a star kappa by the local
+// slopes tells whether chords, and the other hinges, need to be looked at.
 bool is_unique(Hinges& at) {
   if (at.is_tree()) return is_unique_in_tree(at);
   CoupledProgress& report = at.report();
@@ -46,6 +50,7 @@ bool is_unique(Hinges& at) {
   }
   const double least =
       report.contraction < near_one ? 0 : few * at.rounding().moment;
+  double largest = 0;
   for (const int i : at.active()) {
     const Vec3<double>& force = at.reaction(i).force;
     const double moment = at.now(i).solved.squaredNorm();
@@ -55,11 +60,14 @@ bool is_unique(Hinges& at) {
       continue;
     }
     if (moment < least * least) continue;
-    if (!(at.kappa(i) < 1)) {
-      report.body = i;
-      return false;
-    }
+    const double kappa = at.kappa(i);
+    if (kappa < largest) continue;
+    largest = kappa;
+    report.body = i;
+    if (!(kappa < 1)) return false;
   }
+  if (largest >= near_one && !(at.chord_kappa() < 1)) return false;
+  report.body = -1;
   return true;
 }
 

@@ -114,13 +114,15 @@ class Hinges {
   /// friction solved to refined_tolerance, N m.
   double uncertain_moment() const;
   double kappa(int body);
-  /// Of a deeper tree: a bound of the spectral radius of K, with
-  /// K_ij = |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the
-  /// moments are the only ones. Allocates.
-  double tree_kappa();
-  /// Largest row sum of |dR_i/dM_j|, 1/m, worked out again where the bodies
+  /// A bound of the spectral radius of K, with K_ij = |dR_i/dM_j| times the
+  /// steepest chord of M_i over R_i. Below 1 the moments are the only ones.
+  /// Allocates.
+  /// @param forces  responses() of forces if known, else empty
+  double chord_kappa(Eigen::MatrixXd forces = {});
+  /// Largest row sum of |dR_i/dM_j|, 1/m, computed again where the bodies
   /// have moved notably.
-  double tree_response();
+  /// @param to  |dR_i/dM_j| if they are computed
+  double tree_response(Eigen::MatrixXd& to);
   /// Of a deeper tree: the steps of Newton's method over all hinges at once,
   /// as changes about to be made. After solve().
   void set_tree_steps();
@@ -141,6 +143,7 @@ class Hinges {
   Response response(int body);
   Eigen::MatrixXd responses(Vec3<double> Reaction<double>::*part);
   double chord(int body, Vec3<double> Reaction<double>::*part);
+  const HingeMemory::Chords& chords(int body);
   /// Those of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;
