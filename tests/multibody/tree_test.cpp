@@ -4,6 +4,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -133,6 +135,36 @@ TEST(Tree, Refusals) {
       "bodies[1].inertia_com must be above 0 about the line from the "
       "hinge to the centre of mass, where bodies hang on bodies or masses "
       "change");
+}
+
+// A star's masses are constants: a mass that changes would have no effect.
+TEST(Tree, MassesChangeWhereBodiesSayThatTheyDo) {
+  struct Burn : ForceModel {
+    void add_forces(double, std::span<const BodyMotion>,
+                    std::span<BodyForce>) const override {}
+    void add_masses(double, std::vector<BodyMass>& to) const override {
+      to.push_back({1, 2, Vector3d::Zero(), Matrix3d::Identity(), 0,
+                    Vector3d::Zero(), Matrix3d::Zero()});
+    }
+  };
+  Body body{HingeKind::ball, 1, Matrix3d::Identity()};
+  body.hinge_from_com = {1, 0, 0};
+  const auto motion = [&] {
+    MotionStart start;
+    start.bodies.resize(1);
+    return Motion(System({10, Matrix3d::Identity()}, {body}), {},
+                  std::make_shared<Burn>(), start, {});
+  };
+  try {
+    motion();
+    FAIL();
+  } catch (const contact::Error& e) {
+    EXPECT_EQ(std::string(e.what()),
+              "bodies[0].flows, whose mass ForceModel::add_masses() changes, "
+              "must be true");
+  }
+  body.flows = true;
+  EXPECT_NO_THROW(motion());
 }
 
 }  // namespace

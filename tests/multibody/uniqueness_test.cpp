@@ -1,6 +1,6 @@
-// Two pins in a chain with friction so strong that none, one or several pairs
-// of moments fit the reactions they cause: how many there are, by the library
-// and by a scan of the equations of a plane double pendulum.
+// Two pins in a chain, and one on the ground, with friction so strong that
+// none, one or several moments fit the reactions they cause: how many there
+// are, by the library and by a scan of the equations of a plane pendulum.
 #include <gtest/gtest.h>
 
 #include <Eigen/LU>
@@ -117,6 +117,18 @@ struct Chain {
     return {(needed(0) + second).norm(), second.norm()};
   }
 
+  // |R| on the first pin if its rod is alone.
+  double load_alone(double size) const {
+    const Rod& rod = rods[0];
+    const Vector2d e(std::cos(rod.angle), std::sin(rod.angle));
+    const Vector2d n(-e.y(), e.x());
+    const double turn = (rod.com * n.dot(rod.force) - sign(0) * size) /
+                        (rod.inertia + rod.mass * rod.com * rod.com);
+    const Vector2d acceleration =
+        rod.com * (turn * n - rod.rate * rod.rate * e);
+    return (rod.mass * acceleration - rod.force).norm();
+  }
+
   double moment(int i, double load) const {
     return std::abs(
         pins[i]
@@ -144,12 +156,10 @@ std::vector<double> grid(double scale, int per_decade) {
   return all;
 }
 
-// Sizes of the second moment that fit its pin beside a given first one: two at
-// most, as the friction of a pin is convex over them.
-std::vector<double> seconds(const Chain& chain, double first, double scale) {
-  const auto f = [&](double second) {
-    return chain.mismatch({first, second})[1];
-  };
+// Where f is 0: two places at most, as the friction of a pin is convex over its
+// moment.
+template <class F>
+std::vector<double> roots(const F& f, double scale) {
   const std::vector<double> x = grid(scale, 8);
   std::vector<double> y;
   for (const double at : x) y.push_back(f(at));
@@ -177,6 +187,15 @@ std::vector<double> seconds(const Chain& chain, double first, double scale) {
     }
   }
   return found;
+}
+
+// Sizes of the second moment that fit its pin beside a given first one.
+std::vector<double> seconds(const Chain& chain, double first, double scale) {
+  return roots(
+      [&](double second) {
+        return chain.mismatch({first, second})[1];
+      },
+      scale);
 }
 
 bool solve_from(const Chain& chain, Vector2d& x) {
@@ -240,10 +259,10 @@ struct Ours {
   Prepared prepared;
   Coupled coupled;
 
-  static Instant instant(const Chain& chain) {
+  static Instant instant(const Chain& chain, int size) {
     Instant all;
     all.carrier.fixed = true;
-    for (int i = 0; i < 2; ++i) {
+    for (int i = 0; i < size; ++i) {
       const Rod& rod = chain.rods[i];
       BodyInstant body;
       body.body = {HingeKind::axis, rod.mass,
@@ -263,14 +282,16 @@ struct Ours {
     }
     return all;
   }
-  static std::vector<HingeFriction> friction(const Chain& chain) {
-    return {JointFriction{chain.pins[0]}, JointFriction{chain.pins[1]}};
+  static std::vector<HingeFriction> friction(const Chain& chain, int size) {
+    std::vector<HingeFriction> all;
+    for (int i = 0; i < size; ++i) all.push_back(JointFriction{chain.pins[i]});
+    return all;
   }
 
-  explicit Ours(const Chain& chain)
-      : prepared(prepare(instant(chain))),
-        coupled(prepared.system, friction(chain)) {
-    for (int i = 0; i < 2; ++i) {
+  explicit Ours(const Chain& chain, int size = 2)
+      : prepared(prepare(instant(chain, size))),
+        coupled(prepared.system, friction(chain, size)) {
+    for (int i = 0; i < size; ++i) {
       coupled.set_direction(i, chain.sign(i) * Vector3d::UnitZ());
     }
     coupled.prescribe_carrier({});
@@ -318,6 +339,31 @@ TEST(Uniqueness, TwoPinsInAChain) {
   EXPECT_GT(counts[2], 20);
   // Most of those that are alone are known to be.
   EXPECT_GT(proven, 0.8 * counts[1]);
+}
+
+// Local slopes below 1 do not hide a second moment: with soft halves friction
+// is steeper under larger loads.
+TEST(Uniqueness, OnePinOfAStar) {
+  std::vector<int> counts(3);
+  for (int seed = 0; seed < 1000; ++seed) {
+    const Chain chain(seed);
+    const auto mismatch = [&](double size) {
+      return chain.moment(0, chain.load_alone(size)) - size;
+    };
+    const std::vector<double> all = roots(mismatch, mismatch(0));
+    ASSERT_LT(all.size(), counts.size()) << seed;
+    ++counts[all.size()];
+    Ours ours(chain, 1);
+    const CoupledReport report =
+        ours.coupled.evaluate(ours.prepared.state, ours.prepared.forces);
+    const std::size_t found = report.status == CoupledStatus::ok
+                                  ? 1
+                                  : ours.coupled.solutions().size();
+    EXPECT_EQ(found, all.size()) << seed;
+    EXPECT_FALSE(report.others_possible) << seed;
+  }
+  EXPECT_GT(counts[0], 10);
+  EXPECT_GT(counts[2], 10);
 }
 
 }  // namespace

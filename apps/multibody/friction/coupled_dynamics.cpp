@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "multibody/friction/search.hpp"
 #include "multibody/system/eigen_conversion.hpp"
@@ -19,10 +20,9 @@ namespace {
 // response of R to M approximates kappa. Near 1 it is computed exactly.
 constexpr double near_one = 0.5;
 
-// In a deeper tree kappa < 1 of each hinge is not sufficient. The matrix of
-// chords of M_i over R_i times |dR_i/dM_j| decides. |M|/R is a chord too; other
-// chords are steeper by at most a third (M = rho f N S, S grows from 1 to
-// 1.31).
+// Where kappa < 1 of each hinge is not sufficient, the matrix of chords of M_i
+// over R_i times |dR_i/dM_j| decides. |M|/R is a chord too; other chords are
+// steeper by at most a third (M = rho f N S, S grows from 1 to 1.31).
 bool is_unique_in_tree(Hinges& at) {
   double most = 0;
   for (const int i : at.active()) {
@@ -31,10 +31,13 @@ bool is_unique_in_tree(Hinges& at) {
     // NaN: neither force nor moment.
     if (!(share <= most) && !std::isnan(share)) most = share;
   }
-  return std::sqrt(most) * at.tree_response() < near_one || at.tree_kappa() < 1;
+  Eigen::MatrixXd forces;
+  return std::sqrt(most) * at.tree_response(forces) < near_one ||
+         at.chord_kappa(std::move(forces)) < 1;
 }
 
-// True if the moments found must be the only ones: kappa < 1.
+// True if the moments found must be the only ones. In a star kappa by the local
+// slopes decides whether chords and the other hinges must be examined.
 bool is_unique(Hinges& at) {
   if (at.is_tree()) return is_unique_in_tree(at);
   CoupledProgress& report = at.report();
@@ -46,6 +49,7 @@ bool is_unique(Hinges& at) {
   }
   const double least =
       report.contraction < near_one ? 0 : few * at.rounding().moment;
+  double largest = 0;
   for (const int i : at.active()) {
     const Vec3<double>& force = at.reaction(i).force;
     const double moment = at.now(i).solved.squaredNorm();
@@ -55,11 +59,14 @@ bool is_unique(Hinges& at) {
       continue;
     }
     if (moment < least * least) continue;
-    if (!(at.kappa(i) < 1)) {
-      report.body = i;
-      return false;
-    }
+    const double kappa = at.kappa(i);
+    if (kappa < largest) continue;
+    largest = kappa;
+    report.body = i;
+    if (!(kappa < 1)) return false;
   }
+  if (largest >= near_one && !(at.chord_kappa() < 1)) return false;
+  report.body = -1;
   return true;
 }
 
@@ -271,6 +278,8 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       if (lost != active.rend()) fail_at(*lost, at);
       return;
     }
+    // A step of Newton's through a tree may be the last one.
+    if (!first && at.is_tree()) update_slopes(at);
     if (report.residual <= tolerance) return;
     // Rounding of the reactions may exceed the tolerance.
     constexpr double rounding = 1e-8;
@@ -281,7 +290,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       return;
     }
     if (!first) {
-      update_slopes(at);
+      if (!at.is_tree()) update_slopes(at);
       memory.usual_gain =
           std::max(report.residual / last, 0.7 * memory.usual_gain);
     }

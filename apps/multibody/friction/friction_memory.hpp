@@ -1,6 +1,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <limits>
 #include <vector>
 
 #include "multibody/friction/hinge_solver.hpp"
@@ -21,6 +22,14 @@ struct HingeMemory {
   /// Estimate of dM_t(R)/dM_t.
   Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
   HingeSolver::Memory solver;
+  /// Steepest chords of M_t over the parts of the reaction, and where: columns
+  /// force, moment, rate. See Hinges::chord_kappa().
+  struct Chords {
+    Eigen::Matrix3d at =
+        Eigen::Matrix3d::Constant(std::numeric_limits<double>::quiet_NaN());
+    double by_force = 0, by_held = 0;
+  };
+  Chords chords;
 };
 
 /// Start of an evaluation of friction: results of earlier evaluations along the

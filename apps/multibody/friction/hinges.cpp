@@ -364,7 +364,7 @@ Eigen::MatrixXd Hinges::responses(Vec3<double> Reaction<double>::*part) {
 
 // R(M) depends on positions and masses; Equations clears the stored value when
 // masses change.
-double Hinges::tree_response() {
+double Hinges::tree_response(Eigen::MatrixXd& to) {
   constexpr double near = 0.02;  // rad; of a ball twice that, by quaternions
   std::vector<double>& known = memory_.response_at;
   known.resize(1 + 4 * hinges_.size(), std::numeric_limits<double>::infinity());
@@ -382,8 +382,8 @@ double Hinges::tree_response() {
     }
   }
   if (!is_near) {
-    memory_.tree_response =
-        responses(&Reaction<double>::force).rowwise().sum().maxCoeff();
+    to = responses(&Reaction<double>::force);
+    memory_.tree_response = to.rowwise().sum().maxCoeff();
   }
   return memory_.tree_response;
 }
@@ -434,17 +434,37 @@ double Hinges::chord(int body, Vec3<double> Reaction<double>::*part) {
   return steepest;
 }
 
+// Chords of a reaction and rate nearby serve again, because a search for each
+// takes as long as 50 to 400 contacts.
+const HingeMemory::Chords& Hinges::chords(int body) {
+  constexpr double near = 0.02;
+  HingeMemory::Chords& known = memory(body).chords;
+  Eigen::Matrix3d at;
+  at << vec3(reaction(body).force), vec3(reaction(body).moment), now(body).rate;
+  const auto is_near = [&](int k) {
+    return (at.col(k) - known.at.col(k)).norm() <= near * at.col(k).norm();
+  };
+  if (!is_near(0) || !is_near(1) || !is_near(2)) {
+    known = {at, chord(body, &Reaction<double>::force),
+             chord(body, &Reaction<double>::moment)};
+  }
+  return known;
+}
+
 // For two solutions |M_i' - M_i| <= c_i |R_i' - R_i| <= sum K_ij |M_j' - M_j|,
 // where c_i is the steepest chord of friction from the present R_i; slopes
 // alone do not bound it. The solutions coincide if the spectral radius of K is
 // below 1. By Collatz and Wielandt the radius is at most the largest (K
 // x)_i/x_i for any x > 0.
-double Hinges::tree_kappa() {
-  Eigen::MatrixXd k = responses(&Reaction<double>::force);
-  Eigen::VectorXd by_held(k.rows());
-  for (Eigen::Index i = 0; i < k.rows(); ++i) {
-    k.row(i) *= chord(active()[i], &Reaction<double>::force);
-    by_held[i] = chord(active()[i], &Reaction<double>::moment);
+double Hinges::chord_kappa(Eigen::MatrixXd forces) {
+  const auto n = static_cast<Eigen::Index>(active().size());
+  Eigen::MatrixXd k = forces.size() > 0 ? std::move(forces)
+                                        : responses(&Reaction<double>::force);
+  Eigen::VectorXd by_held(n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const HingeMemory::Chords& steepest = chords(active()[i]);
+    k.row(i) *= steepest.by_force;
+    by_held[i] = steepest.by_held;
   }
   if (!by_held.isZero(0)) {
     k += by_held.asDiagonal() * responses(&Reaction<double>::moment);

@@ -114,13 +114,15 @@ class Hinges {
   /// friction solved to refined_tolerance, N m.
   double uncertain_moment() const;
   double kappa(int body);
-  /// Deeper tree only: a bound of the spectral radius of K, with K_ij =
-  /// |dR_i/dM_j| times the steepest chord of M_i over R_i. Below 1 the moments
-  /// are unique. Allocates.
-  double tree_kappa();
-  /// Largest row sum of |dR_i/dM_j|, 1/m; recomputed when the bodies have moved
-  /// noticeably.
-  double tree_response();
+  /// A bound of the spectral radius of K, with K_ij = |dR_i/dM_j| times the
+  /// steepest chord of M_i over R_i. Below 1 the moments are unique.
+  /// Allocates.
+  /// @param forces  responses() of forces if known, else empty
+  double chord_kappa(Eigen::MatrixXd forces = {});
+  /// Largest row sum of |dR_i/dM_j|, 1/m, recomputed when the bodies have
+  /// moved noticeably.
+  /// @param to  |dR_i/dM_j| if they are computed
+  double tree_response(Eigen::MatrixXd& to);
   /// Deeper tree only: Newton steps of all hinges at once, stored as pending
   /// changes. Call after solve().
   void set_tree_steps();
@@ -141,6 +143,7 @@ class Hinges {
   Response response(int body);
   Eigen::MatrixXd responses(Vec3<double> Reaction<double>::*part);
   double chord(int body, Vec3<double> Reaction<double>::*part);
+  const HingeMemory::Chords& chords(int body);
   /// Slopes of a hinge's friction over its reaction.
   struct Slopes {
     Eigen::Matrix3d by_force, by_held;

@@ -1,9 +1,13 @@
 #include "multibody/motion/equations.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
+#include "libcontact/base/complaint.hpp"
+#include "libcontact/base/error.hpp"
 #include "multibody/system/eigen_conversion.hpp"
 
 namespace multibody {
@@ -153,6 +157,14 @@ void Equations::set_masses(double time, std::vector<BodyMass>& masses,
                            Dynamics& dynamics) const {
   masses.clear();
   if (forces) forces->add_masses(time, masses);
+  // A star's are constants.
+  if (!masses.empty() && system.is_star()) {
+    const int body = masses[0].body;
+    throw contact::Error(contact::detail::must_be(
+        (body == 0 ? "carrier" : fmt::format("bodies[{}]", body - 1)) +
+            ".flows, whose mass ForceModel::add_masses() changes,",
+        "true"));
+  }
   for (const BodyMass& mass : masses) dynamics.set_mass(system, mass);
 }
 

@@ -168,6 +168,43 @@ TEST(SeparationWarnings, FailureNamesTheBody) {
             "velocity is not a finite number (\"wheel x\")\n");
 }
 
+// Big rough pins at the folding arm's hinges: what cannot be proven is said.
+TEST(SeparationWarnings, FrictionThatIsNotProvenUniqueIsWarnedOf) {
+  const ProgramFolder folder;
+  const auto run = [&](double times) {
+    std::string text = exchanged(sample_case("folding_arm"), "end_time_s = 40",
+                                 "end_time_s = 0.02");
+    for (const double radius : {40., 30., 20.}) {
+      const auto key = [](double r) {
+        return "{ radius_mm = " + cli::number_text(r) + ",";
+      };
+      text = exchanged(text, key(radius), key(times * radius));
+      text = exchanged(text, "coefficient = 0.35", "coefficient = 1");
+    }
+    folder.write("c.toml", text);
+    return folder.run("hinge-separation c.toml");
+  };
+  const auto unproven = [](const ProgramResult& result) {
+    return json::parse(result.out)["counts"]["not_proven_unique"].get<int>();
+  };
+  const ProgramResult weak = run(1);
+  EXPECT_EQ(unproven(weak), 0);
+  EXPECT_EQ(weak.err, "");
+  const ProgramResult strong = run(9);
+  EXPECT_EQ(strong.status, 0);
+  EXPECT_GT(unproven(strong), 0);
+  EXPECT_TRUE(has_text(
+      strong.err,
+      "evaluations friction is so strong that other friction moments may fit "
+      "the reactions as well: a search found none\n"))
+      << strong.err;
+  const ProgramResult stronger = run(10);
+  EXPECT_EQ(stronger.status, 1);
+  EXPECT_EQ(json::parse(stronger.out)["failure"],
+            "at 0 s: several friction moments fit the reactions they cause "
+            "(\"upper arm\")");
+}
+
 // The law of Hertz ends at half-angles of 90 deg: a joint at rest beyond it is
 // not known to hold anything.
 TEST(SeparationWarnings, TheEndOfALawEndsTheRun) {
