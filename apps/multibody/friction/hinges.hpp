@@ -125,7 +125,8 @@ class Hinges {
   double tree_response(Eigen::MatrixXd& to);
   /// Of a deeper tree: the steps of Newton's method over all hinges at once,
   /// as changes about to be made. After solve().
-  void set_tree_steps();
+  /// @param fresh  with the slopes of now; else those remembered will do
+  void set_tree_steps(bool fresh);
 
   /// Effective inertia of a sliding ball joint, and its acceleration without
   /// friction.
