@@ -126,9 +126,13 @@ void update_slopes(Hinges& at) {
 
 // Newton step of every hinge by its own slope; in a deeper tree of all hinges
 // at once, because hinges react to their neighbours' moments.
-void set_steps(Hinges& at) {
+// @param gain  of the last step; 0 before the first one
+void set_steps(double gain, Hinges& at) {
   if (at.is_tree()) {
-    at.set_tree_steps();
+    // Slopes of other instants do as long as this is not exceeded: they take
+    // longer than the contacts.
+    constexpr double good = 0.03;
+    at.set_tree_steps(!(gain <= good));
     for (const int i : at.active()) {
       at.now(i).last_moment = at.memory(i).moment;
       at.now(i).last_solved = at.now(i).solved;
@@ -294,7 +298,7 @@ void CoupledDynamics::solve(double tolerance, Hinges& at) const {
       memory.usual_gain =
           std::max(report.residual / last, 0.7 * memory.usual_gain);
     }
-    set_steps(at);
+    set_steps(first ? 0 : report.residual / last, at);
     at.apply_changes();
     // Residual expected after this step, at the gain of recent steps.
     constexpr double safety = 10;

@@ -19,7 +19,7 @@ struct HingeMemory {
   /// Scale of the accelerations in the equation for the direction of a ball
   /// joint that begins to slide, rad/s^2.
   double pace = 1;
-  /// Estimate of dM_t(R)/dM_t.
+  /// Estimate of dM_t(R)/dM_t; in a deeper tree dM_t/dR, m. 0: not known.
   Eigen::Matrix3d slope = Eigen::Matrix3d::Zero();
   HingeSolver::Memory solver;
   /// Steepest chords of M_t over the parts of the reaction, and where: columns

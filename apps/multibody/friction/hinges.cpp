@@ -316,14 +316,17 @@ Hinges::Slopes Hinges::slopes(int body) {
   return slopes;
 }
 
-void Hinges::set_tree_steps() {
+void Hinges::set_tree_steps(bool fresh) {
   std::ranges::fill(at_.change, Vec3<double>{0, 0, 0});
   std::ranges::fill(at_.slopes, Matrix3d::Zero());
   for (const int i : active()) {
     const Reaction<double>& at = reaction(i);
-    const std::optional<Matrix3d> known =
-        hinges_[i].solver.slope(at, now(i).rate, memory(i).solver);
-    const Matrix3d slope = known ? *known : slopes(i).by_force;
+    Matrix3d& slope = memory(i).slope;
+    if (fresh || slope.isZero(0)) {
+      const std::optional<Matrix3d> known =
+          hinges_[i].solver.slope(at, now(i).rate, memory(i).solver);
+      slope = known ? *known : slopes(i).by_force;
+    }
     at_.slopes[i] = slope;
     at_.change[i] = vec3(Vector3d(now(i).solved - slope * vec3(at.force)));
   }

@@ -125,7 +125,8 @@ class Hinges {
   double tree_response(Eigen::MatrixXd& to);
   /// Deeper tree only: Newton steps of all hinges at once, stored as pending
   /// changes. Call after solve().
-  void set_tree_steps();
+  /// @param fresh  computes the slopes anew; else remembered ones may serve
+  void set_tree_steps(bool fresh);
 
   /// Effective inertia of a sliding ball joint, and its acceleration without
   /// friction.

@@ -83,7 +83,7 @@ class Search {
       const VectorXd f = mismatch(x);
       if (!f.allFinite()) return false;
       if (f.norm() <= tolerance * (x.norm() + (f + x).norm())) return true;
-      hinges_.set_tree_steps();
+      hinges_.set_tree_steps(true);
       VectorXd by(x.size());
       for (std::size_t k = 0; k < active_.size(); ++k) {
         by.segment<3>(3 * k) = vec3(hinges_.change(active_[k]));

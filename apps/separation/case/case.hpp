@@ -156,6 +156,7 @@ struct Event {
     break_lock,
     break_hinge,
     open_latch,
+    /// By angle: what passes it from the side on which the hinge starts.
     latch,
     end_run,
     none,  ///< it is noted
