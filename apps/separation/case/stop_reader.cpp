@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/hunt_crossley.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
