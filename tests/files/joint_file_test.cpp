@@ -614,12 +614,11 @@ TEST(TomlTable, EveryUnit) {
                              {"cm", 0.03},
                              {"in", 0.0762},
                              {"km", 3e3}});
-  expect(Dimension::stress,
-         {{"Pa", 3},
-          {"kPa", 3e3},
-          {"MPa", 3e6},
-          {"GPa", 3e9},
-          {"psi", 3 * 4.4482216152605 / (0.0254 * 0.0254)}});
+  expect(Dimension::stress, {{"Pa", 3},
+                             {"kPa", 3e3},
+                             {"MPa", 3e6},
+                             {"GPa", 3e9},
+                             {"psi", 3 * 4.4482216152605 / (0.0254 * 0.0254)}});
   expect(Dimension::force,
          {{"N", 3}, {"kN", 3e3}, {"MN", 3e6}, {"lbf", 13.3446648457815}});
   expect(Dimension::line_force,
