@@ -40,6 +40,13 @@ double largest_error(Angle angle, Function function) {
 
 // Half a unit in the last place of 1 is 1.1e-16. Measured: 1.6e-16.
 constexpr double bound = 2e-16;
+// MinGW's long double functions are the x87's, which reduce angles by a pi of
+// 66 bits. Measured: 8e-17 at 1e5.
+#ifdef _WIN32
+constexpr double reference_error = 1e-21;
+#else
+constexpr double reference_error = 0;
+#endif
 
 TYPED_TEST(SineCosineOf, AngleOfAContactIsRight) {
   std::mt19937_64 random(1);
@@ -59,7 +66,7 @@ TYPED_TEST(SineCosineOf, AnyAngleIsRight) {
   for (const double size : {1e-9, 1.0, 10.0, 1e5, 1e9}) {
     std::uniform_real_distribution<double> angle(-size, size);
     EXPECT_LE(largest_error<TypeParam>([&] { return angle(random); }, of_any),
-              bound)
+              bound + size * reference_error)
         << size;
   }
   // Near the quarter turns, where one of them is small.
