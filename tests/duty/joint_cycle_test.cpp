@@ -314,12 +314,14 @@ TEST(DutyCycle, SaysWhatTheRowsDoNotHold) {
   for (int i = 0; i < 20; ++i) jumps.forces[i].x() = i < 10 ? 100 : 1e4;
   const auto said = DutyCycle(jumps, {}, z).notes(true);
   ASSERT_EQ(said.size(), 1u);
-  EXPECT_EQ(said[0].substr(0, 39), "between the rows the force goes 10.8 % ");
+  EXPECT_TRUE(said[0].starts_with(
+      "between the rows the force exceeds their range by 10.8 %"));
   // A load in one row alone: below the others only.
   for (int i = 0; i < 20; ++i) jumps.forces[i].x() = i == 3 ? 100 : 0;
   const auto below = DutyCycle(jumps, {}, z).notes(true);
   ASSERT_EQ(below.size(), 1u);
-  EXPECT_EQ(below[0].substr(0, 39), "between the rows the force goes 13.7 % ");
+  EXPECT_TRUE(below[0].starts_with(
+      "between the rows the force exceeds their range by 13.7 %"));
   DutyCycle::Rows axial = rows;
   axial.forces[3].z() = 7;
   EXPECT_EQ(DutyCycle(axial, {}, z).notes(false).size(), 0u);

@@ -344,9 +344,9 @@ TEST(WearIn, CoefficientsOfBearings) {
     EXPECT_EQ(WearMap::coefficient_note(k), "") << k;
   }
   for (const double k : {1e-9, 1.1e-12, 0.9e-19}) {
-    EXPECT_NE(
-        WearMap::coefficient_note(k).find("mm^3/(N m) is outside 1e-10 to"),
-        std::string::npos)
+    EXPECT_NE(WearMap::coefficient_note(k).find(
+                  "mm^3/(N m) is outside the range of bearings, 1e-10 to"),
+              std::string::npos)
         << WearMap::coefficient_note(k);
   }
   EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), {1e-20}, 1).notes.size(), 1u);

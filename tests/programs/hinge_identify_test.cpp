@@ -153,9 +153,10 @@ TEST(HingeIdentify, WarnsOfWhatDataCannotTell) {
                         "their median; --huber reduces their weight\n"));
   EXPECT_THAT(says(set("wide_outliers") + "--huber"),
               Not(HasSubstr("residuals")));
-  EXPECT_THAT(says(wide + "--fit f0,A,clearance"),
-              HasSubstr("its interval is skew: take that of --profile, or "
-                        "measure it\n"));
+  EXPECT_THAT(
+      says(wide + "--fit f0,A,clearance"),
+      HasSubstr("its interval is skewed: use the interval of --profile, "
+                "or measure the clearance\n"));
   EXPECT_THAT(says("printf 'R_N,b_deg,torque_N_m\\n1e3,90,2\\n4e3,90,9\\n"
                    "1e4,90,26\\n2e4,90,55\\n' | " +
                    rig + "--data - --sigma-rel 0.01"),
@@ -210,10 +211,12 @@ TEST(HingeIdentify, Pictures) {
   if (!folder.has_gnuplot()) GTEST_SKIP();
   folder.run_well(wide + "--plot p.svg");
   const std::string picture = folder.read("p.svg");
-  for (const char* text : {"fit, β = 60°", "fit, β = 90°", "measured",
-                           "residual, σ", "|Δω|, rad/s"}) {
+  for (const char* text :
+       {"fit, β = 60°", "fit, β = 90°", "measured", "residual, σ", "β, deg"}) {
     EXPECT_TRUE(has_text(picture, text)) << text;
   }
+  // All data have one rate: no panel.
+  EXPECT_FALSE(has_text(picture, "|Δω|, rad/s"));
 }
 
 }  // namespace

@@ -321,7 +321,7 @@ TEST(SideFace, HasNoPunchAtItsRim) {
   EXPECT_TRUE(std::isnan(state.intensity()));
   EXPECT_GT(state.rims[1].half_arc, 0.5);
   EXPECT_TRUE(std::isfinite(seat.pressure(state, {115 * degree, 0})));
-  EXPECT_TRUE(is_said(seat, state, "a corner of 65 deg: nearer"));
+  EXPECT_TRUE(is_said(seat, state, "a corner of 65 deg: within"));
   const SeatState small = seat.under({1, 0, 0});
   EXPECT_FALSE(small.is_at_rim());
   EXPECT_EQ(small.rims[1].intensity, 0);
