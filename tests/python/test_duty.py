@@ -116,7 +116,7 @@ class Cycles(unittest.TestCase):
         ]  # fmt: skip
         self.assertEqual(*energy)
         with self.assertWarnsRegex(
-            libcontact.ContactWarning, "degrees that were taken for radians"
+            libcontact.ContactWarning, "degrees read as radians"
         ):
             hip.cycle(c["time_s"], force, angles=degrees, sequence="zxy")
 
