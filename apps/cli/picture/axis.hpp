@@ -81,7 +81,7 @@ inline constexpr std::string_view tick_style =
 /// Distance of the y axis from the ends of its numbers, em.
 inline constexpr double beside_axis = 1.4;
 /// Distance of the x axis from the lower end of its label, em.
-inline constexpr double under_axis = 2.9;
+inline constexpr double under_axis = 3.3;
 
 enum class Run { across, up };
 
