@@ -162,7 +162,7 @@ class Search {
     VectorXd x(slid.size());
     double g = 1.5;
     for (int i = 0; i < 60; ++i)
-      g = std::pow(1 + g, 1.0 / (active_.size() + 1));
+      g = std::pow(1 + g, 1 / static_cast<double>(active_.size() + 1));
     double step = 1;
     for (std::size_t k = 0; k < active_.size(); ++k) {
       step /= g;

@@ -257,10 +257,10 @@ std::vector<std::string> SeparationModel::copies(
       nominal_.forces, which_of(dispersion.key, "force"),
       [](const separation::Force& f) { return f.group; },
       [&](const separation::Force& f) {
-        const std::string& body = nominal_.rigid_body(f.body).name;
+        const std::string& on = nominal_.rigid_body(f.body).name;
         return f.name == f.group
-                   ? body
-                   : body + ", " + f.name.substr(f.group.size() + 1);
+                   ? on
+                   : on + ", " + f.name.substr(f.group.size() + 1);
       });
 }
 
