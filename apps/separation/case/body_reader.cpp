@@ -85,6 +85,11 @@ bool is_below(const Matrix3d& inertia, const Matrix3d& other) {
          -1e-9 * other.norm();
 }
 
+std::string inertia_key(const TomlTable& table, const std::string& prefix) {
+  const std::string principal = prefix + "principal_inertia";
+  return table.has(principal) ? principal : prefix + "inertia";
+}
+
 std::optional<Matrix3d> read_inertia(const TomlTable& table,
                                      const std::string& prefix) {
   const std::string rows = prefix + "inertia";

@@ -20,6 +20,10 @@ bool is_below(const Eigen::Matrix3d& inertia, const Eigen::Matrix3d& other);
 std::optional<Eigen::Matrix3d> read_inertia(const contact::TomlTable& table,
                                             const std::string& prefix = {});
 
+/// The key that read_inertia() reads, for messages.
+std::string inertia_key(const contact::TomlTable& table,
+                        const std::string& prefix = {});
+
 /// read_rigid_body() for [carrier]; a fixed one has neither mass nor inertia.
 RigidBody read_carrier(const contact::TomlTable& table);
 

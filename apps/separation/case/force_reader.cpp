@@ -136,8 +136,7 @@ void check_propellant(const TomlTable& file, const Case& c) {
             ? Eigen::Matrix3d(body.inertia - *burnt->empty_inertia)
             : Eigen::Matrix3d(burned / body.mass * body.inertia);
     if (!is_below(part, inertia)) {
-      table.must_be(table.has("empty_inertia") ? "empty_inertia"
-                                               : "empty_principal_inertia",
+      table.must_be(inertia_key(table, "empty_"),
                     "that of the body without this engine's propellant alone: "
                     "with its other engines it falls below 0");
     }

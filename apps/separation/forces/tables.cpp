@@ -1,29 +1,27 @@
 #include "separation/forces/tables.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "separation/case/hinges/hinge_type.hpp"
 #include "separation/case/system_of.hpp"
 
 namespace separation {
 
-std::vector<double> sums_of(const Table<double>& table) {
-  const auto& [at, values] = table;
-  std::vector<double> sums = {0};
+IntegratedTable::IntegratedTable(std::vector<double> rows,
+                                 std::vector<double> numbers)
+    : Table{std::move(rows), std::move(numbers)}, sums_{0} {
   for (std::size_t i = 1; i < at.size(); ++i) {
-    sums.push_back(sums.back() +
-                   (at[i] - at[i - 1]) * (values[i - 1] + values[i]) / 2);
+    sums_.push_back(sums_.back() +
+                    (at[i] - at[i - 1]) * (values[i - 1] + values[i]) / 2);
   }
-  return sums;
 }
 
-double integral(const Table<double>& table, const std::vector<double>& sums,
-                double x) {
-  const auto& [at, values] = table;
+double IntegratedTable::integral(double x) const {
   if (x <= at.front()) return (x - at.front()) * values.front();
   const std::size_t i = std::ranges::upper_bound(at, x) - at.begin() - 1;
-  const double last = i + 1 == at.size() ? values[i] : table(x);
-  return sums[i] + (x - at[i]) * (values[i] + last) / 2;
+  const double last = i + 1 == at.size() ? values[i] : (*this)(x);
+  return sums_[i] + (x - at[i]) * (values[i] + last) / 2;
 }
 
 RowsOver read_variable(const ForceTable& from) {

@@ -24,14 +24,12 @@ struct Table {
     const double from_origin = x - origin;
     // A jump is at origin + at[i], like the break of the forces, so that
     // rounding of the difference does not move x across it.
-    const auto rows = std::views::iota(std::size_t{0}, at.size());
-    const std::size_t i = std::ranges::partition_point(
-                              rows,
-                              [&](std::size_t row) {
-                                return jumps(row) ? origin + at[row] <= x
-                                                  : at[row] <= from_origin;
-                              }) -
-                          rows.begin();
+    const auto rows = std::views::iota(0, static_cast<int>(at.size()));
+    const auto is_passed = [&](int row) {
+      return jumps(row) ? origin + at[row] <= x : at[row] <= from_origin;
+    };
+    const auto i = static_cast<std::size_t>(
+        std::ranges::partition_point(rows, is_passed) - rows.begin());
     if (i == 0) return values.front();
     if (i == at.size()) return values.back();
     const double part = (from_origin - at[i - 1]) / (at[i] - at[i - 1]);
@@ -47,12 +45,16 @@ struct Table {
   }
 };
 
-/// Integrals of a table from its first row to each row.
-std::vector<double> sums_of(const Table<double>& table);
-/// From its first row, which counts from 0, to x.
-/// @param sums  sums_of(table)
-double integral(const Table<double>& table, const std::vector<double>& sums,
-                double x);
+/// A table with its integral.
+struct IntegratedTable : Table<double> {
+  IntegratedTable() = default;
+  IntegratedTable(std::vector<double> rows, std::vector<double> numbers);
+  /// From the first row to x.
+  double integral(double x) const;
+
+ private:
+  std::vector<double> sums_;  // to each row
+};
 
 /// Variable of a force's tables: time since the force began, or the angle of
 /// the body's hinge.

@@ -13,8 +13,7 @@ struct Thrust final : ForceLaw {
   Eigen::Vector3d point;
   Eigen::Vector3d direction;  ///< body axes
   bool timed = false;         ///< the table is one over time
-  Table<double> thrust;       ///< N
-  std::vector<double> sums;   ///< of it, N s
+  IntegratedTable thrust;     ///< N
   Clock cutoff;
   double decay;  ///< s
   std::optional<Propellant> burnt;
@@ -49,8 +48,8 @@ struct Thrust final : ForceLaw {
   }
   double impulse_until(double time, double begin, double own) const override {
     const double cut = std::max(begin, own);
-    const double impulse = integral(thrust, sums, std::min(time, cut) - begin) -
-                           integral(thrust, sums, 0);
+    const double impulse =
+        thrust.integral(std::min(time, cut) - begin) - thrust.integral(0);
     if (time <= cut || !(decay > 0)) return impulse;
     return impulse +
            full(cut, begin, own) * decay * (part(cut, own) - part(time, own));
@@ -83,8 +82,7 @@ std::optional<Propellant> read_propellant(const ForceTable& from) {
   if (propellant.empty_inertia &&
       !is_below(*propellant.empty_inertia, from.rigid_body().inertia)) {
     table.must_be(
-        table.has("empty_inertia") ? "empty_inertia"
-                                   : "empty_principal_inertia",
+        inertia_key(table, "empty_"),
         "about no axis above the inertia of the body with its propellant");
   }
   return propellant;
@@ -101,7 +99,6 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
   } else {
     law->thrust = {{0}, {table.number("thrust")}};
   }
-  law->sums = sums_of(law->thrust);
   law->direction = from.body_direction();
   law->cutoff = from.clock("cutoff", never);
   law->decay = table.optional_number("decay").value_or(0);

@@ -12,12 +12,11 @@ namespace {
 /// or with a table over the angle instead of the first two terms. Its energy is
 /// counted from `free_angle`, or from the table's first row.
 struct Torsion final : ForceLaw {
-  double stiffness = 0;           ///< k, N m
-  double free_angle = 0;          ///< rad
-  double preload = 0;             ///< M0, N m
-  double damping = 0;             ///< c, N m s
-  Table<double> table;            ///< N m, empty: none
-  std::vector<double> sums = {};  ///< of it, J
+  double stiffness = 0;   ///< k, N m
+  double free_angle = 0;  ///< rad
+  double preload = 0;     ///< M0, N m
+  double damping = 0;     ///< c, N m s
+  IntegratedTable table;  ///< N m, empty: none
 
   double moment(double angle) const {
     return table.at.empty() ? preload + stiffness * (free_angle - angle)
@@ -51,7 +50,7 @@ struct Torsion final : ForceLaw {
   double stored(const ForceInstant& at) const override {
     const double angle = hinge_angle(at.hinge(), at.parent(), at.on());
     return table.at.empty() ? work_to(free_angle - angle)
-                            : -integral(table, sums, angle);
+                            : -table.integral(angle);
   }
 
  private:
@@ -71,7 +70,6 @@ std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
     }
     const auto at = increasing(table, "angle");
     law->table = {at, table.numbers("moment", {at.size()})};
-    law->sums = sums_of(law->table);
     return law;
   }
   if (table.has("moment")) table.needs("moment", "angle");

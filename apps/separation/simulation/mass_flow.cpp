@@ -74,6 +74,7 @@ MassFlow::MassFlow(const Case& c, const History& history) : case_(c) {
       bodies_.push_back(force.body);
     }
   }
+  spent_at_ = first_spent();
 }
 
 double MassFlow::Engine::rate(double time) const {
@@ -140,7 +141,7 @@ void MassFlow::add_forces(double time, std::span<const BodyMotion> bodies,
   }
 }
 
-double MassFlow::spent_at() const {
+double MassFlow::first_spent() const {
   // As good as all: a body without mass has no motion.
   constexpr double least = 1e-6;
   double first = History::not_yet;

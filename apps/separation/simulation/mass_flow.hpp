@@ -31,7 +31,7 @@ class MassFlow {
   double empty_at(int force) const;
   /// Time at which engines without a known end have burned all of their body,
   /// which then cannot go on; infinite: never.
-  double spent_at() const;
+  double spent_at() const { return spent_at_; }
   /// Mass of a body of the case at a time; 0 is the carrier.
   multibody::BodyMass of(int body, double time) const;
   /// See ForceModel::add_masses().
@@ -54,9 +54,12 @@ class MassFlow {
     double burned(double time) const;  // kg
   };
 
+  double first_spent() const;
+
   const Case& case_;
   std::vector<Engine> engines_;
   std::vector<int> bodies_;
+  double spent_at_;  // s
 };
 
 }  // namespace separation

@@ -140,7 +140,7 @@ void check_system(const TomlTable& table, const Case& part) {
   } catch (const contact::Error& error) {
     const std::string message = error.what();
     const auto colon = message.find(": ");
-    table.fail(table.has("principal_inertia") ? "principal_inertia" : "inertia",
+    table.fail(inertia_key(table),
                colon == message.npos ? message : message.substr(colon + 2));
   }
 }
@@ -225,7 +225,7 @@ void check_beside_flow(const TomlTable& table, const Body& body) {
     system_of(part);
   } catch (const contact::Error&) {
     table.must_be(
-        table.has("principal_inertia") ? "principal_inertia" : "inertia",
+        inertia_key(table),
         "above 0 about the line from the hinge to the centre of mass, where "
         "engines burn mass");
   }
