@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
@@ -32,7 +33,7 @@ JointSpec with_exact_laws(JointSpec joint) {
 
 }  // namespace
 
-std::string FinitePin::refusal(const JointSpec& joint) {
+std::string FinitePin::refusal(const JointSpec& joint, std::string asker) {
   const auto needs = [](const std::string& needed) {
     return detail::needs("a pin of finite length", needed);
   };
@@ -40,7 +41,7 @@ std::string FinitePin::refusal(const JointSpec& joint) {
   if (joint.friction && !std::holds_alternative<FrictionLaw>(*joint.friction)) {
     return needs("dry friction: a coefficient and an adhesion");
   }
-  return ForceLaw::refusal(joint);
+  return ForceLaw::refusal(joint, std::move(asker));
 }
 
 FinitePin::FinitePin(const JointSpec& joint)

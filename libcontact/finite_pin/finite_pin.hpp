@@ -84,7 +84,8 @@ class FinitePin {
   ///   does not fit, and as ForceLaw does
   explicit FinitePin(const JointSpec& joint);
   /// The message of that Error, but for a relief; "" if there is none.
-  static std::string refusal(const JointSpec& joint);
+  /// @param asker  as of ForceLaw::refusal()
+  static std::string refusal(const JointSpec& joint, std::string asker = {});
 
   /// With a shift and a tilt; out_of_range and NaN beyond the force law's end.
   FinitePinState at(const Eigen::Vector2d& shift,

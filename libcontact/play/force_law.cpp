@@ -7,6 +7,7 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
+#include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
@@ -202,9 +203,10 @@ ForceLaw::Cells::Cells(const ForceSeries& series, double clearance, double unit)
   power = start.force * smallest / start.energy - 1;
 }
 
-std::string ForceLaw::refusal(const JointSpec& joint) {
+std::string ForceLaw::refusal(const JointSpec& joint, std::string asker) {
   const std::string name =
-      to_string(joint.geometry.kind()) + " joint with play";
+      asker.empty() ? to_string(joint.geometry.kind()) + " joint with play"
+                    : std::move(asker);
   if (!(joint.geometry.radial_clearance() > 0)) {
     return detail::needs(name, "a radial_clearance above 0 m");
   }

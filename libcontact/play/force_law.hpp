@@ -41,7 +41,8 @@ class ForceLaw {
   explicit ForceLaw(const JointSpec& joint);
   ~ForceLaw();
   /// The sentence of that Error; "" for a joint that has a law.
-  static std::string refusal(const JointSpec& joint);
+  /// @param asker  what requires a law; "": the joint with play
+  static std::string refusal(const JointSpec& joint, std::string asker = {});
 
   /// @param penetration  delta, m; below 0 there is no contact
   ForceState at(double penetration) const noexcept;

@@ -44,12 +44,7 @@ namespace {
 const Joint& checked(const Joint& joint, const char* flag) {
   if (!joint.has_size) refuse_without(flag, "--radius and --clearance");
   if (joint.is_pin() && !joint.has_length) refuse_without(flag, "--length");
-  std::string why = contact::FinitePin::refusal(joint.spec);
-  // Nobody who tilts a pin has asked for play.
-  if (constexpr std::string_view play = "pin joint with play";
-      why.starts_with(play)) {
-    why.replace(0, play.size(), flag);
-  }
+  const std::string why = contact::FinitePin::refusal(joint.spec, flag);
   if (!why.empty()) throw contact::Error(said_of(joint, why));
   return joint;
 }

@@ -97,4 +97,10 @@ std::string terminal_text(std::string_view text) {
   return shown;
 }
 
+std::size_t terminal_width(std::string_view text) {
+  // Skips continuation bytes.
+  return static_cast<std::size_t>(std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
+}
+
 }  // namespace cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
@@ -21,5 +22,8 @@ std::string shell_word(std::string_view text);
 /// Text for a terminal: control characters other than line ends and tabs become
 /// \xNN.
 std::string terminal_text(std::string_view text);
+
+/// Number of characters of UTF-8 text, as terminals count them.
+std::size_t terminal_width(std::string_view text);
 
 }  // namespace cli

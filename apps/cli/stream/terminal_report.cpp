@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cli/number.hpp"
+#include "cli/stream/quoting.hpp"
 #include "cli/stream/verdict.hpp"
 #include "libcontact/base/text.hpp"
 
@@ -19,19 +20,13 @@ constexpr std::size_t first_rows = 200;
 constexpr std::size_t most_lines = 12;
 constexpr std::size_t most_columns = 6;
 
-// Terminals count characters, not bytes: skips continuation bytes.
-std::size_t width_of(std::string_view text) {
-  return static_cast<std::size_t>(std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) >> 6) != 2; }));
-}
-
 std::string left(std::string_view text, std::size_t width) {
-  const std::size_t own = width_of(text);
+  const std::size_t own = terminal_width(text);
   return std::string(text) + std::string(width - std::min(width, own), ' ');
 }
 
 std::string right(std::string_view text, std::size_t width) {
-  const std::size_t own = width_of(text);
+  const std::size_t own = terminal_width(text);
   return std::string(width - std::min(width, own), ' ') + std::string(text);
 }
 
@@ -188,8 +183,9 @@ std::string TerminalReport::lines(const Row& row) const {
   std::size_t label = 0;
   std::size_t value = 0;
   for (const Line& each : all) {
-    label = std::max(label, width_of(each.label));
-    if (!each.beside.empty()) value = std::max(value, width_of(each.value));
+    label = std::max(label, terminal_width(each.label));
+    if (!each.beside.empty())
+      value = std::max(value, terminal_width(each.value));
   }
   std::string text = style_.title.empty() ? "" : style_.title + "\n\n";
   for (const Line& each : all) {
@@ -261,11 +257,11 @@ void TerminalReport::begin_table() {
     bool has_number = false;
     for (const Row& row : rows_) {
       has_number = has_number || parse_number(row[i]);
-      width = std::max(width, width_of(shown_cell(row, i, unit)));
+      width = std::max(width, terminal_width(shown_cell(row, i, unit)));
     }
     const std::string head =
         unit.stem + (unit.symbol.empty() ? "" : ", " + unit.symbol);
-    widths_.push_back(std::max(width, width_of(head)));
+    widths_.push_back(std::max(width, terminal_width(head)));
     has_number_.push_back(has_number);
     units_.push_back(std::move(unit));
   }

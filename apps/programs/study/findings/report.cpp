@@ -93,9 +93,7 @@ std::string aligned(const Part& part) {
   std::vector<std::size_t> widths(part.header.size());
   for (const Cells& cells : lines) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
-      const auto own = std::ranges::count_if(
-          cells[i], [](char c) { return (c & 0xc0) != 0x80; });
-      widths[i] = std::max(widths[i], static_cast<std::size_t>(own));
+      widths[i] = std::max(widths[i], cli::terminal_width(cells[i]));
     }
   }
   for (const Cells& cells : lines) {
