@@ -75,7 +75,10 @@ std::vector<std::string_view> flags_in(std::string_view words) {
 
 // Synonyms of options, accepted if the program has no option with that name.
 constexpr std::pair<std::string_view, std::string_view> synonyms[] = {
-    {"--load", "--reaction"}, {"--reaction", "--load"}};
+    {"--load", "--reaction"},
+    {"--reaction", "--load"},
+    {"--language", "--kernel"},
+    {"--error", "--kernel-error"}};
 
 // Names from other programs, which may mean something else here: used only for
 // suggestions.
@@ -141,12 +144,15 @@ std::string stranger_message(const CLI::App& app, const std::string& program) {
 // The words of the command line, last first, as CLI11 parses them. Inserts
 // --joint before the file of a joint, or the name of a shipped one, that is not
 // the value of an option. The first word may be an option without dashes, the
-// task.
+// task, also if this option follows the file.
 std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
   const auto option = [&app](const std::string& word) {
     return app.get_option_no_throw(word);
   };
   const bool has_joint = option("--joint") != nullptr;
+  const auto is_file = [](std::string_view word) {
+    return word.ends_with(".toml");
+  };
   std::vector<std::string> words;
   for (int i = 1; i < argc; ++i) {
     const CLI::Option* before = words.empty() ? nullptr : option(words.back());
@@ -154,10 +160,18 @@ std::vector<std::string> words_of(const CLI::App& app, int argc, char** argv) {
         before != nullptr && before->get_items_expected_max() > 0;
     std::string word = is_value ? argv[i] : meant_option(app, argv[i]);
     const std::string verb = "--" + word;
-    if (i == 1 && option(verb) != nullptr) word = verb;
+    if (i == 1 && option(verb) != nullptr) {
+      word = verb;
+      if (argc > 2 && is_file(argv[2]) &&
+          std::any_of(argv + 3, argv + argc, [&](const std::string& later) {
+            const std::string meant = meant_option(app, later);
+            return meant == verb || meant.starts_with(verb + '=');
+          })) {
+        continue;
+      }
+    }
     if (has_joint && !is_value && !word.starts_with("-") &&
-        (word.ends_with(".toml") ||
-         shipped_file(Shipped::joints, word) != word)) {
+        (is_file(word) || shipped_file(Shipped::joints, word) != word)) {
       words.emplace_back("--joint");
     }
     words.push_back(word);

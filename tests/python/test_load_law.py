@@ -261,6 +261,10 @@ class Pins(unittest.TestCase):
                 "--kernel-name", "wheel", "--kernel-error", 1e-5)  # fmt: skip
             joint = libcontact.Joint.from_file(file)
             self.assertEqual(text, joint.kernel(language, name="wheel", error=1e-5))
+            same, _ = program(
+                "hinge-joint", "kernel", file, "--language", language,
+                "--error", 1e-5, "--kernel-name", "wheel")  # fmt: skip
+            self.assertEqual(same, text)
             self.assertIn("wheel", text)
             self.assertNotIn("NAME", text)
             self.assertEqual("do not run" in text, language not in ("c", "js", "numpy"))
