@@ -137,6 +137,34 @@ TEST(TorqueMargin, OfTwoLines) {
       0.5 / 0.17 / 1.2, 1e-12);
 }
 
+// ECSS-E-ST-33-01C multiplies a driving spring by 0.8 and a harness by 3, or by
+// 1.5 if it was measured; NASA-STD-5017B by 3, 2.5 or 2. Factors in the file
+// have priority.
+TEST(TorqueMargin, WeighsAsStandards) {
+  const struct {
+    const char* keys;
+    double factor;
+  } rows[] = {{"\"ecss_theoretical\"", 0.8 / 3},
+              {"\"ecss_measured\"", 0.8 / 1.5},
+              {"\"nasa_analysis\"", 1 / 3.},
+              {"\"nasa_development\"", 1 / 2.5},
+              {"\"nasa_acceptance\"", 1 / 2.},
+              {"\"ecss_measured\", other_factor = 1.2", 0.8 / 1.2},
+              {"\"ecss_measured\", spring_factor = 1", 1 / 1.5}};
+  for (const auto& [keys, factor] : rows) {
+    std::string text = begin + margin +
+                       "[[force]]\nname = \"harness\"\nkind = \"torsion\"\n"
+                       "body = \"boom\"\nangle_deg = [-90, 0]\n"
+                       "moment_N_m = [-0.17, -0.17]\n";
+    text.insert(text.find("to_deg"), fmt::format("standard = {}, ", keys));
+    EXPECT_NEAR(
+        torque_margin(parse_case(text, "c.toml"), 0, FrictionChoice::full)
+            .ratio,
+        0.5 / 0.17 * factor, 1e-12)
+        << keys;
+  }
+}
+
 // Smallest between the nodes of the sweep: at a row of a table, its corner.
 TEST(TorqueMargin, InsideTheWay) {
   const auto least = torque_margin(parse_case(begin + margin + R"(
@@ -170,6 +198,15 @@ com_m = [0.5, 0, 0]
   const double textbook = 0.1 * 9.81 * 0.02;
   EXPECT_GT(friction, textbook * 0.99);
   EXPECT_LT(friction, textbook * 1.3);
+  // A motor is no spring; weight counts as another resisting moment.
+  std::string weighed = text;
+  weighed.insert(weighed.find("from_deg"),
+                 "standard = \"ecss_theoretical\", "
+                 "other_factor = 1, ");
+  EXPECT_NEAR(
+      20 / torque_margin(parse_case(weighed, "c.toml"), 0, FrictionChoice::full)
+               .ratio,
+      9.81 * 0.5 + 3 * friction, 1e-9);
   // Equals the result of a slow motion there.
   Case slow = c;
   slow.bodies[0].start.angle = full.angle;

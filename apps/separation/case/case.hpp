@@ -67,8 +67,10 @@ struct HingeStop {
 
 /// Path and factors of the torque margin of a hinge.
 struct MarginPath {
-  double from, to;  ///< rad
-  double friction_factor = 1, other_factor = 1;
+  double from, to;             ///< rad
+  double friction_factor = 1;  ///< of resisting friction
+  double other_factor = 1;     ///< of other resisting moments
+  double spring_factor = 1;    ///< of driving torsion springs
 };
 
 /// The upper node, on which a body turns.

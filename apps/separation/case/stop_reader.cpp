@@ -57,6 +57,30 @@ HingeStop read_stop(const TomlTable& table) {
   return stop;
 }
 
+// Uncertainty factors of standards. "Others (Harness)" of the first stands for
+// all resisting moments but friction, since it is the largest: a resisting
+// spring has 1.2 there. Friction and harness are variable moments of the
+// second.
+// - ECSS-E-ST-33-01C (2009), table 4-2 and 4.7.5.3.2e: requires a ratio of 2.
+// - NASA-STD-5017B (2022), table 1: requires a ratio of 1.
+struct MarginStandard {
+  const char* name;
+  double friction, other, spring;
+};
+constexpr MarginStandard standards[] = {
+    {"ecss_theoretical", 3, 3, 0.8}, {"ecss_measured", 1.5, 1.5, 0.8},
+    {"nasa_analysis", 3, 3, 1},      {"nasa_development", 2.5, 2.5, 1},
+    {"nasa_acceptance", 2, 2, 1},
+};
+
+std::vector<std::string> standard_names() {
+  std::vector<std::string> names;
+  for (const MarginStandard& standard : standards) {
+    names.emplace_back(standard.name);
+  }
+  return names;
+}
+
 }  // namespace
 
 contact::KnownKeys stop_keys() {
@@ -97,8 +121,10 @@ std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
 contact::KnownKeys margin_keys() {
   return {{"from", contact::Dimension::angle},
           {"to", contact::Dimension::angle},
+          contact::word_key("standard", standard_names()),
           contact::number_key("friction_factor", {1, 100}),
-          contact::number_key("other_factor", {1, 100})};
+          contact::number_key("other_factor", {1, 100}),
+          contact::number_key("spring_factor", {0, 1, true, false})};
 }
 
 std::optional<MarginPath> read_margin(const TomlTable& table,
@@ -112,8 +138,13 @@ std::optional<MarginPath> read_margin(const TomlTable& table,
   MarginPath path{of->optional_number("from").value_or(start.angle),
                   of->number("to")};
   if (path.to == path.from) of->must_be("to", "another angle than from");
-  path.friction_factor = of->optional_number("friction_factor").value_or(1);
-  path.other_factor = of->optional_number("other_factor").value_or(1);
+  const auto standard = of->optional_choice("standard");
+  const auto [_, friction, other, spring] =
+      standard ? standards[*standard] : MarginStandard{"", 1, 1, 1};
+  path.friction_factor =
+      of->optional_number("friction_factor").value_or(friction);
+  path.other_factor = of->optional_number("other_factor").value_or(other);
+  path.spring_factor = of->optional_number("spring_factor").value_or(spring);
   return path;
 }
 

@@ -72,15 +72,20 @@ class Sweep {
     const multibody::HingeSample held = sample.hinge(body_);
     const Vector3d axis = hinge_.zero_rotation.transpose() * hinge_.axis;
     double driving = 0, resisting = 0;
-    const auto count = [&](double moment) {
-      (moment > 0 ? driving : resisting) += std::abs(moment);
+    const auto count = [&](double moment, double drives) {
+      if (moment > 0) {
+        driving += drives * moment;
+      } else {
+        resisting -= moment;
+      }
     };
-    count(-sense_ * held.reaction_moment.dot(axis));
+    count(-sense_ * held.reaction_moment.dot(axis), 1);
     for (const Force* force : own_) {
       std::vector<BodyForce> forces(sample.motions().size());
       force->law->add(at_start(case_, *force, sample.motions()), forces);
-      count(sense_ *
-            forces[1 + body_].moment.dot(sample.body(body_).rotation * axis));
+      count(sense_ * forces[1 + body_].moment.dot(sample.body(body_).rotation *
+                                                  axis),
+            force->law->stores() ? hinge_.margin->spring_factor : 1);
     }
     resisting = hinge_.margin->other_factor * resisting +
                 hinge_.margin->friction_factor * friction(angle, held);

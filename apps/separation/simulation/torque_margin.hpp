@@ -18,10 +18,11 @@ struct TorqueMargin {
 /// with the hinge at each angle from MarginPath::from to `to`. Motors and
 /// torsion springs of the hinge have their initial values, whenever they begin;
 /// other forces count if they act at 0 s, and gravity counts. Driving moments
-/// turn the body towards `to`. Resisting moments are the moments that turn it
-/// back, times other_factor, and the friction of the joints under the reaction
-/// of the position, in slow sliding, times friction_factor. Dampers and inertia
-/// are ignored.
+/// turn the body towards `to`, those of torsion springs of the hinge times
+/// spring_factor. Resisting moments are the moments that turn it back, times
+/// other_factor, and the friction of the joints under the reaction of the
+/// position, in slow sliding, times friction_factor. Dampers and inertia are
+/// ignored.
 ///
 /// Accuracy (separation/torque_margin_test.cpp): ratios to 1e-9, also between
 /// the rows of tables and for a minimum inside the path.
