@@ -19,6 +19,7 @@
 #include "python/answers.hpp"
 #include "python/contact_warning.hpp"
 #include "python/file_joint.hpp"
+#include "python/interpreter_lock.hpp"
 #include "python/solved.hpp"
 
 namespace contact_python {
@@ -268,13 +269,19 @@ class WornSeat {
 // @param seat  existing wear to continue from, if not null
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
                                         double cycles, double inner,
-                                        WornSeat* seat) {
+                                        WornSeat* seat,
+                                        const py::object& progress) {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
     worn = contact::wear_in(cycle.on().cycle(), cycle.endless(),
                             {coefficient, inner}, cycles,
-                            seat ? &seat->seat() : nullptr);
+                            seat ? &seat->seat() : nullptr, [&](double done) {
+                              Rows::heed_signals();
+                              if (progress.is_none()) return;
+                              const Locked locked;
+                              tell(progress, py::make_tuple(done, cycles));
+                            });
   }
   if (seat) *seat = {std::move(worn.worn), cycle.geometry()};
   const Instant first = cycle.on().rows()[0];
@@ -390,9 +397,11 @@ quantity: an attribute of Solution or Rating; for a vector its length.)");
   bind_worn_seat(m);
   bind_answers(m, "WearIn", contact::worn_quantities(),
                "What Cycle.wear_in() returns.");
-  type.def("wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
-           py::kw_only(), py::arg("inner") = 0, py::arg("seat") = py::none(),
-           R"(wear_in(self, coefficient, cycles, *, inner=0, seat=None)
+  type.def(
+      "wear_in", &wear_in, py::arg("coefficient"), py::arg("cycles"),
+      py::kw_only(), py::arg("inner") = 0, py::arg("seat") = py::none(),
+      py::arg("progress") = py::none(),
+      R"(wear_in(self, coefficient, cycles, *, inner=0, seat=None, progress=None)
 --
 
 The joint over many cycles in which wear of the seat or hole widens the contact
@@ -408,7 +417,9 @@ coefficient: k of the seat or hole, m^2/N; 1 mm^3/(N m) is 1e-9 m^2/N.
 cycles: number of cycles.
 inner: k of the ball or pin; only for a pin without clearance or with
     interference (docs/explanation/wear.md).
-seat: a WornSeat to continue from; the seat then wears at points for any load.)");
+seat: a WornSeat to continue from; the seat then wears at points for any load.
+progress: called at each block with the cycles done and all; an exception, also
+    by Ctrl-C, ends the computation.)");
   type.def("_wear", &wear, py::arg("body"), py::arg("points"));
 }
 

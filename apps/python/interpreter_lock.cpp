@@ -19,6 +19,13 @@ void wait_for_the_end() {
   for (;;) std::this_thread::sleep_for(std::chrono::hours(1));
 }
 
+void tell(pybind11::handle function, const pybind11::tuple& arguments) {
+  PyObject* const answer = outlive_python(
+      [&] { return PyObject_CallObject(function.ptr(), arguments.ptr()); });
+  if (answer == nullptr) throw pybind11::error_already_set();
+  Py_DECREF(answer);
+}
+
 Unlocked::Unlocked() { without_lock = PyEval_SaveThread(); }
 Unlocked::~Unlocked() { take_lock(without_lock); }
 

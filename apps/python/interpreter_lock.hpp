@@ -24,6 +24,9 @@ auto outlive_python(const Call& call) noexcept {
   }
 }
 
+/// Calls a Python function that may release the lock, for example by printing.
+void tell(pybind11::handle function, const pybind11::tuple& arguments);
+
 /// Releases Python's lock while in scope, as pybind11::gil_scoped_release does.
 /// A constructor must use it inside its factory, not as call_guard: pybind11
 /// must not see the new object before the lock is held again, because Python

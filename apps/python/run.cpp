@@ -37,7 +37,7 @@ class Listener {
     const Locked locked;
     try {
       if (PyErr_CheckSignals() != 0) throw py::error_already_set();
-      if (!progress_.is_none()) tell(py::make_tuple(time_, end_));
+      if (!progress_.is_none()) tell(progress_, py::make_tuple(time_, end_));
     } catch (...) {
       error_ = std::current_exception();
       return "an exception";
@@ -50,14 +50,6 @@ class Listener {
 
  private:
   using Clock = std::chrono::steady_clock;
-
-  // Printing releases the lock.
-  void tell(const py::tuple& times) const {
-    PyObject* const answer = outlive_python(
-        [&] { return PyObject_CallObject(progress_.ptr(), times.ptr()); });
-    if (answer == nullptr) throw py::error_already_set();
-    Py_DECREF(answer);
-  }
 
   py::object progress_;
   double time_;

@@ -123,7 +123,8 @@ std::string loading_note(const JointContact& contact) {
 
 // By the volume alone, of loads that stand still.
 WearIn overlap_wear_in(const JointCycle& fresh, double coefficient,
-                       double cycles) {
+                       double cycles,
+                       const std::function<void(double)>& progress) {
   detail::check_wear(fresh);
   const JointContact& contact = fresh.contact();
   const JointGeometry& geometry = contact.geometry();
@@ -133,6 +134,7 @@ WearIn overlap_wear_in(const JointCycle& fresh, double coefficient,
     detail::check_depth(depth_of_overlap(geometry, next.wear_number),
                         next.cycles, geometry);
     WearIn::State& now = result.states.emplace_back(next);
+    progress(now.cycles);
     const JointCycle worn(fresh.cycle(), Joint(contact.worn(now.wear_number)));
     const Wearing wearing = wearing_of(worn);
     add_cycle(worn, now);
@@ -149,8 +151,8 @@ WearIn overlap_wear_in(const JointCycle& fresh, double coefficient,
 }  // namespace
 
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
-               const WearCoefficients& k, double cycles,
-               const WornSeat* before) {
+               const WearCoefficients& k, double cycles, const WornSeat* before,
+               const std::function<void(double)>& progress) {
   for (const double each : {k.seat, k.inner}) {
     detail::require(each >= 0 && std::isfinite(each), "wear", "coefficient",
                     each, "0 m^2/N or above and finite");
@@ -174,11 +176,14 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
     note(laws_note(contact));
     note(loading_note(contact));
   }
+  const auto tell = [&](double done) {
+    if (progress) progress(done);
+  };
   WearIn result = has_steps
                       ? detail::stepped_wear_in(
                             fresh, {k.seat, is_pressed ? k.inner : 0}, cycles,
-                            before != nullptr ? *before : WornSeat())
-                      : overlap_wear_in(fresh, k.seat, cycles);
+                            before != nullptr ? *before : WornSeat(), tell)
+                      : overlap_wear_in(fresh, k.seat, cycles, tell);
   note(WearMap::depth_note(result.states.back().penetration, geometry));
   if (is_pressed && result.states.front().half_angle == std::numbers::pi) {
     note("the contact is closed all round at first: debris cannot leave");

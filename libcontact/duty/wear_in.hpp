@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -95,12 +96,15 @@ struct WearIn {
 /// @param cycles   N, >= 0
 /// @param before   what is gone already; with it, an empty one too, the joint
 ///                 is stepped, whatever its load does
+/// @param progress  called at each of the `states` with its cycles; an
+///                  exception ends the computation
 /// @throws Error if an argument is out of range, the half-angle of a load that
 ///         stands still comes above 90 deg (as WearMap), the wear is deeper
 ///         than the radius, or the laws have no value at some time of the
 ///         cycle.
 WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
                const WearCoefficients& k, double cycles,
-               const WornSeat* before = nullptr);
+               const WornSeat* before = nullptr,
+               const std::function<void(double)>& progress = {});
 
 }  // namespace contact

@@ -205,6 +205,19 @@ class Cycles(unittest.TestCase):
                 values[-1] / float(said[end]["value"]), 1, delta=1e-12)
         self.assertGreater(len(worn), 10)
 
+    def test_of_wear_in_tells_its_progress_and_ends_with_an_exception(self):
+        told = []
+        worn = hip_cycle().wear_in(
+            1e-15, 1e6, progress=lambda *done: told.append(done))  # fmt: skip
+        self.assertEqual(told, [(c, 1e6) for c in worn.cycles])
+
+        def enough(done, cycles):
+            if done > 0:
+                raise KeyboardInterrupt
+
+        with self.assertRaises(KeyboardInterrupt):
+            hip_cycle().wear_in(1e-15, 1e6, progress=enough)
+
     def test_with_a_row_that_repeats_the_first_leave_it_out(self):
         c = columns(folder / "cycle_pin_in.csv")
         (angle,) = (c[name] for name in c if name.endswith("_deg"))

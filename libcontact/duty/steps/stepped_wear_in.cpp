@@ -150,7 +150,8 @@ LayeredPair bodies_of(const JointContact& contact) {
 }
 
 WearIn stepped_wear_in(const JointCycle& fresh, const WearCoefficients& k,
-                       double cycles, const WornSeat& before) {
+                       double cycles, const WornSeat& before,
+                       const std::function<void(double)>& progress) {
   const JointGeometry& geometry = fresh.contact().geometry();
   if (geometry.kind() == JointKind::ball && geometry.radial_clearance() <= 0) {
     throw Error(needs("wear without clearance or with interference",
@@ -169,6 +170,7 @@ WearIn stepped_wear_in(const JointCycle& fresh, const WearCoefficients& k,
   for (;;) {
     WearIn::State& now = result.states.emplace_back(steps.state());
     now.cycles = done;
+    progress(done);
     check_depth(now.penetration, before.cycles + done, geometry);
     if (done >= cycles) break;
     // At least a cycle: what wears so fast is no bearing.

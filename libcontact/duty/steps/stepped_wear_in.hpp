@@ -8,7 +8,9 @@ namespace contact::detail {
 /// PinWear grows by a tenth.
 /// @param fresh   without wear
 /// @param before  what is gone at the start
+/// @param progress  called with the cycles done
 WearIn stepped_wear_in(const JointCycle& fresh, const WearCoefficients& k,
-                       double cycles, const WornSeat& before);
+                       double cycles, const WornSeat& before,
+                       const std::function<void(double)>& progress);
 
 }  // namespace contact::detail
