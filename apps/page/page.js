@@ -48,9 +48,8 @@ const shownNumbers = [
   ['M_0_N_m', 'Torque without load'],
 ];
 const shownCurves = [
-  {title: 'Friction torque', logY: true,
+  {title: 'Friction torque over the textbook’s', over: 'M_textbook_N_m',
    names: ['M_t_N_m', 'M_textbook_N_m'], labels: ['computed', 'textbook']},
-  {title: 'Catalogue coefficient', names: ['f_M'], labels: ['computed']},
   {title: 'Pressure', logY: true, names: ['p_peak_Pa', 'p_mean_Pa', 'p_nominal_Pa'],
    labels: ['peak', 'mean', 'nominal']},
   {title: 'Half-angle', names: ['theta0_deg'], labels: ['half-angle']},
@@ -102,15 +101,21 @@ function showWays({file, command, python, cpp}) {
 
 function showCurves(answer, curves, number) {
   const units = new Map(answer.numbers.map(({name, unit}) => [name, unit]));
-  const figures = shownCurves.flatMap(({title, names, labels, logY}) => {
-    const all = names.map((name, i) => ({label: labels[i], y: curves[name],
-                                         at: number[name]}))
-        .filter(({y}) => y?.some((each) => each !== null &&
-                                           (!logY || each > 0)));
+  const share = (value, of) => value !== null && of > 0 ? value / of : null;
+  const figures = shownCurves.flatMap(({title, names, labels, logY, over}) => {
+    const all = names.map((name, i) => ({
+      label: labels[i],
+      y: (curves[name] ?? []).map(
+          (value, k) => over ? share(value, curves[over][k]) : value),
+      at: over ? share(number[name], number[over]) : number[name],
+    })).filter(({y}) => y.some((each) => each !== null &&
+                                         (!logY || each > 0)));
     if (all.length === 0) return [];
+    // Interference has a torque without load: many times the textbook's.
+    const isWide = over && Math.max(...all.flatMap(({y}) => y)) > 5;
     return [chart({title, x: curves.R_N, xUnit: 'N', xLabel: 'load',
-                   curves: all, unit: units.get(names[0]), logX: true, logY,
-                   here: number.R_N})];
+                   curves: all, unit: over ? '' : units.get(names[0]),
+                   logX: true, logY: logY || isWide, here: number.R_N})];
   });
   const {theta_deg: theta, p_Pa: p} = answer.pressure;
   if (p.some((each) => each > 0)) {
