@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/linear/solve.hpp"
 #include "libcontact/base/text.hpp"
 
 namespace contact::detail {
@@ -21,10 +21,8 @@ MinimaxFit minimax_fit(Eigen::MatrixXd a, const Eigen::VectorXd& b,
   MinimaxFit best = {{}, std::numeric_limits<double>::infinity()};
   for (int round = 0; round < rounds; ++round) {
     const Eigen::ArrayXd root = weight.sqrt().replicate(rows_of_one, 1);
-    const Eigen::VectorXd x = (a.array().colwise() * root)
-                                  .matrix()
-                                  .householderQr()
-                                  .solve((b.array() * root).matrix());
+    const Eigen::VectorXd x = solve_least_squares(
+        (a.array().colwise() * root).matrix(), (b.array() * root).matrix());
     const Eigen::VectorXd all = a * x - b;
     const Eigen::ArrayXd residual =
         all.reshaped(points, rows_of_one).rowwise().norm();
