@@ -233,6 +233,23 @@ TEST(CoupledDynamics, FrictionOfBallsAndPinsIsTracked) {
   EXPECT_LT(tracked.largest_miss, 1e-9);
 }
 
+// The last bodies of long chains whip: their joints are solved anew, the others
+// stay tracked. Measured: 1.9e-10, 2.63 iterations; 3.15 if all were solved.
+TEST(CoupledDynamics, ChainsThatWhipAreTracked) {
+  Tracked tracked;
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    Instant instant = random_instant(Mix::balls, 16, seed);
+    for (int i = 1; i < 16; ++i) instant.bodies[i].body.parent = i - 1;
+    Case c = case_of(instant, false, 0.01);
+    Coupled coupled(c.prepared.system, c.friction);
+    ASSERT_NO_FATAL_FAILURE(track(c, coupled, 40, tracked));
+  }
+  tracked.print();
+  EXPECT_LT(tracked.largest_miss, 1e-9);
+  EXPECT_LT(static_cast<double>(tracked.iterations),
+            2.9 * static_cast<double>(tracked.evaluations));
+}
+
 // The start of an evaluation does not matter. Measured: 1.3e-10.
 TEST(CoupledDynamics, MomentsSetInBetweenLeadToTheSame) {
   double largest = 0;

@@ -112,6 +112,13 @@ bool FrictionTracker::is_tracked(int hinge) const {
   return count > 0 && k == count;
 }
 
+bool FrictionTracker::is_trusted(int hinge) const {
+  const int count = hinges_[hinge].joints;
+  int k = 0;
+  while (k < count && joints_.is_trusted(joint(hinge, k))) ++k;
+  return k == count;
+}
+
 // Only the sum of a group's moments along the axis is known: the first joint
 // takes the change.
 void FrictionTracker::set_applied_moment(int hinge, const Vector3d& moment) {

@@ -24,6 +24,8 @@ class FrictionTracker {
              const HingeSolver::Memory& last, const Eigen::Vector3d& rate);
   void stop(int hinge);
   bool is_tracked(int hinge) const;
+  /// As JointTracker::is_trusted(), of all joints of a hinge.
+  bool is_trusted(int hinge) const;
   /// Number of tracked hinges.
   int count() const { return count_; }
 

@@ -153,6 +153,29 @@ bool TrackedLoop::track(Hinges& hinges) {
   return found;
 }
 
+// Joints that moved too far from their last contact are solved where they are
+// now, if they are few: in a long chain the last bodies whip.
+bool TrackedLoop::restart(Hinges& hinges) {
+  const std::vector<int>& active = hinges.active();
+  const auto is_lost = [&](int i) { return !tracker_.is_trusted(i); };
+  if (4 * std::ranges::count_if(active, is_lost) >
+      static_cast<int>(active.size())) {
+    return false;
+  }
+  for (const int i : active) {
+    if (!is_lost(i)) continue;
+    const Vector3d applied = tracker_.applied_moment(i);
+    hinges.now(i).solver_is_behind = true;
+    hinges.joints(i);
+    tracker_.start(i, hinges[i].solver, hinges.memory(i).solver,
+                   hinges.now(i).rate);
+    tracker_.set_applied_moment(i, applied);
+    if (!tracker_.is_tracked(i)) return false;
+  }
+  tracker_.joints().predict();
+  return tracker_.joints().largest().is_trusted();
+}
+
 bool TrackedLoop::track_joints(Hinges& hinges) {
   constexpr int iteration_limit = 4;
   // Contacts are evaluated when moments are this near to the final ones, and
@@ -168,7 +191,7 @@ bool TrackedLoop::track_joints(Hinges& hinges) {
     // error.
     joints.predict(report.iterations == 1 ? -1 : 0.5 * tolerance_);
     last_residual_ = 0;
-    if (!found.is_trusted()) return false;
+    if (!found.is_trusted() && !restart(hinges)) return false;
     relax(hinges, near);
     joints.correct();
     learn_step(report, found.uncorrected);

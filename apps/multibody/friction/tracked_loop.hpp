@@ -44,6 +44,7 @@ class TrackedLoop {
  private:
   bool track(Hinges& hinges);
   bool track_joints(Hinges& hinges);
+  bool restart(Hinges& hinges);
   double relax(Hinges& hinges, double enough);
   void learn_step(CoupledReport& report, double residual);
   void keep();

@@ -73,25 +73,27 @@ JointTracker::JointTracker(std::vector<JointContact> contacts)
 
 // The numbers of as many joints as the kernel has lanes, then the numbers of
 // the next joints.
-double* JointTracker::number(int joint, std::size_t k) noexcept {
+double* JointTracker::numbers_of(int joint) noexcept {
   const auto lanes = static_cast<std::size_t>(kernel_->lanes);
   const auto i = static_cast<std::size_t>(joint);
   return reinterpret_cast<double*>(states_.data()) +
-         (i / lanes * std::tuple_size_v<StateNumbers> + k) * lanes + i % lanes;
+         i / lanes * std::tuple_size_v<StateNumbers> * lanes + i % lanes;
 }
 
 State JointTracker::state(int joint) noexcept {
   StateNumbers numbers;
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    numbers[k] = *number(joint, k);
+  const double* from = numbers_of(joint);
+  for (std::size_t k = 0; k < numbers.size(); ++k, from += kernel_->lanes) {
+    numbers[k] = *from;
   }
   return std::bit_cast<State>(numbers);
 }
 
 void JointTracker::set_state(int joint, const State& state) noexcept {
   const auto numbers = std::bit_cast<StateNumbers>(state);
-  for (std::size_t k = 0; k < numbers.size(); ++k) {
-    *number(joint, k) = numbers[k];
+  double* to = numbers_of(joint);
+  for (std::size_t k = 0; k < numbers.size(); ++k, to += kernel_->lanes) {
+    *to = numbers[k];
   }
 }
 

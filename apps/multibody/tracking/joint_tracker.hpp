@@ -158,7 +158,7 @@ class JointTracker {
                   detail::TrackerState<double>& state) const noexcept;
   void evaluate_contact(int joint) noexcept;
   detail::TrackerJoints joints() noexcept;
-  double* number(int joint, std::size_t k) noexcept;
+  double* numbers_of(int joint) noexcept;
   detail::TrackerState<double> state(int joint) noexcept;
   void set_state(int joint, const detail::TrackerState<double>& state) noexcept;
 
