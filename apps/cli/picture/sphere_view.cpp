@@ -80,15 +80,18 @@ Vector2d SphereView::free_place(double size) const {
 }
 
 std::string SphereView::circles() const {
-  std::string script;
+  // Readable on every colour of a map.
+  std::string script =
+      "set style textbox opaque noborder fillcolor rgb '#44ffffff' margins "
+      "0.5,0.5\n";
   for (int t = 30; t < 180; t += 30) {
     const double size = 2 * std::sin(t * degree / 2);
     if (size > radius) break;
     const Vector2d place = free_place(size);
     script += fmt::format(
         "set object circle at 0,0 size {0} front fs empty border lc rgb "
-        "'#888888' lw 0.7\nset label '{1}°' at {2},{3} center front offset "
-        "0,0.5 textcolor rgb '#888888'\n",
+        "'#666666' lw 0.7\nset label '{1}°' at {2},{3} center front boxed "
+        "textcolor rgb '#444444'\n",
         number_text(size), t, number_text(place.x()), number_text(place.y()));
   }
   return script;
