@@ -51,20 +51,14 @@ Clearance::SolidLook Clearance::look(std::size_t pair, std::size_t solids,
   const Nearest found =
       nearest(solid_a, solid_b, place, std::numeric_limits<double>::infinity());
   const Vector3d apart = b.position - a.position;
-  SolidLook look{
-      time, found.distance,
-      a.rotation.transpose() *
-          (b.velocity - a.velocity - a.angular_velocity.cross(apart)),
-      a.rotation.transpose() * (b.angular_velocity - a.angular_velocity),
-      solid_b.reach()};
-  // n (v + w x r) of all points r of b: n v + r (n x w).
-  const Vector3d lever =
-      place.rotation.transpose() * found.normal.cross(look.turn);
-  const double along = found.normal.dot(look.velocity);
-  const double margin = solid_b.margin() * lever.norm();
-  look.most_rate = along + lever.dot(solid_b.farthest(lever)) + margin;
-  look.least_rate = along + lever.dot(solid_b.farthest(-lever)) - margin;
-  return look;
+  return {time,
+          found.distance,
+          a.rotation.transpose() *
+              (b.velocity - a.velocity - a.angular_velocity.cross(apart)),
+          a.rotation.transpose() * (b.angular_velocity - a.angular_velocity),
+          &solid_b,
+          place,
+          found.normal};
 }
 
 Nearest Clearance::nearest_of(const Pair& pair,

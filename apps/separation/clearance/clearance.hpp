@@ -43,12 +43,13 @@ class Clearance {
     double distance;  ///< as in distance()
     /// Speed of b's centre of mass relative to a, m/s, and rate of b, rad/s.
     Eigen::Vector3d velocity, turn;
-    double radius;  ///< reach of b's solid from its centre, m
-    /// Least and largest speed, m/s, at which two planes that prove the
-    /// distance separate, for any nearest point of b.
-    double least_rate = 0, most_rate = 0;
+    const Solid* solid;   ///< of b
+    RelativePlace place;  ///< of b
+    /// Of two planes that prove the distance, from a to b.
+    Eigen::Vector3d normal;
 
-    double speed() const { return velocity.norm() + turn.norm() * radius; }
+    double radius() const { return solid->reach(); }
+    double speed() const { return velocity.norm() + turn.norm() * radius(); }
   };
   /// Pairs of a solid of a and one of b.
   std::size_t solid_pairs(std::size_t pair) const;

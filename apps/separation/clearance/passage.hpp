@@ -8,10 +8,11 @@ namespace separation {
 
 /// Lower bound of the distance of two solids between two evaluations, m.
 ///
-/// Their speed limits their approach (Lipschitz), and two planes that prove a
-/// distance continue to prove one, by their rate and the accelerations, until
-/// they meet. The velocities at both evaluations, plus their difference, bound
-/// speeds and accelerations in between, because steps are smooth.
+/// Their speed limits their approach (Lipschitz), and two planes that prove the
+/// distance of one evaluation prove one at the other and, by the accelerations
+/// of b's points, in between. The velocities at both evaluations, plus their
+/// difference, bound speeds and accelerations, because steps are smooth; a
+/// rotation by h w changes accelerations by that share.
 double least_between(const Clearance::SolidLook& from,
                      const Clearance::SolidLook& to);
 
