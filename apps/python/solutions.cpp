@@ -138,7 +138,7 @@ constexpr const char* solve_doc =
 --
 
 Friction of the joint while its halves turn, under a known reaction. A [seat]
-confines the contact of a ball: libcontact/docs/explanation/seat_joint.md. Rows at
+confines the contact of a ball: libcontact/docs/explanation/seats.md. Rows at
 rims take some 30 ms and start from the previous row, which affects results by
 1e-7. A pin that is tilted, relieved or loaded at a place is solved by slices, to
 1e-8: libcontact/docs/how-to/finite_pin.md.

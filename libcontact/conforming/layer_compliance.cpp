@@ -7,8 +7,8 @@
 #include "libcontact/base/constants.hpp"
 #include "libcontact/conforming/kernel/ball_kernel.hpp"
 
-// Letters as in docs/explanation/walls.md. The state of a harmonic is
-// y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
+// Letters as in docs/internals/conforming_methods.md. The state of a harmonic
+// is y = (U, V, rS, rT); dy/d(ln r) = A y with A constant in a layer.
 namespace contact::detail {
 namespace {
 

@@ -22,8 +22,9 @@ struct HarmonicCompliance {
   double correction;
 };
 
-/// Compliances of one body of bonded layers: docs/explanation/walls.md.
-/// Poisson's ratio 1/2 is an ordinary value everywhere.
+/// Compliances of one body of bonded layers
+/// (docs/internals/conforming_methods.md). Poisson's ratio 1/2 is an ordinary
+/// value everywhere.
 ///
 /// Accuracy (conforming/layer_compliance_test.cpp): relative error of c_n below
 /// 1e-10 on 311 values of a 60-digit solution, layers of 1e-4 to 0.5 radii.

@@ -90,7 +90,7 @@ double edge_layer(const LayeredPair& pair) {
 }  // namespace
 
 int walled_unknowns(const LayeredPair& pair) {
-  // Measured: docs/explanation/walls.md, "The edge".
+  // Measured: docs/internals/conforming_methods.md, "The edge".
   const double thickness = edge_layer(pair);
   if (thickness > 0.09) return 16;
   if (thickness > 0.025) return 24;

@@ -66,7 +66,7 @@ FrictionIntegrals viscous_friction_integrals(const PressureLaw& law,
 
 /// Dry friction made to look viscous: the exact values at a = 0 times cos a
 /// for force and sliding, those at a = 90 deg times sin a for spinning. How
-/// far that is from the exact integrals: docs/explanation/simpler_models.md.
+/// far that is from the exact integrals: docs/explanation/friction.md.
 FrictionIntegrals cosine_friction_integrals(double half_angle, SlipAxis axis);
 
 }  // namespace contact

@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 // Balances rounding (4e-15/h) against curvature (h^4).
 constexpr double step = 1e-3;
 
-// f, P and A times R_n, N: docs/explanation/joint.md, (14). Beyond 90 deg
+// f, P and A times R_n, N: docs/internals/joint_solver.md, (14). Beyond 90 deg
 // the slip at the centre turns round.
 Vector3d friction_at(const JointContact& contact, double half_angle,
                      const SlipAxis& axis, double force, double speed) {
@@ -71,7 +71,8 @@ struct Jacobians {
   Matrix3d moment_over_normal, moment_over_rate;
 };
 
-// docs/explanation/joint.md, (10) to (14): P over a is by its potential.
+// docs/internals/joint_solver.md, (10) to (14): P over a is by its
+// potential.
 Jacobians jacobians(const JointContact& contact, const JointSolution& s,
                     const Vector3d& w, double speed) {
   constexpr double smallest_cosine = 1e-150;

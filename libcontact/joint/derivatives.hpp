@@ -23,7 +23,7 @@ struct SlipDerivatives {
   Eigen::Matrix3d over_reaction = Eigen::Matrix3d::Zero();
 };
 
-/// The derivatives of Joint::solve(). docs/explanation/joint.md has the
+/// The derivatives of Joint::solve(). docs/internals/joint_solver.md has the
 /// formulas: closed ones in the vectors and in n, R_n of the solution; what the
 /// contact's friction has over R_n, a and |Dw| is differences of fourth order.
 ///

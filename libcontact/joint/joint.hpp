@@ -53,7 +53,7 @@ struct RestSolution {
 /// the ball's equation with R normal to Dw: b = 90 deg, a = 0.
 ///
 /// A joint that is made from a spec with a seat that ends
-/// (JointGeometry::seat()) is in it: docs/explanation/seat_joint.md. Where the
+/// (JointGeometry::seat()) is in it: docs/explanation/seats.md. Where the
 /// contact of the laws `exact` stays inside the rims it answers, to the last
 /// bit; else the contact of the seat is found, in 20 to 60 ms, and R_n n is the
 /// sum of its pressures.

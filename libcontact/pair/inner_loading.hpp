@@ -8,7 +8,7 @@
 namespace contact {
 
 /// Point at which the force that presses the inner body (ball, pin) into the
-/// outer one acts. The half-angle depends on it (docs/explanation/loading.md).
+/// outer one acts. The half-angle depends on it (docs/explanation/walls.md).
 class InnerLoading {
  public:
   /// A force at the centre, or weight and inertia spread over the body: a pin

@@ -7,7 +7,7 @@
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 
-// h, R, R_1, R_2, c, l as in docs/explanation/published_forces.md.
+// h, R, R_1, R_2, c, l as in docs/how-to/play.md.
 namespace contact {
 namespace {
 

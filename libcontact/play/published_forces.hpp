@@ -28,8 +28,7 @@ struct PublishedForceLaw {
 };
 
 /// Returns the eight published laws for a pin, Hertz' for a ball:
-/// docs/explanation/published_forces.md. First sources are
-/// named; the formulas as collected in
+/// docs/how-to/play.md. First sources are named; the formulas as collected in
 /// `docs/reference/references.md#pereira-2011`.
 std::vector<PublishedForceLaw> published_force_laws(
     const JointGeometry& geometry, const ElasticPair& pair);

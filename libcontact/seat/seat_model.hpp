@@ -49,7 +49,7 @@ struct SeatFound final : ContactWork {
 /// both. Friction is dry or viscous.
 ///
 /// Accuracy (seat/joint_test.cpp, by another program):
-/// docs/explanation/seat_joint.md.
+/// docs/internals/seat_methods.md.
 class SeatModel final : public ContactModel {
  public:
   /// @param endless  the joint without its seat, with the laws exact

@@ -204,6 +204,47 @@ TEST(Pages, ForUsersAreReadInFiveMinutes) {
   }
 }
 
+/// Commands in blocks of code, with the lines that continue them.
+std::vector<std::string> commands(const fs::path& page) {
+  std::istringstream text(contents(page));
+  std::vector<std::string> lines;
+  bool is_code = false;
+  bool goes_on = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.starts_with("```")) is_code = !is_code;
+    if (is_code && (goes_on || line.starts_with("$ "))) {
+      lines.push_back(line);
+      goes_on = line.ends_with('\\');
+    }
+  }
+  return lines;
+}
+
+TEST(Pages, CommandsFitATerminal) {
+  std::size_t count = 0;
+  for (const fs::path& page : pages()) {
+    for (const std::string& line : commands(page)) {
+      ++count;
+      EXPECT_LE(line.size(), 80U) << page << ": " << line;
+    }
+  }
+  EXPECT_GT(count, 100U);
+}
+
+// They print what they show without filters, and end with a picture.
+TEST(Pages, TutorialsEndWithAPicture) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(docs / "tutorials")) {
+    if (entry.path().filename() == "index.md") continue;
+    ++count;
+    EXPECT_TRUE(prose(entry).back().starts_with("![")) << entry;
+    for (const std::string& line : commands(entry)) {
+      EXPECT_TRUE(matches(line, R"(\b(grep|awk|sed)\b)").empty()) << line;
+    }
+  }
+  EXPECT_EQ(count, 5);
+}
+
 // A page is found by the index of its folder, and that by the index of all.
 TEST(Pages, AreInAnIndex) {
   const auto expect_link = [](const fs::path& index, const std::string& link) {

@@ -27,7 +27,7 @@ class Pages(unittest.TestCase):
             frame.friction_moment_z, s.friction_moment[..., 2].ravel())
 
     def test_journals_become_a_frame(self):
-        page = (source / "libcontact/docs/how-to/several_machines.md").read_text()
+        page = (source / "libcontact/docs/reference/hinge-study.md").read_text()
         lines = re.search(r"    import pandas, sqlite3\n(    .*\n)*", page)[0]
         journal = re.search(r'connect\("(.*?)"\)', lines)[1]
         study = source / "data/studies/lined_bearing.toml"

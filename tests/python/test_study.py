@@ -166,7 +166,7 @@ if __name__ == "__main__":
 
     def recipe(self, *marks):
         """Runs the lines of the page that have these words."""
-        page = (ROOT / "libcontact/docs/how-to/several_machines.md").read_text().splitlines()
+        page = (ROOT / "libcontact/docs/reference/hinge-study.md").read_text().splitlines()
         lines = [next(line for line in page if mark in line) for mark in marks]
         for line in lines:
             subprocess.run(["sh", "-ec", line], cwd=self.folder, check=True,

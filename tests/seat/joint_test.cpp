@@ -84,7 +84,7 @@ struct Gridded {
 TEST(JointInSeat, MatchesTheReference) {
   const ReferenceTable rows("edges/edges_ball_joint.csv");
   const ReferenceTable seats("edges/edges_ball.csv");
-  // The usual grid's errors, as in docs/explanation/seat_joint.md: friction
+  // The usual grid's errors, as in docs/internals/seat_methods.md: friction
   // where the slip axis pierces the contact at a rim, row 3.
   AccuracyReport force("F over R", 2e-4);
   AccuracyReport moment("M over R rho", 5e-4);

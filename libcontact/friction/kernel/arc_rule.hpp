@@ -3,7 +3,7 @@
 #include "libcontact/friction/kernel/cap_rule.hpp"
 
 /// Rules for pressures that start like a square root
-/// (docs/explanation/friction.md, "Other pressures"), to some 1e-11, to be had
+/// (docs/internals/other_pressures.md), to some 1e-11, to be had
 /// by cap_rule_index.
 namespace contact::detail {
 

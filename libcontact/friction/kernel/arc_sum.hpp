@@ -7,7 +7,7 @@
 #include "libcontact/friction/kernel/cap_integrals.hpp"
 
 /// The arithmetic of pressures that start like a square root from the edge
-/// (docs/explanation/friction.md, "Other pressures"), for V a lane type;
+/// (docs/internals/other_pressures.md), for V a lane type;
 /// instantiated like cap_integrals.hpp. Letters as on that page.
 namespace contact::detail {
 
