@@ -13,6 +13,7 @@
 #include "multibody/friction/hinge_solver.hpp"
 #include "multibody/motion/motion.hpp"
 #include "multibody/system/eigen_conversion.hpp"
+#include "multibody/system/state_layout.hpp"
 #include "separation/case/force_law.hpp"
 #include "separation/case/hinge_reader.hpp"
 #include "separation/case/system_of.hpp"
@@ -58,6 +59,8 @@ class Sweep {
         others_(std::make_shared<Others>(c)),
         solver_(make_friction(hinge_, friction), system_.links()[body], body),
         memory_(solver_.make_memory()),
+        motion_(all_held()),
+        state_(motion_.save()),
         sense_(hinge_.margin->to > hinge_.margin->from ? 1 : -1) {
     for (const Force& force : c.forces) {
       if (force.body == body + 1 && force.law->ends_with_hinge()) {
@@ -67,8 +70,7 @@ class Sweep {
   }
 
   double ratio(double angle) {
-    const multibody::Motion motion = still(angle);
-    const multibody::MotionSample& sample = motion.sample();
+    const multibody::MotionSample& sample = still(angle);
     const multibody::HingeSample held = sample.hinge(body_);
     const Vector3d axis = hinge_.zero_rotation.transpose() * hinge_.axis;
     double driving = 0, resisting = 0;
@@ -100,12 +102,11 @@ class Sweep {
     for (int i = 0; i <= parts; ++i) {
       nodes.push_back(i == parts ? to : from + i * (to - from) / parts);
     }
-    const multibody::Motion motion = still(from);
+    const multibody::MotionSample& sample = still(from);
     for (const Force& force : case_.forces) {
       if (force.body != body_ + 1) continue;
       std::vector<multibody::KinkedVariable> kinks;
-      force.law->add_kinks(at_start(case_, force, motion.sample().motions()),
-                           kinks);
+      force.law->add_kinks(at_start(case_, force, sample.motions()), kinks);
       for (const auto& variable : kinks) {
         for (const double kink : variable.kinks) {
           if (kink > from && kink < to) nodes.push_back(kink);
@@ -117,8 +118,15 @@ class Sweep {
   }
 
  private:
-  // All held, the hinge at an angle.
-  multibody::Motion still(double angle) const {
+  const multibody::MotionSample& still(double angle) {
+    state_.numbers[at_angle_] = angle;
+    motion_.restore(state_);
+    return motion_.sample();
+  }
+
+  // All held; notes where a state has the angle of the hinge.
+  multibody::Motion all_held() {
+    std::vector<multibody::JointMode> modes;
     multibody::MotionStart start;
     start.carrier = case_.carrier_start;
     start.carrier.velocity.setZero();
@@ -127,12 +135,14 @@ class Sweep {
       start.bodies.push_back(body.start);
       multibody::BodyStart& of = start.bodies.back();
       of.locked = body.hinge.kind != multibody::HingeKind::none;
+      modes.push_back(of.locked ? multibody::JointMode::held
+                                : multibody::JointMode::released);
       of.angle_rate = 0;
       of.relative_angular_velocity.setZero();
       of.body.velocity.setZero();
       of.body.angular_velocity.setZero();
     }
-    start.bodies[body_].angle = angle;
+    at_angle_ = multibody::StateLayout(system_, modes).offset(body_);
     return {system_, {}, others_, start, case_.options};
   }
 
@@ -163,6 +173,9 @@ class Sweep {
   std::shared_ptr<const Others> others_;
   multibody::HingeSolver solver_;
   multibody::HingeSolver::Memory memory_;
+  int at_angle_ = 0;
+  multibody::Motion motion_;
+  multibody::MotionState state_;
   double sense_;
   std::vector<const Force*> own_;
 };
