@@ -151,6 +151,17 @@ void add_rules(const KnownKeys& keys, Texts& to) {
   if (!rules.empty()) to["allOf"] = message("[{}]", list(rules));
 }
 
+// All kinds whose tables have a key: it may be listed for each on its own.
+std::string kinds_of(const KnownKeys& keys, std::string_view name) {
+  std::string all;
+  for (const KnownKey& key : keys) {
+    if (key.key != name) continue;
+    if (!all.empty()) all += ' ';
+    all += key.kinds;
+  }
+  return all;
+}
+
 // "properties" of a table at a place, a JSON pointer.
 std::string properties(const KnownKeys& keys, const std::string& place) {
   Texts all;
@@ -161,7 +172,7 @@ std::string properties(const KnownKeys& keys, const std::string& place) {
       if (key.kinds.empty()) {
         about = rules_of(key, unit);
       } else {
-        about["$comment"] = message("\"of kind {}\"", key.kinds);
+        about["$comment"] = message("\"of kind {}\"", kinds_of(keys, key.key));
       }
       if (key.dimension != Dimension::number) {
         about["type"] = "[\"number\", \"array\"]";

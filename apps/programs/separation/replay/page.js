@@ -207,10 +207,13 @@ function addControls() {
   };
   at('save_picture').onclick = savePicture;
   at('save_film').onclick = saveFilm;
-  for (const id of
-      ['show_forces', 'show_distance', 'show_names', 'show_contact']) {
+  for (const id of ['show_forces', 'show_distance', 'show_names']) {
     at(id).onchange = refresh;
   }
+  at('show_contact').onchange = () => {
+    picture.resize();
+    refresh();
+  };
   document.addEventListener('keydown', onKey);
 }
 
@@ -223,6 +226,8 @@ async function addPicture() {
     labels = new Labels(picture);
     compass = new Compass(picture);
     picture.contact = new ContactView(picture);
+    picture.resize();
+    picture.fit();
     addLegend(picture);
     new ResizeObserver(() => {
       picture.resize();

@@ -333,8 +333,10 @@ class Picture {
     this.width = clientWidth;
     this.height = clientHeight;
     this.renderer.setSize(clientWidth, clientHeight, false);
-    this.camera.aspect = clientWidth / clientHeight;
-    this.camera.updateProjectionMatrix();
+    // The bodies are to the left of the contact in its corner.
+    const free = clientWidth - (this.contact?.shown ? contactSize + 16 : 0);
+    this.camera.setViewOffset(free, clientHeight, 0, 0, clientWidth,
+                              clientHeight);
   }
 
   // The distance from its target at which the camera sees all bodies in the
