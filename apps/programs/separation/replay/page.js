@@ -270,12 +270,12 @@ window.replay = {
   pose: (body) => ({position: picture.bodies[body].position.toArray(),
                     rotation: picture.bodies[body].quaternion.toArray()}),
   // Of a point in a body's axes (else its centre of mass) in the picture, px
-  // from its middle.
+  // from the middle of the view.
   offset: (body, point = [0, 0, 0]) => {
     const {position, quaternion} = picture.bodies[body];
     const {x, y} = picture.project(new THREE.Vector3(...point)
         .applyQuaternion(quaternion).add(position));
-    return [x - picture.width / 2, y - picture.height / 2];
+    return [x - picture.free / 2, y - picture.height / 2];
   },
   // The 'arrow', 'opposite' or 'moment' of a force of the case, as below.
   force: (number, kind) => tipsOf(picture.forces.marks[number][kind]),

@@ -334,8 +334,8 @@ class Picture {
     this.height = clientHeight;
     this.renderer.setSize(clientWidth, clientHeight, false);
     // The bodies are to the left of the contact in its corner.
-    const free = clientWidth - (this.contact?.shown ? contactSize + 16 : 0);
-    this.camera.setViewOffset(free, clientHeight, 0, 0, clientWidth,
+    this.free = clientWidth - (this.contact?.shown ? contactSize + 16 : 0);
+    this.camera.setViewOffset(this.free, clientHeight, 0, 0, clientWidth,
                               clientHeight);
   }
 
