@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "libcontact/joint/group.hpp"
@@ -71,6 +72,9 @@ struct MarginPath {
   double friction_factor = 1;  ///< of resisting friction
   double other_factor = 1;     ///< of other resisting moments
   double spring_factor = 1;    ///< of driving torsion springs
+  /// Least ratio that a standard requires, and its name; 0: none.
+  double required = 0;
+  std::string_view standard = {};
 };
 
 /// The upper node, on which a body turns.

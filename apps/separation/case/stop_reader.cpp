@@ -61,16 +61,20 @@ HingeStop read_stop(const TomlTable& table) {
 // all resisting moments but friction, since it is the largest: a resisting
 // spring has 1.2 there. Friction and harness are variable moments of the
 // second.
-// - ECSS-E-ST-33-01C (2009), table 4-2 and 4.7.5.3.2e: requires a ratio of 2.
-// - NASA-STD-5017B (2022), table 1: requires a ratio of 1.
+// - ECSS-E-ST-33-01C (2009), table 4-2 and 4.7.5.3.2e.
+// - NASA-STD-5017B (2022), table 1; its margin is the ratio minus 1.
 struct MarginStandard {
   const char* name;
-  double friction, other, spring;
+  double friction, other, spring, required;
+  std::string_view title;
 };
+constexpr std::string_view ecss = "ECSS-E-ST-33-01C", nasa = "NASA-STD-5017B";
 constexpr MarginStandard standards[] = {
-    {"ecss_theoretical", 3, 3, 0.8}, {"ecss_measured", 1.5, 1.5, 0.8},
-    {"nasa_analysis", 3, 3, 1},      {"nasa_development", 2.5, 2.5, 1},
-    {"nasa_acceptance", 2, 2, 1},
+    {"ecss_theoretical", 3, 3, 0.8, 2, ecss},
+    {"ecss_measured", 1.5, 1.5, 0.8, 2, ecss},
+    {"nasa_analysis", 3, 3, 1, 1, nasa},
+    {"nasa_development", 2.5, 2.5, 1, 1, nasa},
+    {"nasa_acceptance", 2, 2, 1, 1, nasa},
 };
 
 std::vector<std::string> standard_names() {
@@ -139,12 +143,16 @@ std::optional<MarginPath> read_margin(const TomlTable& table,
                   of->number("to")};
   if (path.to == path.from) of->must_be("to", "another angle than from");
   const auto standard = of->optional_choice("standard");
-  const auto [_, friction, other, spring] =
-      standard ? standards[*standard] : MarginStandard{"", 1, 1, 1};
-  path.friction_factor =
-      of->optional_number("friction_factor").value_or(friction);
-  path.other_factor = of->optional_number("other_factor").value_or(other);
-  path.spring_factor = of->optional_number("spring_factor").value_or(spring);
+  const MarginStandard by =
+      standard ? standards[*standard] : MarginStandard{"", 1, 1, 1, 0, ""};
+  const auto factor = [&of](std::string_view key, double otherwise) {
+    return of->optional_number(key).value_or(otherwise);
+  };
+  path.friction_factor = factor("friction_factor", by.friction);
+  path.other_factor = factor("other_factor", by.other);
+  path.spring_factor = factor("spring_factor", by.spring);
+  path.required = by.required;
+  path.standard = by.title;
   return path;
 }
 

@@ -12,6 +12,7 @@
 #include "libcontact/seat/contact.hpp"
 #include "separation/results/summary.hpp"
 #include "separation/simulation/force_watch.hpp"
+#include "separation/simulation/torque_margin.hpp"
 
 namespace separation {
 namespace {
@@ -76,6 +77,16 @@ void add_unproven(const Outcome& outcome, Texts& texts) {
       "in {} of {} evaluations friction is so strong that other friction "
       "moments may fit the reactions as well: a search found none",
       counts.unproven, counts.evaluations));
+}
+
+void add_margins(const Case& c, const Outcome& outcome, Texts& texts) {
+  for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
+    if (!c.bodies[i].hinge.margin) continue;
+    for (std::string& note : margin_notes(
+             c.bodies[i], outcome.margins->of(c, i, outcome.friction))) {
+      texts.push_back(std::move(note));
+    }
+  }
 }
 
 // Calls visit(joint, its body's place, its place there) for all joints.
@@ -173,6 +184,7 @@ std::vector<std::string> run_notes(const Case& c, const Outcome& outcome) {
   add_overlaps(c, outcome, texts);
   add_drift(c, outcome, texts);
   add_unproven(outcome, texts);
+  add_margins(c, outcome, texts);
   return texts;
 }
 

@@ -89,6 +89,15 @@ constexpr Quantity<TorqueMargin> of_margin[] = {
      [](const TorqueMargin& m) { return m.ratio; }},
     {"torque_margin_angle", "", Dimension::angle, "where that is",
      [](const TorqueMargin& m) { return m.angle; }},
+    {"torque_margin_driving", "", Dimension::moment,
+     "driving moment there, with its factor",
+     [](const TorqueMargin& m) { return m.driving; }},
+    {"torque_margin_friction", "", Dimension::moment,
+     "friction of the joints there, with its factor",
+     [](const TorqueMargin& m) { return m.friction; }},
+    {"torque_margin_other", "", Dimension::moment,
+     "other resisting moments there, with their factor",
+     [](const TorqueMargin& m) { return m.other; }},
 };
 
 using Release = BodyRecord::Release;

@@ -69,16 +69,20 @@ class Sweep {
     }
   }
 
-  double ratio(double angle) {
+  double ratio(double angle) { return at(angle).ratio; }
+
+  TorqueMargin at(double angle) {
     const multibody::MotionSample& sample = still(angle);
     const multibody::HingeSample held = sample.hinge(body_);
     const Vector3d axis = hinge_.zero_rotation.transpose() * hinge_.axis;
-    double driving = 0, resisting = 0;
+    const MarginPath& path = *hinge_.margin;
+    TorqueMargin found;
+    found.angle = angle;
     const auto count = [&](double moment, double drives) {
       if (moment > 0) {
-        driving += drives * moment;
+        found.driving += drives * moment;
       } else {
-        resisting -= moment;
+        found.other -= path.other_factor * moment;
       }
     };
     count(-sense_ * held.reaction_moment.dot(axis), 1);
@@ -87,11 +91,11 @@ class Sweep {
       force->law->add(at_start(case_, *force, sample.motions()), forces);
       count(sense_ * forces[1 + body_].moment.dot(sample.body(body_).rotation *
                                                   axis),
-            force->law->stores() ? hinge_.margin->spring_factor : 1);
+            force->law->stores() ? path.spring_factor : 1);
     }
-    resisting = hinge_.margin->other_factor * resisting +
-                hinge_.margin->friction_factor * friction(angle, held);
-    return driving / resisting;
+    found.friction = path.friction_factor * friction(angle, held);
+    found.ratio = found.driving / (found.friction + found.other);
+    return found;
   }
 
   // Nodes that no kink is between.
@@ -189,7 +193,7 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
   for (const double angle : nodes) ratios.push_back(sweep.ratio(angle));
   TorqueMargin least;
   const auto note = [&](double ratio, double angle) {
-    if (ratio < least.ratio) least = {ratio, angle};
+    if (ratio < least.ratio) least = sweep.at(angle);
   };
   for (std::size_t i = 0; i < nodes.size(); ++i) note(ratios[i], nodes[i]);
   // Between the neighbours of each node that is lower than both.
@@ -204,6 +208,28 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
     note(ratio, angle);
   }
   return least;
+}
+
+std::vector<std::string> margin_notes(const Body& body,
+                                      const TorqueMargin& margin) {
+  const MarginPath& path = *body.hinge.margin;
+  const auto about = [&](const std::string& what) {
+    return fmt::format("torque_margin of \"{}\" {}", body.rigid.name, what);
+  };
+  std::vector<std::string> notes;
+  if (std::isinf(margin.ratio)) {
+    notes.push_back(about("is infinite: nothing resists"));
+  } else if (margin.ratio < path.required) {
+    notes.push_back(about(fmt::format(
+        "is {:.4g} at {:.4g} deg: {} requires {}", margin.ratio,
+        margin.angle / contact::degree, path.standard, path.required)));
+  }
+  if (!body.hinge.joints.empty() && margin.friction == 0) {
+    notes.push_back(about(
+        "contains no friction of joints, which carry no load at rest: add the "
+        "friction in operation as a resisting moment"));
+  }
+  return notes;
 }
 
 TorqueMargin TorqueMargins::of(const Case& c, int body,

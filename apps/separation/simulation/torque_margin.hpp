@@ -3,6 +3,8 @@
 #include <limits>
 #include <map>
 #include <mutex>
+#include <string>
+#include <vector>
 
 #include "separation/case/case.hpp"
 
@@ -11,7 +13,10 @@ namespace separation {
 /// The smallest ratio of driving to resisting moment on the path of a hinge.
 struct TorqueMargin {
   double ratio = std::numeric_limits<double>::infinity();
-  double angle = 0;  ///< at the smallest ratio, rad
+  // At the smallest ratio:
+  double angle = 0;  ///< rad
+  /// Moments with their factors, N m.
+  double driving = 0, friction = 0, other = 0;
 };
 
 /// The quasi-static torque margin of a body on an axis: all bodies are at rest,
@@ -24,11 +29,19 @@ struct TorqueMargin {
 /// position, in slow sliding, times friction_factor. Dampers and inertia are
 /// ignored.
 ///
+/// Joints without load have no friction: in orbit, at rest, joints with
+/// clearance do not resist. margin_notes() says so.
+///
 /// Accuracy (separation/torque_margin_test.cpp): ratios to 1e-9, also between
 /// the rows of tables and for a minimum inside the path.
 /// @param body  with a margin (Hinge::margin)
 /// @throws contact::Error if the joints have no friction moment
 TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
+
+/// Warnings of a margin: one below MarginPath::required, no resisting moment,
+/// joints whose friction does not count for want of a load.
+std::vector<std::string> margin_notes(const Body& body,
+                                      const TorqueMargin& margin);
 
 /// Torque margins of a run, computed on first use. Safe from several threads.
 class TorqueMargins {
