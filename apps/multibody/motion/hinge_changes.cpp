@@ -40,9 +40,22 @@ HingeChanges::HingeChanges(Equations& equations, MotionSample& view,
       recent_(coupled_.size()) {}
 
 void HingeChanges::change(double time, int body, HingeMode mode) {
-  settle_times_[body] = 0;
-  all_.push_back({time, body, coupled_.mode(body), mode});
+  const bool stays = coupled_.hinge(body).rests_on >= 0 &&
+                     (mode == HingeMode::sliding || mode == HingeMode::resting);
+  if (!stays) settle_times_[body] = 0;
+  all_.push_back({time, body, coupled_.mode(body), mode,
+                  stays && settle_times_[body] == 0});
   equations_.set_mode(body, mode);
+}
+
+// A ball joint rests on its stop whether it turns along it or not. Not while
+// its last bounces are summed.
+bool HingeChanges::is_on_stop(int body,
+                              const std::vector<double>& state) const {
+  const Hinge& hinge = coupled_.hinge(body);
+  return hinge.is_axis ? hinge.mode == HingeMode::resting &&
+                             coupled_.can_push(body, state.data())
+                       : hinge.rests_on >= 0 && settle_times_[body] == 0;
 }
 
 void HingeChanges::slide_straight(int body, bool straight) {
@@ -56,13 +69,19 @@ CoupledReport HingeChanges::resolve_rest(double time,
                                          const std::vector<double>& state,
                                          bool due) {
   std::vector<HingeMode> before;
-  for (int i = 0; i < coupled_.size(); ++i) before.push_back(coupled_.mode(i));
+  std::vector<int> stops;
+  for (int i = 0; i < coupled_.size(); ++i) {
+    before.push_back(coupled_.mode(i));
+    stops.push_back(coupled_.hinge(i).rests_on);
+  }
   const CoupledReport report = equations_.resolve_rest(time, state.data(), due);
   for (int i = 0; i < coupled_.size(); ++i) {
     const HingeMode mode = coupled_.mode(i);
-    if (mode == before[i]) continue;
-    settle_times_[i] = 0;
+    const bool stays = stops[i] == coupled_.hinge(i).rests_on;
+    if (mode == before[i] && stays) continue;
+    if (stops[i] < 0 || !stays) settle_times_[i] = 0;
     all_.push_back({time, i, before[i], mode, is_on_stop(i, state)});
+    if (mode == before[i]) continue;
     // After rest the direction of a nearly zero velocity is undefined; until
     // the speed has grown, friction opposes the acceleration.
     if (mode == HingeMode::sliding && !equations_.is_axis(i)) {
@@ -96,6 +115,7 @@ std::vector<Impulse::Jump> HingeChanges::jump(
     if (rate.isZero(0) || rate == equations_.rate_of(i, before.data())) {
       continue;
     }
+    if (ideal && coupled_.hinge(i).rests_on >= 0) leave_stop(time, i);
     if (mode == HingeMode::resting) {
       change(time, i, HingeMode::sliding);
     } else {
@@ -113,8 +133,9 @@ void HingeChanges::note_jumps(double time,
   for (std::size_t t = 0; t < targets.size(); ++t) {
     const int body = targets[t].body;
     const Vector3d rate = equations_.rate_of(body, before.data());
-    impacts_.push_back({time, body, latches,
-                        equations_.is_axis(body) ? rate.z() : rate.norm(),
+    const std::optional<Vector3d>& along = targets[t].along;
+    const double size = equations_.is_axis(body) ? rate.z() : rate.norm();
+    impacts_.push_back({time, body, latches, along ? rate.dot(*along) : size,
                         jumps[t].impulse.norm(), jumps[t].loss});
   }
 }
@@ -134,12 +155,47 @@ void HingeChanges::latch(double time, const std::vector<int>& bodies,
 const HingeStop* HingeChanges::stop_hit(
     int body, const std::vector<double>& state) const {
   const double* s = &state[equations_.offset(body)];
+  const Hinge& hinge = coupled_.hinge(body);
   const HingeStop* hit = nullptr;
-  for (const HingeStop& stop : coupled_.hinge(body).stops) {
-    if (!(stop.side * s[1] < 0)) continue;
-    if (!hit || stop.gap(s[0]) < hit->gap(s[0])) hit = &stop;
+  for (const HingeStop& stop : hinge.stops) {
+    if (!(stop.side * hinge.stop_rate(s) < 0)) continue;
+    if (!hit || hinge.gap(stop, s) < hinge.gap(*hit, s)) hit = &stop;
   }
   return hit;
+}
+
+// Puts the body exactly at its stop.
+Impulse::Target HingeChanges::rebound(const HingeStop& stop,
+                                      std::vector<double>& state) {
+  const Hinge& hinge = coupled_.hinge(stop.body);
+  double* s = &state[equations_.offset(stop.body)];
+  if (hinge.is_axis) {
+    s[0] = stop.angle;
+    return {stop.body, {0, 0, -stop.restitution * s[1]}};
+  }
+  hinge.cone->put_on(stop, s);
+  const auto [axis, rate, bend] = hinge.cone->turn(s);
+  return {stop.body, -stop.restitution * rate * axis, axis};
+}
+
+void HingeChanges::rest_on(const HingeStop& stop) {
+  const Hinge& hinge = coupled_.hinge(stop.body);
+  if (hinge.is_axis) {
+    equations_.set_mode(stop.body, HingeMode::resting);
+  } else {
+    const auto number = static_cast<int>(&stop - hinge.stops.data());
+    coupled_.rest_on(stop.body, number, equations_.memory);
+  }
+}
+
+void HingeChanges::fly_from(const HingeStop& stop) {
+  if (coupled_.hinge(stop.body).is_axis) {
+    equations_.set_mode(stop.body, HingeMode::sliding);
+    equations_.memory.hinges[stop.body].direction =
+        stop.side * Vector3d::UnitZ();
+  } else {
+    coupled_.rest_on(stop.body, -1, equations_.memory);
+  }
 }
 
 void HingeChanges::hit(double time, const std::vector<int>& bodies,
@@ -149,10 +205,8 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
   for (const int body : bodies) {
     const HingeStop* stop = stop_hit(body, state);
     if (!stop) continue;  // other impacts drove it off
-    double* s = &state[equations_.offset(body)];
-    targets.push_back({body, {0, 0, -stop->restitution * s[1]}});
-    bounces.push_back({stop});
-    s[0] = stop->angle;
+    targets.push_back(rebound(*stop, state));
+    bounces.push_back({stop, targets.back().along});
   }
   const std::vector<double> before = state;
   const auto jumps = jump(time, targets, true, state);
@@ -161,6 +215,22 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
     bounces[t].response = jumps[t].response;
   }
   settle(time, bounces, state);
+  for (const int body : bodies) hold_slow(time, body, state);
+}
+
+// What is left of the velocity is at the rounding of the impulse, and has no
+// direction.
+void HingeChanges::hold_slow(double time, int body,
+                             std::vector<double>& state) {
+  const Hinge& hinge = coupled_.hinge(body);
+  if (hinge.rests_on < 0 || !hinge.can_rest ||
+      equations_.rate_of(body, state.data()).norm() > stop_speed_) {
+    return;
+  }
+  stop(body, state);
+  equations_.set_mode(body, HingeMode::resting);
+  all_.push_back({time, body, HingeMode::sliding, HingeMode::resting,
+                  is_on_stop(body, state)});
 }
 
 // The last bounces, invisibly low and hardly above the rounding of the angle,
@@ -172,7 +242,7 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
   const auto still = [&] {
     std::vector<Impulse::Target> targets;
     for (const Bounce& bounce : bounces) {
-      targets.push_back({bounce.stop->body, Vector3d::Zero()});
+      targets.push_back({bounce.stop->body, Vector3d::Zero(), bounce.along});
     }
     return targets;
   };
@@ -180,29 +250,25 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
   impulse_.apply(time, still(), false, held);
   for (Bounce& bounce : bounces) {
     const int body = bounce.stop->body;
-    bounce.rate = std::abs(equations_.rate_of(body, state.data()).z());
-    equations_.set_mode(body, HingeMode::resting);
+    const Vector3d along = bounce.along.value_or(Vector3d::UnitZ());
+    bounce.rate = std::abs(equations_.rate_of(body, state.data()).dot(along));
+    rest_on(*bounce.stop);
   }
   view_.show(time, held);
   const bool known = view_.work_out();
   std::vector<const HingeStop*> goes_on;
   std::erase_if(bounces, [&](Bounce& bounce) {
     const HingeStop& stop = *bounce.stop;
-    const double moment = view_.hinges().reaction(stop.body).moment.z;
-    bounce.pressed =
-        known ? std::max(0.0, stop.side * moment * bounce.response) : 0;
+    const double moment = view_.hinges().stop_moment(stop.body);
+    bounce.pressed = known ? std::max(0.0, moment * bounce.response) : 0;
     const double least = low * std::max(1.0, std::abs(stop.angle));
     if (bounce.rate * bounce.rate <= 2 * bounce.pressed * least) return false;
     goes_on.push_back(&stop);
     return true;
   });
-  for (const HingeStop* stop : goes_on) {
-    equations_.set_mode(stop->body, HingeMode::sliding);
-    equations_.memory.hinges[stop->body].direction =
-        stop->side * Vector3d::UnitZ();
-  }
+  for (const HingeStop* stop : goes_on) fly_from(*stop);
   jump(time, still(), false, state);
-  for (const auto& [stop, response, rate, pressed] : bounces) {
+  for (const auto& [stop, along, response, rate, pressed] : bounces) {
     const double e = stop->restitution;
     const double lasts = rate > 0 && e < 1 ? 2 * rate / (pressed * (1 - e)) : 0;
     if (time + lasts > time) {
@@ -215,7 +281,31 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
 
 void HingeChanges::end_bounces(double time, int body) {
   settle_times_[body] = 0;
-  all_.push_back({time, body, HingeMode::sliding, HingeMode::resting, true});
+  const HingeMode mode = coupled_.mode(body);
+  const HingeMode from = equations_.is_axis(body) ? HingeMode::sliding : mode;
+  all_.push_back({time, body, from, mode, true});
+}
+
+void HingeChanges::leave_stop(double time, int body) {
+  settle_times_[body] = 0;
+  coupled_.rest_on(body, -1, equations_.memory);
+  all_.push_back({time, body, coupled_.mode(body), coupled_.mode(body)});
+}
+
+bool HingeChanges::any_on_cones() const {
+  int i = 0;
+  while (i < coupled_.size() && !coupled_.hinge(i).slides_on_stop()) ++i;
+  return i < coupled_.size();
+}
+
+void HingeChanges::put_on_cones(std::vector<double>& state) const {
+  for (int i = 0; i < coupled_.size(); ++i) {
+    const Hinge& hinge = coupled_.hinge(i);
+    if (!hinge.slides_on_stop()) continue;
+    double* s = &state[equations_.offset(i)];
+    hinge.cone->put_on(hinge.stops[hinge.rests_on], s);
+    hinge.cone->stop_rate(s);
+  }
 }
 
 std::optional<std::string> HingeChanges::stalls(double time, int body) {

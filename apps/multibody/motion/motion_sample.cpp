@@ -84,6 +84,12 @@ HingeMode MotionSample::mode(int body) const {
 double MotionSample::angle(int body) const {
   return state_[equations_.offset(body)];
 }
+bool MotionSample::rests_on_stop(int body) const {
+  const Hinge& hinge = equations_.coupled.hinge(body);
+  return hinge.slides_on_stop() ||
+         (hinge.mode == HingeMode::resting &&
+          equations_.coupled.can_push(body, state_.data()));
+}
 Vector3d MotionSample::rate_of(int body) const {
   return equations_.rate_of(body, state_.data());
 }
@@ -122,10 +128,10 @@ HingeSample MotionSample::hinge(int body) const {
   const Reaction<double>& reaction = hinges.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
-  if (s.mode == HingeMode::resting) {
-    const int push = equations_.coupled.hinge(body).push_at(numbers[0]);
-    s.stop_moment = std::max(0.0, push * reaction.moment.z);
+  if (const ConeRest* cone = hinges.cone_of(body)) {
+    s.reaction_moment += link.axes * (cone->moment * cone->axis);
   }
+  s.stop_moment = std::max(0.0, hinges.stop_moment(body));
   if (equations_.coupled.hinge(body).has_friction && !is_fixed(s.mode)) {
     s.joints = hinges.joints(body);
     if (s.mode == HingeMode::sliding) {
