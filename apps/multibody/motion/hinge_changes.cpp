@@ -158,10 +158,9 @@ const HingeStop* HingeChanges::stop_hit(
   const Hinge& hinge = coupled_.hinge(body);
   const HingeStop* hit = nullptr;
   for (const HingeStop& stop : hinge.stops) {
-    if (!(stop.side * hinge.stop_rate(s) < 0)) continue;
     if (!hit || hinge.gap(stop, s) < hinge.gap(*hit, s)) hit = &stop;
   }
-  return hit;
+  return hit && hit->side * hinge.stop_rate(s) < 0 ? hit : nullptr;
 }
 
 // Puts the body exactly at its stop.
@@ -204,7 +203,7 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
   std::vector<Bounce> bounces;
   for (const int body : bodies) {
     const HingeStop* stop = stop_hit(body, state);
-    if (!stop) continue;  // other impacts drove it off
+    if (!stop) continue;  // other impacts drove it off, or rounding
     targets.push_back(rebound(*stop, state));
     bounces.push_back({stop, targets.back().along});
   }
