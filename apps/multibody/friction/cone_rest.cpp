@@ -116,10 +116,10 @@ double Hinges::stop_moment(int body) {
   return now(body).stop_moment;
 }
 
-// Friction holds what the stop leaves of the held moment. The utilisation is
-// convex over the stop's moment, and least where the impending slip is along
-// the cone, as it is once the body slides; or without the stop, if it would
-// slide off.
+// Friction holds what the stop leaves of the held moment. With more of the stop
+// the impending slip turns from towards the stop to away from it, and friction
+// is that of sliding where it is along the cone. Without a moment that turns it
+// towards the stop, friction holds all.
 double Hinges::utilisation_on_cone(int body) {
   const Hinge& hinge = hinges_[body];
   HingeSolver::Memory& solver = memory(body).solver;

@@ -20,8 +20,9 @@ namespace multibody {
 /// A moment that never pulls holds a body that rests on its stop; it is a pure
 /// couple about the axis, which adds no force to the hinge. A ball joint goes
 /// on turning along the cone, psi'' = 0, until its friction holds it. Then the
-/// stop takes the part of the held moment with which the utilisation of
-/// friction is least.
+/// stop takes the part of the held moment with which the impending slip of the
+/// joint is along the cone, as its motion is when it gives way; or nothing, if
+/// it would slide off the stop.
 struct HingeStop {
   int body = 0;
   double angle = 0;        ///< rad; on a ball joint between 0 and pi

@@ -249,8 +249,8 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
   impulse_.apply(time, still(), false, held);
   for (Bounce& bounce : bounces) {
     const int body = bounce.stop->body;
-    const Vector3d along = bounce.along.value_or(Vector3d::UnitZ());
-    bounce.rate = std::abs(equations_.rate_of(body, state.data()).dot(along));
+    bounce.rate = std::abs(
+        coupled_.hinge(body).stop_rate(&state[equations_.offset(body)]));
     rest_on(*bounce.stop);
   }
   view_.show(time, held);
@@ -261,7 +261,10 @@ void HingeChanges::settle(double time, std::vector<Bounce>& bounces,
     const double moment = view_.hinges().stop_moment(stop.body);
     bounce.pressed = known ? std::max(0.0, moment * bounce.response) : 0;
     const double least = low * std::max(1.0, std::abs(stop.angle));
-    if (bounce.rate * bounce.rate <= 2 * bounce.pressed * least) return false;
+    // A ball joint that nothing presses on its stop does not rest there.
+    const bool may_rest = !bounce.along || bounce.pressed > 0;
+    const double square = bounce.rate * bounce.rate;
+    if (may_rest && square <= 2 * bounce.pressed * least) return false;
     goes_on.push_back(&stop);
     return true;
   });
