@@ -47,12 +47,26 @@ void MotionSample::show(double time, std::span<const double> state) {
 void MotionSample::show(Stepper& stepper, double time) {
   trial_.resize(equations_.number_count());
   stepper.interpolate(time, trial_);
+  keep_at_stops(stepper.begin_state());
   show(time, trial_);
+}
+
+// A body that rests on the stop of its axis is exactly there; interpolation
+// adds rounding.
+void MotionSample::keep_at_stops(std::span<const double> begin) {
+  const CoupledDynamics& coupled = equations_.coupled;
+  for (int i = 0; i < coupled.size(); ++i) {
+    const Hinge& hinge = coupled.hinge(i);
+    if (hinge.stops.empty() || !hinge.is_axis) continue;
+    const int at = equations_.offset(i);
+    if (hinge.mode == HingeMode::resting) trial_[at] = begin[at];
+  }
 }
 
 void MotionSample::show_estimate(Stepper& stepper, double time) {
   trial_.resize(equations_.number_count());
   stepper.estimate(time, trial_);
+  keep_at_stops(stepper.begin_state());
   show(time, trial_);
 }
 

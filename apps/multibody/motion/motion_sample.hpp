@@ -114,6 +114,7 @@ class MotionSample {
 
  private:
   struct Instant;
+  void keep_at_stops(std::span<const double> begin);
 
   const Equations& equations_;
   double time_ = 0;
