@@ -304,25 +304,27 @@ std::optional<double> HingeEvents::short_flight(const StepFunction& gap,
 }
 
 // Time at which a gap closes. While it opens, rounding may show it just behind
-// a stop; then the rest of the step is examined.
+// a stop; then the rest of the step is examined. At such a slow departure it
+// may seem to come back, too.
 std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
                                               StepFunction::Values values,
                                               int body, int side) {
   double from = stepper_.begin();
   const double end = stepper_.end();
+  const auto comes = [&](double time) {
+    view_.show(stepper_, time);
+    const double* s = &view_.state()[equations_.offset(body)];
+    return side * coupled_.hinge(body).stop_rate(s) < 0;
+  };
   constexpr int most = 10;
   for (int i = 0; i < most && from < end; ++i) {
     const StepFunction rest(from, end, [&](double t) { return gap(t); });
     const auto crossed =
         rest.first_crossing(values, values[0], MotionEvent::Crossing::falling);
-    if (!crossed) return short_flight(rest, from);
-    view_.show(stepper_, crossed->time);
-    const double rate =
-        coupled_.hinge(body).stop_rate(&view_.state()[equations_.offset(body)]);
-    if (side * rate < 0) return crossed->time;
-    if (const auto time = short_flight(rest, crossed->time)) {
-      return time;
-    }
+    if (crossed && comes(crossed->time)) return crossed->time;
+    const auto time = short_flight(rest, crossed ? crossed->time : from);
+    if (time && comes(*time)) return time;
+    if (!crossed) return {};
     from = crossed->time;
     values[0] = just_crossed;
     for (int k = 1; k <= StepFunction::last; ++k) {
