@@ -26,6 +26,10 @@ struct Hinge {
   bool slides_on_stop() const {
     return rests_on >= 0 && mode == HingeMode::sliding;
   }
+  /// Rests on a stop; a ball joint may turn along it.
+  bool rests_on_stop(const double* s) const {
+    return slides_on_stop() || (mode == HingeMode::resting && push_at(s) != 0);
+  }
   /// Distance from one of its stops, rad, and the rate of the stops' angle: see
   /// StopCone for a ball joint, which has stops.
   double gap(const HingeStop& stop, const double* s) const {

@@ -99,14 +99,74 @@ void HingeChanges::stop(int body, std::vector<double>& state) {
   state[equations_.dissipated_at(body)] += jumps.front().loss;
 }
 
+// Bodies that rest on their stops.
+std::vector<Impulse::Target> HingeChanges::at_stops(
+    const std::vector<double>& state) const {
+  std::vector<Impulse::Target> all;
+  for (int i = 0; i < coupled_.size(); ++i) {
+    const Hinge& hinge = coupled_.hinge(i);
+    if (hinge.stops.empty() || hinge.mode == HingeMode::released) continue;
+    const double* s = &state[equations_.offset(i)];
+    if (!hinge.rests_on_stop(s)) continue;
+    all.push_back({i, Vector3d::Zero()});
+    if (!hinge.is_axis) all.back().along = hinge.cone->turn(s).axis;
+  }
+  return all;
+}
+
+// Adds those that the impulse would drive into their stops: there their rates
+// stay 0 by impulses of the stops, which do not pull.
+std::vector<Impulse::Target> HingeChanges::with_stops(
+    double time, const std::vector<Impulse::Target>& targets,
+    const std::vector<double>& state) {
+  std::vector<Impulse::Target> all = targets;
+  std::vector<Impulse::Target> at_rest = at_stops(state);
+  std::erase_if(at_rest, [&](const Impulse::Target& target) {
+    return std::ranges::count(targets, target.body, &Impulse::Target::body) > 0;
+  });
+  if (at_rest.empty()) return all;
+  const int most = 2 * coupled_.size();
+  for (int round = 0; round < most; ++round) {
+    std::vector<double> after = state;
+    const auto jumps = impulse_.apply(time, all, true, after);
+    const std::size_t before = all.size();
+    const auto push_of = [&](int body) {
+      const int at = equations_.offset(body);
+      return coupled_.hinge(body).push_at(&state[at]);
+    };
+    for (std::size_t t = targets.size(); t < before; ++t) {
+      const Vector3d along = all[t].along.value_or(Vector3d::UnitZ());
+      if (push_of(all[t].body) * along.dot(jumps[t].impulse) >= 0) continue;
+      all.erase(all.begin() + static_cast<std::ptrdiff_t>(t));
+      break;
+    }
+    if (all.size() < before) continue;
+    for (const Impulse::Target& target : at_rest) {
+      const int body = target.body;
+      const double* s = &after[equations_.offset(body)];
+      const bool is_in =
+          std::ranges::count(all, body, &Impulse::Target::body) > 0;
+      const double rate = coupled_.hinge(body).stop_rate(s);
+      if (!is_in && push_of(body) * rate < 0) all.push_back(target);
+    }
+    if (all.size() == before) break;
+  }
+  return all;
+}
+
 // One impulse in several hinges, and its effect on the others.
 std::vector<Impulse::Jump> HingeChanges::jump(
-    double time, const std::vector<Impulse::Target>& targets, bool ideal,
+    double time, const std::vector<Impulse::Target>& given, bool ideal,
     std::vector<double>& state) {
   const std::vector<double> before = state;
+  const auto targets = ideal ? with_stops(time, given, state) : given;
   const auto jumps = impulse_.apply(time, targets, ideal, state);
   for (std::size_t t = 0; t < targets.size(); ++t) {
     equations_.losses[targets[t].body] += jumps[t].loss;
+  }
+  for (std::size_t t = given.size(); t < targets.size(); ++t) {
+    impacts_.push_back(
+        {time, targets[t].body, false, 0, jumps[t].impulse.norm(), 0});
   }
   for (int i = 0; i < coupled_.size(); ++i) {
     const HingeMode mode = coupled_.mode(i);
@@ -115,7 +175,11 @@ std::vector<Impulse::Jump> HingeChanges::jump(
     if (rate.isZero(0) || rate == equations_.rate_of(i, before.data())) {
       continue;
     }
-    if (ideal && coupled_.hinge(i).rests_on >= 0) leave_stop(time, i);
+    const Hinge& hinge = coupled_.hinge(i);
+    if (hinge.rests_on >= 0 &&
+        hinge.stop_rate(&state[equations_.offset(i)]) != 0) {
+      leave_stop(time, i);
+    }
     if (mode == HingeMode::resting) {
       change(time, i, HingeMode::sliding);
     } else {

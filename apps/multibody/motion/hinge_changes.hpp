@@ -83,6 +83,10 @@ class HingeChanges {
   };
   void settle(double time, std::vector<Bounce>& bounces,
               std::vector<double>& state);
+  std::vector<Impulse::Target> at_stops(const std::vector<double>& state) const;
+  std::vector<Impulse::Target> with_stops(
+      double time, const std::vector<Impulse::Target>& targets,
+      const std::vector<double>& state);
   std::vector<Impulse::Jump> jump(double time,
                                   const std::vector<Impulse::Target>& targets,
                                   bool ideal, std::vector<double>& state);

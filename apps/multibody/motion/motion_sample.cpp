@@ -99,10 +99,8 @@ double MotionSample::angle(int body) const {
   return state_[equations_.offset(body)];
 }
 bool MotionSample::rests_on_stop(int body) const {
-  const Hinge& hinge = equations_.coupled.hinge(body);
-  return hinge.slides_on_stop() ||
-         (hinge.mode == HingeMode::resting &&
-          equations_.coupled.can_push(body, state_.data()));
+  return equations_.coupled.hinge(body).rests_on_stop(
+      &state_[equations_.offset(body)]);
 }
 Vector3d MotionSample::rate_of(int body) const {
   return equations_.rate_of(body, state_.data());

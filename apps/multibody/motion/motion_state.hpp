@@ -21,7 +21,8 @@ struct HingeChange {
   bool on_stop = false;
 };
 
-/// A jump of a hinge's velocity: at a stop, or by a latch.
+/// A jump of a hinge's velocity: at a stop, or by a latch. A body that rests on
+/// its stop while another one jumps takes part with the rate 0.
 struct HingeImpact {
   double time;
   int body;

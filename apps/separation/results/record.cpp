@@ -429,11 +429,15 @@ void Recorder::note_impact(const multibody::HingeImpact& impact) {
     note->loss = loss;
     return;
   }
-  record.impacts += 1;
+  // Of a body that rests on its stop while another one hits.
+  const bool is_hit = rate != 0;
+  record.impacts += is_hit ? 1 : 0;
   record.stop_impulses += impulse;
   record.largest_impulse = std::max(record.largest_impulse, impulse);
   record.stop_loss += loss;
-  memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
+  if (is_hit) {
+    memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
+  }
 }
 
 // At an event that comes for a body, the first one of those about others; of
