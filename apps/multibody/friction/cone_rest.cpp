@@ -13,12 +13,10 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-int Hinge::push_at(const double* s) const {
-  if (!is_axis) return rests_on >= 0 ? stops[rests_on].side : 0;
-  for (const HingeStop& stop : stops) {
-    if (*s == stop.angle) return stop.side;
-  }
-  return 0;
+const HingeStop* Hinge::stop_at(const double* s) const {
+  if (!is_axis) return rests_on >= 0 ? &stops[rests_on] : nullptr;
+  const auto found = std::ranges::find(stops, *s, &HingeStop::angle);
+  return found == stops.end() ? nullptr : &*found;
 }
 
 void Hinges::add_cone(int body, const double* s) {

@@ -18,10 +18,15 @@ struct Hinge {
 
   /// Slides with friction.
   bool is_active() const { return mode == HingeMode::sliding && has_friction; }
-  /// Sign of the moment of a stop where the body is at one; else 0. A ball
-  /// joint is at the stop on which it rests.
+  /// The stop that the body is at; a ball joint is at the stop on which it
+  /// rests. Null: at none.
   /// @param s  numbers of the body
-  int push_at(const double* s) const;
+  const HingeStop* stop_at(const double* s) const;
+  /// Sign of the stop's moment; 0: at none.
+  int push_at(const double* s) const {
+    const HingeStop* stop = stop_at(s);
+    return stop ? stop->side : 0;
+  }
   /// Turns along its stop.
   bool slides_on_stop() const {
     return rests_on >= 0 && mode == HingeMode::sliding;

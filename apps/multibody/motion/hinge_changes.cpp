@@ -100,15 +100,15 @@ void HingeChanges::stop(int body, std::vector<double>& state) {
 }
 
 // Bodies that rest on their stops.
-std::vector<Impulse::Target> HingeChanges::at_stops(
+std::vector<HingeChanges::Bounce> HingeChanges::at_stops(
     const std::vector<double>& state) const {
-  std::vector<Impulse::Target> all;
+  std::vector<Bounce> all;
   for (int i = 0; i < coupled_.size(); ++i) {
     const Hinge& hinge = coupled_.hinge(i);
     if (hinge.stops.empty() || hinge.mode == HingeMode::released) continue;
     const double* s = &state[equations_.offset(i)];
     if (!hinge.rests_on_stop(s)) continue;
-    all.push_back({i, Vector3d::Zero()});
+    all.push_back({hinge.stop_at(s)});
     if (!hinge.is_axis) all.back().along = hinge.cone->turn(s).axis;
   }
   return all;
@@ -120,10 +120,13 @@ std::vector<Impulse::Target> HingeChanges::with_stops(
     double time, const std::vector<Impulse::Target>& targets,
     const std::vector<double>& state) {
   std::vector<Impulse::Target> all = targets;
-  std::vector<Impulse::Target> at_rest = at_stops(state);
-  std::erase_if(at_rest, [&](const Impulse::Target& target) {
-    return std::ranges::count(targets, target.body, &Impulse::Target::body) > 0;
-  });
+  std::vector<Impulse::Target> at_rest;
+  for (const Bounce& bounce : at_stops(state)) {
+    const int body = bounce.stop->body;
+    if (std::ranges::count(targets, body, &Impulse::Target::body) == 0) {
+      at_rest.push_back({body, Vector3d::Zero(), bounce.along});
+    }
+  }
   if (at_rest.empty()) return all;
   const int most = 2 * coupled_.size();
   for (int round = 0; round < most; ++round) {
@@ -272,13 +275,32 @@ void HingeChanges::hit(double time, const std::vector<int>& bodies,
     bounces.push_back({stop, targets.back().along});
   }
   const std::vector<double> before = state;
+  const std::vector<Bounce> rested = at_stops(state);
   const auto jumps = jump(time, targets, true, state);
   note_jumps(time, targets, jumps, false, before);
   for (std::size_t t = 0; t < targets.size(); ++t) {
     bounces[t].response = jumps[t].response;
   }
+  add_driven_off(time, rested, state, bounces);
   settle(time, bounces, state);
   for (const int body : bodies) hold_slow(time, body, state);
+}
+
+// Those that rested and were driven off their stops come back to them in
+// bounces of their own, which may be too low to follow.
+void HingeChanges::add_driven_off(double time,
+                                  const std::vector<Bounce>& rested,
+                                  const std::vector<double>& state,
+                                  std::vector<Bounce>& to) {
+  for (const Bounce& bounce : rested) {
+    const int body = bounce.stop->body;
+    const double* s = &state[equations_.offset(body)];
+    if (!(bounce.stop->side * coupled_.hinge(body).stop_rate(s) > 0)) continue;
+    std::vector<double> unused = state;
+    const auto jumps = impulse_.apply(
+        time, {{body, Vector3d::Zero(), bounce.along}}, true, unused);
+    to.push_back({bounce.stop, bounce.along, jumps.front().response});
+  }
 }
 
 // What is left of the velocity is at the rounding of the impulse, and has no

@@ -83,7 +83,10 @@ class HingeChanges {
   };
   void settle(double time, std::vector<Bounce>& bounces,
               std::vector<double>& state);
-  std::vector<Impulse::Target> at_stops(const std::vector<double>& state) const;
+  std::vector<Bounce> at_stops(const std::vector<double>& state) const;
+  void add_driven_off(double time, const std::vector<Bounce>& rested,
+                      const std::vector<double>& state,
+                      std::vector<Bounce>& to);
   std::vector<Impulse::Target> with_stops(
       double time, const std::vector<Impulse::Target>& targets,
       const std::vector<double>& state);
