@@ -625,5 +625,107 @@ TEST(ConeStops, SavedMotionsGoOnTheSame) {
   }
 }
 
+// Random trees on balls and axes near their stops, with and without friction:
+// bodies bounce, rest, turn along their cones and drive each other off. Nothing
+// gets beyond its stop or is pulled by it, and the energy book closes.
+class RandomStops {
+ public:
+  RandomStops(unsigned seed, bool fixed, bool tree) : random_(seed) {
+    carrier_ = {5, 0.3 * random_.inertia()};
+    carrier_.fixed = fixed;
+    if (fixed) options_.gravity = {0, 0, -9.81};
+    if (!fixed) start_.carrier.angular_velocity = 0.5 * random_.vector();
+    const int count = 1 + static_cast<int>(3 * share());
+    for (int i = 0; i < count; ++i) add(i, tree);
+  }
+  Motion motion() const {
+    return {System(carrier_, bodies_), friction_, nullptr, start_, options_};
+  }
+  // Least distance from the stops.
+  double gap(const MotionSample& sample) const {
+    double least = 1;
+    for (const HingeStop& stop : options_.stops) {
+      const Body& body = bodies_[stop.body];
+      const double angle = body.kind == HingeKind::axis
+                               ? sample.angle(stop.body)
+                               : psi(sample, stop, 1 + body.parent);
+      least = std::min(least, stop.gap(angle));
+    }
+    return least;
+  }
+
+ private:
+  double share() { return std::abs(std::fmod(random_.number(), 1)); }
+  void add(int i, bool tree) {
+    Body& body = bodies_.emplace_back();
+    body.kind = share() < 0.7 ? HingeKind::ball : HingeKind::axis;
+    body.mass = 1 + share();
+    body.inertia = 0.3 * random_.inertia();
+    body.hinge_from_com = 0.5 * random_.vector();
+    body.hinge_from_carrier_com = 0.5 * random_.vector();
+    body.hinge_to_body = random_.turn();
+    body.hinge_to_carrier_zero = random_.turn();
+    if (tree) body.parent = static_cast<int>(share() * (i + 1)) - 1;
+    BodyStart& start = start_.bodies.emplace_back();
+    start.rotation = random_.turn();
+    start.relative_angular_velocity = 0.7 * random_.vector();
+    start.angle_rate = random_.number();
+    const contact::FrictionLaw law(0.2 * share());
+    friction_.emplace_back();
+    const bool is_ball = body.kind == HingeKind::ball;
+    if (share() < 0.6) {
+      friction_.back() =
+          JointFriction{is_ball ? ball_joint(law) : pin_joint(law)};
+    }
+    const double e = share() < 0.3 ? 0 : 0.8 * share();
+    const Vector3d b = random_.unit(), p = random_.unit();
+    const double angle = is_ball ? angle_of(start.rotation * b, p) : 0;
+    for (const int side : {1, -1}) {
+      const double at = angle - side * (0.4 * share() + 1e-3);
+      if (is_ball && !(0.05 < at && at < pi - 0.05)) continue;
+      if (share() < 0.8) options_.stops.push_back({i, at, side, e, b, p});
+    }
+  }
+
+  Random random_;
+  Carrier carrier_;
+  std::vector<Body> bodies_;
+  std::vector<HingeFriction> friction_;
+  MotionStart start_;
+  MotionOptions options_;
+};
+
+TEST(ConeStops, RandomMechanismsStayWithinTheirStops) {
+  int rests = 0, held = 0;
+  std::size_t impacts = 0;
+  double worst = 0, beyond = 0;
+  for (unsigned seed = 0; seed < 200; ++seed) {
+    const RandomStops random(seed, seed % 2 == 1, seed % 4 > 1);
+    Motion motion = random.motion();
+    const double begin = motion.sample().energy().balance();
+    double size = 1;
+    for (double time = 0.02; time < 3; time += 0.02) {
+      ASSERT_EQ(motion.advance_to(time), Stop::time)
+          << seed << ' ' << motion.failure()->message();
+      const MotionSample& sample = motion.sample();
+      beyond = std::max(beyond, -random.gap(sample));
+      size = std::max(size, sample.energy().kinetic);
+      for (int i = 0; i + 1 < std::ssize(sample.motions()); ++i) {
+        if (!sample.rests_on_stop(i)) continue;
+        ++rests;
+        if (sample.mode(i) == HingeMode::resting) ++held;
+      }
+    }
+    impacts += motion.impacts().size();
+    worst = std::max(
+        worst, std::abs(motion.sample().energy().balance() - begin) / size);
+  }
+  EXPECT_GT(rests, 10000);
+  EXPECT_GT(held, 1000);
+  EXPECT_GT(impacts, 1000u);
+  EXPECT_LT(worst, 1e-7);
+  EXPECT_LT(beyond, 1e-7);
+}
+
 }  // namespace
 }  // namespace multibody::test::motion_cones_test

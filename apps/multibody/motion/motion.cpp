@@ -355,8 +355,12 @@ bool Motion::handle(const std::vector<StepEvent>& found) {
   for (const StepEvent& event : found) {
     const CoupledReport stuck{.status = CoupledStatus::not_converged,
                               .body = event.index};
-    if (++changes_here_ > 8 * equations_->size() + 16) {
+    // Impacts of bodies on each other's stops die out, but slowly.
+    const int most = 8 * equations_->size() + 100;
+    if (++changes_here_ > most) {
       set_failure(stuck, now_);
+      failure_->reason =
+          fmt::format("at {} s: more than {} changes at one time", now_, most);
       return true;
     }
     if (const auto reason = hinges_->stalls(now_, event.index)) {
