@@ -23,7 +23,7 @@ namespace multibody {
 ///
 /// All vectors are in link axes (Link::axes), as in Dynamics; friction
 /// solutions are in body axes. Evaluations allocate only if the search is
-/// needed.
+/// needed, or where ball joints turn along their stops.
 ///
 /// An evaluation starts from the given memory: the same state and memory give
 /// bit-identical results, and an evaluation with a copy of the memory has no

@@ -14,8 +14,9 @@ namespace multibody {
 /// restitution. The impulse (1 + e) |u|/w about the axis acts through all
 /// bodies: w is the response of the rate to a unit impulse, with all other
 /// hinges ideal in that instant, including hinges held by friction; a ball
-/// joint turns freely about the axes normal to n. It dissipates (1 - e^2)
-/// u^2/(2 w).
+/// joint turns freely about the axes normal to n. Bodies that rest on their
+/// stops and would be driven into them stay there, by impulses of these stops
+/// that are part of w. It dissipates (1 - e^2) u^2/(2 w).
 ///
 /// A moment that never pulls holds a body that rests on its stop; it is a pure
 /// couple about the axis, which adds no force to the hinge. A ball joint goes
