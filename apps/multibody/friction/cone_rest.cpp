@@ -47,9 +47,10 @@ VectorXd Hinges::along_cones() const {
 }
 
 // Friction and the stop's moment together are the moment on a ball joint.
-void Hinges::put_moment(int body) {
-  Vector3d moment = memory(body).moment;
-  if (const ConeRest* cone = cone_of(body)) moment += cone->moment * cone->axis;
+void Hinges::add_stop(int body) {
+  const ConeRest* cone = cone_of(body);
+  if (!cone) return;
+  const Vector3d moment = memory(body).moment + cone->moment * cone->axis;
   forces().bodies[body].friction = vec3(moment);
 }
 
@@ -57,7 +58,7 @@ void Hinges::push(const VectorXd& by) {
   for (Eigen::Index k = 0; k < by.size(); ++k) {
     ConeRest& cone = at_.cones[k];
     cone.moment += by[k];
-    put_moment(cone.body);
+    add_stop(cone.body);
     at_.cone_change[cone.body] = vec3(Vector3d(by[k] * cone.axis));
   }
   if (is_prescribed() && !is_tree()) {

@@ -170,7 +170,8 @@ void Hinges::apply_changes() {
   memory_.tracked.forget_applied();
   for (const int i : active()) {
     memory(i).moment += vec3(change(i));
-    put_moment(i);
+    forces().bodies[i].friction = vec3(memory(i).moment);
+    if (!at_.cones.empty()) add_stop(i);
   }
   if (is_prescribed() && !is_tree()) {
     evaluate();
@@ -187,7 +188,8 @@ void Hinges::give_reactions(FrictionTracker& tracker) {
 
 void Hinges::take_moment(int body, const Vector3d& moment) {
   memory(body).moment = now(body).solved = moment;
-  put_moment(body);
+  forces().bodies[body].friction = vec3(moment);
+  if (!at_.cones.empty()) add_stop(body);
 }
 
 void Hinges::move(FrictionTracker& tracker) {

@@ -186,7 +186,7 @@ class Hinges {
   Eigen::VectorXd along_cones() const;
   void push(const Eigen::VectorXd& by);
   void keep_on_cones();
-  void put_moment(int body);
+  void add_stop(int body);
   double work_out_utilisation(int body);
   double utilisation_on_cone(int body);
   void know_reactions();
