@@ -114,6 +114,24 @@ TEST(BallStops, OnBothSides) {
   }
 }
 
+// A latch at the angle of the stop comes before it, once the body is slow
+// enough.
+TEST(BallStops, LatchesComeFirst) {
+  const Outcome outcome =
+      run_of(run_for(13) + boom(stop("angle_deg = 120\nrestitution = 0.4")) +
+             "[[event]]\nname = \"latch\"\nlocks = \"hinge\"\n"
+             "angle_deg = 120\nrate_below_deg_per_s = 10\n");
+  EXPECT_EQ(notes_of(outcome, "latch: hinge does not engage").size(), 2u);
+  EXPECT_EQ(notes_of(outcome, "hits its stop").size(), 2u);
+  const auto latches = notes_of(outcome, "latch: hinge latches");
+  ASSERT_EQ(latches.size(), 1u);
+  EXPECT_NEAR(latches[0].time, 10.290617336545, 1e-9);
+  EXPECT_NEAR(latches[0].impulse, 15 * 0.16 * std::sqrt(pi * 2 / 15), 1e-9);
+  EXPECT_NEAR(last(outcome, "energy.impacts_J"), pi, 1e-9);
+  EXPECT_NEAR(last(outcome, "boom.latch_moment_N_m"), 2, 1e-9);
+  EXPECT_EQ(last(outcome, "boom.stop_moment_N_m"), 0);
+}
+
 // A bob on an arm that swings out to a cone about a slanted direction, and
 // turns along it.
 std::string pendulum(const std::string& stops, const std::string& joint = "",
