@@ -87,6 +87,50 @@ TEST(Stops, FreeCarriersTakePart) {
   EXPECT_NEAR(motion.sample().carrier().angular_velocity.z(), 0, 1e-10);
 }
 
+// Two rotors on the axis of a free bus: 1 N m presses the first on its stop, 2
+// N m drive the second to another, from where the bus drives the first into its
+// stop. It stays there: the second meets bus and first rotor as one body, and
+// the impulse at the first stop is that which takes the first rotor along.
+TEST(Stops, BodiesAtRestOnTheirsStayThere) {
+  class Drives : public ForceModel {
+   public:
+    void add_forces(double, std::span<const BodyMotion>,
+                    std::span<BodyForce> forces) const override {
+      forces[1].moment.z() -= 1;
+      forces[2].moment.z() += 2;
+      forces[0].moment.z() -= 1;
+    }
+  };
+  const Carrier bus{200, 35 * Eigen::Matrix3d::Identity()};
+  const double first = 6, second = 3, e = 0.5;
+  MotionStart start;
+  start.bodies.resize(2);
+  start.bodies[1].angle = -1;
+  MotionOptions options;
+  options.stops = {{0, 0, 1, 0.3}, {1, 0, -1, e}};
+  Motion motion(System(bus, {on_axis(1, first, 0), on_axis(1, second, 0)}), {},
+                std::make_shared<Drives>(), start, options);
+  ASSERT_EQ(motion.advance_to(3), Stop::time);
+  ASSERT_GE(motion.impacts().size(), 2u);
+  const HingeImpact& stays = motion.impacts()[0];
+  const HingeImpact& hits = motion.impacts()[1];
+  EXPECT_EQ(stays.body, 0);
+  EXPECT_EQ(hits.body, 1);
+  EXPECT_EQ(stays.time, hits.time);
+  EXPECT_EQ(stays.rate, 0);
+  const double both = 35 + first;
+  const double response = 1 / second + 1 / both;
+  // Bus and first rotor move as one under -2 N m.
+  EXPECT_NEAR(hits.rate, std::sqrt(2 * 2 * response), 1e-9);
+  EXPECT_NEAR(hits.impulse, (1 + e) * hits.rate / response, 1e-9);
+  EXPECT_NEAR(stays.impulse, first * hits.impulse / both, 1e-9);
+  EXPECT_NEAR(hits.loss, (1 - e * e) * hits.rate * hits.rate / (2 * response),
+              1e-9);
+  EXPECT_EQ(motion.sample().hinge(0).angle_rate, 0);
+  EXPECT_TRUE(motion.changes().empty() || motion.changes()[0].body == 1);
+  EXPECT_NEAR(motion.sample().energy().balance(), 0, 1e-9);
+}
+
 // A latch removes the relative velocity and conserves the momentum: 7.488 N m
 // s; when all is at rest, the bus has turned by -27.5757 deg.
 TEST(Latches, KeepMomentum) {

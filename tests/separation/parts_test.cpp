@@ -379,7 +379,7 @@ TEST_F(CheckpointFile, OtherFilesAreToldFromDamagedOnes) {
   EXPECT_EQ(message_of("\xa1\x66"
                        "formathinge-separation checkpoint 4"),
             file_ +
-                ": format 4 of the checkpoint must be 15, that of this version "
+                ": format 4 of the checkpoint must be 16, that of this version "
                 "of hinge-separation");
   folder_.write("c", bytes_);
   EXPECT_EQ(error_message(

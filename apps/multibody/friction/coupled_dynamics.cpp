@@ -187,6 +187,7 @@ void CoupledDynamics::set_mode(int body, HingeMode mode,
   Hinge& hinge = hinges_[body];
   hinge.mode = mode;
   hinge.straight = hinge.follows = false;
+  if (mode == HingeMode::released) hinge.rests_on = -1;
   modes_[body] = joint_mode(mode);
   layout_ = StateLayout(kinds_, modes_);
   memory.forget(body);
@@ -381,10 +382,17 @@ bool CoupledDynamics::find_directions(const double* state, Hinges& at,
 Onset CoupledDynamics::begin_to_slide(int body, Hinges& at) {
   Onset onset{body};
   const double tau = utilisation(body, at);
-  if (tau > 1) onset.excess = (1 - 1 / tau) * vec3(at.reaction(body).moment);
+  const int push = at.now(body).push;
+  Vector3d held = vec3(at.reaction(body).moment);
+  if (hinge(body).rests_on >= 0) {
+    const double moment = at.stop_moment(body);
+    held -= moment * push * at.cone_axis(body);
+    if (moment == 0) rest_on(body, -1, at.memory());  // it slides off
+  }
+  if (tau > 1) onset.excess = (1 - 1 / tau) * held;
   const Vector3d& direction = at.memory(body).solver.slip_direction;
   if (!direction.isZero(0)) onset.direction = direction;
-  if (const int push = at.now(body).push) {
+  if (hinge(body).is_axis && push != 0) {
     onset.direction = push * Vector3d::UnitZ();
   }
   at.memory(body).direction = onset.direction;
@@ -419,6 +427,16 @@ int CoupledDynamics::worst_resting(bool due, Hinges& at) const {
   return worst;
 }
 
+// The ball joint whose stop would have to pull most; -1: none.
+int CoupledDynamics::worst_pulled(Hinges& at) const {
+  int worst = -1;
+  for (int i = 0; i < size(); ++i) {
+    if (!hinge(i).slides_on_stop() || !pulls(i, at)) continue;
+    if (worst < 0 || at.stop_moment(i) < at.stop_moment(worst)) worst = i;
+  }
+  return worst;
+}
+
 const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
                                                    FrictionMemory& memory,
                                                    Evaluation& evaluation,
@@ -449,8 +467,14 @@ const CoupledReport& CoupledDynamics::resolve_rest(const double* state,
       continue;
     }
     const int worst = worst_resting(due, here);
-    if (worst < 0) return report;
-    begun.push_back(begin_to_slide(worst, here));
+    if (worst >= 0) {
+      begun.push_back(begin_to_slide(worst, here));
+      continue;
+    }
+    const int pulled =
+        report.status == CoupledStatus::ok ? worst_pulled(here) : -1;
+    if (pulled < 0) return report;
+    rest_on(pulled, -1, memory);
   }
   report.status = CoupledStatus::no_solution;
   report.body = begun.empty() ? -1 : begun.back().body;

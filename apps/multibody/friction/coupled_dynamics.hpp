@@ -23,7 +23,7 @@ namespace multibody {
 ///
 /// All vectors are in link axes (Link::axes), as in Dynamics; friction
 /// solutions are in body axes. Evaluations allocate only if the search is
-/// needed.
+/// needed, or where ball joints turn along their stops.
 ///
 /// An evaluation starts from the given memory: the same state and memory give
 /// bit-identical results, and an evaluation with a copy of the memory has no
@@ -42,15 +42,30 @@ class CoupledDynamics {
   const std::vector<JointMode>& modes() const { return modes_; }
   HingeMode mode(int body) const { return hinge(body).mode; }
   const Hinge& hinge(int body) const { return hinges_[body]; }
-  void add_stop(const HingeStop& stop) {
-    hinges_[stop.body].stops.push_back(stop);
+  /// @param link  of its body
+  void add_stop(const HingeStop& stop, const Link& link) {
+    Hinge& hinge = hinges_[stop.body];
+    hinge.stops.push_back(stop);
+    if (!hinge.is_axis) hinge.cone.emplace(stop, link);
   }
   /// Whether a body is at a stop, and whether it can rest.
   bool can_push(int body, const double* state) const {
-    return hinge(body).push_at(state[layout_.offset(body)]) != 0;
+    return hinge(body).push_at(state + layout_.offset(body)) != 0;
   }
   bool can_rest(int body, const double* state) const {
-    return hinge(body).can_rest || can_push(body, state);
+    return hinge(body).can_rest ||
+           (hinge(body).is_axis && can_push(body, state));
+  }
+  /// Lets a ball joint rest on a stop: it turns along it, or friction holds it.
+  /// @param stop  index among its stops; -1: lets it leave
+  void rest_on(int body, int stop, FrictionMemory& memory) {
+    hinges_[body].rests_on = stop;
+    memory.forget(body);
+  }
+  /// Whether a ball joint's stop would have to pull, by more than the
+  /// uncertainty of its moment, after an evaluation.
+  static bool pulls(int body, Hinges at) {
+    return at.stop_moment(body) < -at.uncertain_moment();
   }
 
   /// Memory without any results.
@@ -81,8 +96,9 @@ class CoupledDynamics {
   const CoupledReport& evaluate(const double* state, FrictionMemory& memory,
                                 Evaluation& at) const;
 
-  /// Decides which of the resting hinges hold, and which begin to slide in
-  /// which direction. Then evaluates everything.
+  /// Decides which of the resting hinges hold, which begin to slide in which
+  /// direction, and which ball joints leave their stops. Then evaluates
+  /// everything.
   /// @param due  a hinge is about to slide: half of the threshold beyond its
   ///   limit suffices for this hinge and for the hinges that slide with it
   const CoupledReport& resolve_rest(const double* state, FrictionMemory& memory,
@@ -113,6 +129,7 @@ class CoupledDynamics {
   void solve(double tolerance, Hinges& at) const;
   void refine(Hinges& at) const;
   int worst_resting(bool due, Hinges& at) const;
+  int worst_pulled(Hinges& at) const;
   SlipDirections directions(const double* state, Hinges& at,
                             std::vector<Onset> balls) const;
   bool find_directions(const double* state, Hinges& at,

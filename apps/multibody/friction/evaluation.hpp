@@ -19,7 +19,18 @@ struct HingeInstant {
   bool solver_is_behind = false;
   int push = 0;  ///< Hinge::push_at() of a held hinge
   double utilisation = 0;
+  /// Resting ball joint: moment of its stop, in the split of this utilisation.
+  double stop_moment = 0;
   long utilisation_of = -1;  ///< Evaluation::number that it belongs to
+};
+
+/// A ball joint that turns along its stop.
+struct ConeRest {
+  int body;
+  int side;              ///< of the stop
+  Eigen::Vector3d axis;  ///< n of StopCone, link axes
+  double target;         ///< n.w' for which psi'' = 0, rad/s^2
+  double moment = 0;     ///< of the stop on the body about n, N m
 };
 
 /// One instant with friction: input and results of an evaluation. The next
@@ -49,6 +60,10 @@ struct Evaluation {
   bool reactions_known = true;  ///< none before the first evaluation
   bool is_refined = false;      ///< to Hinges::refined_tolerance
   long number = 0;              ///< counts the sets of moments
+  std::vector<ConeRest> cones;
+  /// Moments about n over changes of n.w' of these.
+  Eigen::MatrixXd cone_inertia;
+  std::vector<Vec3<double>> cone_change;  ///< moments of stops, one per body
 };
 
 }  // namespace multibody

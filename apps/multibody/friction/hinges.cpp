@@ -87,6 +87,7 @@ void Hinges::set_state(const double* state) {
   at_.solutions.clear();
   at_.is_refined = false;
   at_.active.clear();
+  at_.cones.clear();
   Dynamics& dynamics = at_.dynamics;
   for (int i = 0; i < size(); ++i) {
     const JointMode mode = joint_mode(hinges_[i].mode);
@@ -95,7 +96,8 @@ void Hinges::set_state(const double* state) {
     if (hinges_[i].mode != HingeMode::released) {
       const double* s = state + dynamics.layout().offset(i);
       hinges_[i].solver.set_state(s, memory(i).solver);
-      now(i).push = hinges_[i].push_at(*s);
+      now(i).push = hinges_[i].push_at(s);
+      if (hinges_[i].slides_on_stop()) add_cone(i, s);
     }
   }
   if (state != at_.state.data()) {
@@ -141,10 +143,14 @@ void Hinges::start() {
     if (!hinges_[i].is_active()) moment.setZero();
     forces().bodies[i].friction = vec3(moment);
   }
-  evaluate();
+  for (ConeRest& cone : at_.cones) cone.moment = 0;
+  work_out_motion();
+  if (at_.cones.empty()) return;
+  find_cone_inertia();
+  keep_on_cones();
 }
 
-void Hinges::evaluate() {
+void Hinges::work_out_motion() {
   if (is_prescribed()) {
     at_.dynamics.evaluate_prescribed(at_.state.data(), forces(),
                                      *at_.prescribed);
@@ -154,18 +160,25 @@ void Hinges::evaluate() {
   at_.reactions_known = false;
 }
 
+void Hinges::evaluate() {
+  work_out_motion();
+  keep_on_cones();
+}
+
 void Hinges::apply_changes() {
   ++at_.number;
   memory_.tracked.forget_applied();
   for (const int i : active()) {
     memory(i).moment += vec3(change(i));
     forces().bodies[i].friction = vec3(memory(i).moment);
+    if (!at_.cones.empty()) add_stop(i);
   }
   if (is_prescribed() && !is_tree()) {
     evaluate();
   } else {
     at_.dynamics.add_friction(at_.change);
     at_.reactions_known = false;
+    keep_on_cones();
   }
 }
 
@@ -176,6 +189,7 @@ void Hinges::give_reactions(FrictionTracker& tracker) {
 void Hinges::take_moment(int body, const Vector3d& moment) {
   memory(body).moment = now(body).solved = moment;
   forces().bodies[body].friction = vec3(moment);
+  if (!at_.cones.empty()) add_stop(body);
 }
 
 void Hinges::move(FrictionTracker& tracker) {
@@ -184,6 +198,7 @@ void Hinges::move(FrictionTracker& tracker) {
   } else {
     tracker.move(at_.dynamics);
     at_.reactions_known = false;
+    keep_on_cones();
   }
   give_reactions(tracker);
 }
@@ -330,7 +345,15 @@ void Hinges::set_tree_steps(bool fresh) {
     at_.slopes[i] = slope;
     at_.change[i] = vec3(Vector3d(now(i).solved - slope * vec3(at.force)));
   }
+  // Under the present moments of stops, which are found anew after the step.
+  for (const ConeRest& cone : at_.cones) {
+    change(cone.body) += vec3(Vector3d(cone.moment * cone.axis));
+  }
   at_.dynamics.fitting_moments(at_.change, at_.slopes, at_.change);
+  for (const ConeRest& cone : at_.cones) {
+    change(cone.body) += vec3(Vector3d(-cone.moment * cone.axis));
+    if (!hinges_[cone.body].is_active()) change(cone.body) = {0, 0, 0};
+  }
   for (const int i : active()) {
     Vector3d step = vec3(at_.change[i]) - memory(i).moment;
     if (!step.allFinite()) step = 0.5 * (now(i).solved - memory(i).moment);
@@ -499,8 +522,10 @@ double Hinges::work_out_utilisation(int body) {
   const CoupledRounding least = rounding();
   const Reaction<double>& held = reaction(body);
   const bool is_little = vec3(held.moment).norm() <= least.moment;
+  now(body).stop_moment = 0;
   if (is_little && vec3(held.force).norm() <= least.force) return 0;
   const Hinge& hinge = hinges_[body];
+  if (hinge.rests_on >= 0) return utilisation_on_cone(body);
   const double tau = hinge.has_friction
                          ? hinge.solver.utilisation(held, memory(body).solver)
                          : 0;
@@ -522,11 +547,15 @@ double Hinges::utilisation(int body) {
 
 Hinges::Felt Hinges::felt(int body) {
   joints(body);  // for the convex problem
-  const Matrix3d mobility = response(body).acceleration;
-  const Vector3d alpha = acceleration(body);
+  Matrix3d mobility = response(body).acceleration;
+  const Vector3d free = acceleration(body) - mobility * memory(body).moment;
+  if (const ConeRest* cone = cone_of(body)) {
+    // Hardly anything turns it off its stop, or towards it.
+    constexpr double stiff = 1e-8;
+    mobility += stiff * mobility.norm() * cone->axis * cone->axis.transpose();
+  }
   const Matrix3d inertia = mobility.inverse();
-  return {0.5 * (inertia + inertia.transpose()),
-          alpha - mobility * memory(body).moment};
+  return {0.5 * (inertia + inertia.transpose()), free};
 }
 
 }  // namespace multibody

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "multibody/friction/evaluation.hpp"
 #include "multibody/friction/friction_memory.hpp"
 #include "multibody/friction/hinge_stop.hpp"
+#include "multibody/friction/stop_cone.hpp"
 
 namespace multibody {
 
@@ -16,12 +18,30 @@ struct Hinge {
 
   /// Slides with friction.
   bool is_active() const { return mode == HingeMode::sliding && has_friction; }
-  /// Sign of the moment of a stop at an angle; 0: no stop there.
-  int push_at(double angle) const {
-    for (const HingeStop& stop : stops) {
-      if (angle == stop.angle) return stop.side;
-    }
-    return 0;
+  /// The stop that the body is at; a ball joint is at the stop on which it
+  /// rests. Null: at none.
+  /// @param s  numbers of the body
+  const HingeStop* stop_at(const double* s) const;
+  /// Sign of the stop's moment; 0: at none.
+  int push_at(const double* s) const {
+    const HingeStop* stop = stop_at(s);
+    return stop ? stop->side : 0;
+  }
+  /// Turns along its stop.
+  bool slides_on_stop() const {
+    return rests_on >= 0 && mode == HingeMode::sliding;
+  }
+  /// Rests on a stop; a ball joint may turn along it.
+  bool rests_on_stop(const double* s) const {
+    return slides_on_stop() || (mode == HingeMode::resting && push_at(s) != 0);
+  }
+  /// Distance from one of its stops, rad, and the rate of the stops' angle: see
+  /// StopCone for a ball joint, which has stops.
+  double gap(const HingeStop& stop, const double* s) const {
+    return is_axis ? stop.gap(s[0]) : cone->gap(stop, s);
+  }
+  double stop_rate(const double* s) const {
+    return is_axis ? s[1] : cone->turn(s).rate;
   }
 
   HingeMode mode = HingeMode::sliding;
@@ -35,6 +55,8 @@ struct Hinge {
   double length;   ///< sum of the arms of this hinge and its ancestors
   HingeSolver solver;
   std::vector<HingeStop> stops;
+  std::optional<StopCone> cone;  ///< a ball joint's, if it has stops
+  int rests_on = -1;  ///< ball joint: index of the stop on which it rests
 };
 
 /// Mode of a hinge in the dynamics.
@@ -106,9 +128,16 @@ class Hinges {
   double solve(double floor = 0);
   /// Solves the joints of a hinge under the present reactions.
   std::span<const contact::JointSolution> joints(int body);
-  /// Utilisation: 0 on a pressing stop; infinite if an ideal hinge would leave
-  /// it.
+  /// Utilisation: 0 on an axis with a pressing stop; infinite if an ideal hinge
+  /// would leave it.
   double utilisation(int body);
+  /// Moment with which the stop that the body is at presses on it, N m; below 0
+  /// if it had to pull. 0 without one.
+  double stop_moment(int body);
+  /// Null where it does not turn along its stop.
+  const ConeRest* cone_of(int body) const;
+  /// n of StopCone.
+  Eigen::Vector3d cone_axis(int body) const;
   CoupledRounding rounding() const;
   /// Upper estimate of the error of the moment that a hinge holds, with
   /// friction solved to refined_tolerance, N m.
@@ -150,8 +179,16 @@ class Hinges {
     Eigen::Matrix3d by_force, by_held;
   };
   Slopes slopes(int body);
+  void work_out_motion();
   void evaluate();
+  void add_cone(int body, const double* s);
+  void find_cone_inertia();
+  Eigen::VectorXd along_cones() const;
+  void push(const Eigen::VectorXd& by);
+  void keep_on_cones();
+  void add_stop(int body);
   double work_out_utilisation(int body);
+  double utilisation_on_cone(int body);
   void know_reactions();
 
   const std::vector<Hinge>& hinges_;

@@ -63,7 +63,9 @@ Equations::Equations(const System& motion_system,
       held_units_(size()),
       here_(system),
       aside_(memory) {
-  for (const HingeStop& stop : options.stops) coupled.add_stop(stop);
+  for (const HingeStop& stop : options.stops) {
+    coupled.add_stop(stop, system.links()[stop.body]);
+  }
 }
 
 int Equations::owner_of(int number) const {

@@ -34,11 +34,18 @@ class HingeChanges {
   /// hinges.
   void latch(double time, const std::vector<int>& bodies,
              std::vector<double>& state);
-  /// Lets bodies that reach their stops rebound or rest there.
+  /// Lets bodies that reach their stops rebound or rest there. A slow ball
+  /// joint with dry friction rests on both.
   void hit(double time, const std::vector<int>& bodies,
            std::vector<double>& state);
   /// Puts the body to rest on its stop.
   void end_bounces(double time, int body);
+  /// Lets a ball joint leave its stop.
+  void leave_stop(double time, int body);
+  /// Whether ball joints turn along their stops.
+  bool any_on_cones() const;
+  /// Removes what a step has added to their angles and rates.
+  void put_on_cones(std::vector<double>& state) const;
   /// Time at which its bounces end and it rests on its stop, else 0.
   double settle_time(int body) const { return settle_times_[body]; }
   /// Lets a ball joint slide straight in its direction in view, or ends this.
@@ -60,20 +67,29 @@ class HingeChanges {
   void restore(int body, double straight_from, double settle_time);
 
  private:
-  bool is_on_stop(int body, const std::vector<double>& state) const {
-    return coupled_.mode(body) == HingeMode::resting &&
-           coupled_.can_push(body, state.data());
-  }
+  bool is_on_stop(int body, const std::vector<double>& state) const;
   const HingeStop* stop_hit(int body, const std::vector<double>& state) const;
+  Impulse::Target rebound(const HingeStop& stop, std::vector<double>& state);
+  void rest_on(const HingeStop& stop);
+  void fly_from(const HingeStop& stop);
+  void hold_slow(double time, int body, std::vector<double>& state);
   /// A body that leaves a stop.
   struct Bounce {
     const HingeStop* stop;
-    double response = 0;  ///< rate per unit impulse
-    double rate = 0;      ///< >= 0, rad/s
-    double pressed = 0;   ///< acceleration that brings it back, rad/s^2
+    std::optional<Eigen::Vector3d> along;  ///< as Impulse::Target::along
+    double response = 0;                   ///< rate per unit impulse
+    double rate = 0;                       ///< >= 0, rad/s
+    double pressed = 0;  ///< acceleration that brings it back, rad/s^2
   };
   void settle(double time, std::vector<Bounce>& bounces,
               std::vector<double>& state);
+  std::vector<Bounce> at_stops(const std::vector<double>& state) const;
+  void add_driven_off(double time, const std::vector<Bounce>& rested,
+                      const std::vector<double>& state,
+                      std::vector<Bounce>& to);
+  std::vector<Impulse::Target> with_stops(
+      double time, const std::vector<Impulse::Target>& targets,
+      const std::vector<double>& state);
   std::vector<Impulse::Jump> jump(double time,
                                   const std::vector<Impulse::Target>& targets,
                                   bool ideal, std::vector<double>& state);

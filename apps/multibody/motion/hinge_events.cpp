@@ -51,7 +51,7 @@ HingeEvents::HingeEvents(Equations& equations, MotionSample& view,
       hinges_(hinges),
       fixed_steps_(options.integrator == Integrator::rk4),
       slips_(equations.size()),
-      angles_(equations.size()) {}
+      gaps_(equations.size()) {}
 
 template <class Value>
 StepFunction HingeEvents::function(Value value) {
@@ -96,7 +96,14 @@ void HingeEvents::sample() {
       slips_[i].rates[k] =
           equations_.rate_of(i, trial_.data()).dot(slips_[i].direction);
     }
-    for (const int i : stopped) angles_[i][k] = trial_[equations_.offset(i)];
+    for (const int i : stopped) {
+      const Hinge& hinge = coupled_.hinge(i);
+      gaps_[i].resize(hinge.stops.size());
+      for (std::size_t stop = 0; stop < hinge.stops.size(); ++stop) {
+        gaps_[i][stop][k] =
+            hinge.gap(hinge.stops[stop], &trial_[equations_.offset(i)]);
+      }
+    }
   }
 }
 
@@ -181,10 +188,12 @@ std::optional<double> HingeEvents::turning(int body) {
 // Excess of the moment on a resting hinge over its limit: above 0 it slides. On
 // a stop in N m, so that it is smooth where the stop ceases to press.
 double HingeEvents::excess(int body) {
+  if (coupled_.mode(body) == HingeMode::sliding) return pull(body);
   const double utilisation = view_.utilisation(body);
   if (std::isnan(utilisation)) return utilisation;
   const double limit = coupled_.slip_limit(body, view_.hinges());
-  if (coupled_.can_push(body, view_.state().data())) {
+  if (equations_.is_axis(body) &&
+      coupled_.can_push(body, view_.state().data())) {
     const double held = std::abs(view_.hinges().reaction(body).moment.z);
     return utilisation > 0 ? held * (1 - limit / utilisation) : -held;
   }
@@ -193,8 +202,17 @@ double HingeEvents::excess(int body) {
   return std::min(utilisation, most) - limit;
 }
 
-// Time from which a resting hinge no longer holds, or has a contact without a
-// solution, whose tau is NaN; resolve_rest() distinguishes the two.
+// Moment with which its stop would have to pull a ball joint, beyond rounding,
+// N m.
+double HingeEvents::pull(int body) {
+  if (!view_.work_out()) return std::numeric_limits<double>::quiet_NaN();
+  Hinges hinges = view_.hinges();
+  return -hinges.stop_moment(body) - hinges.uncertain_moment();
+}
+
+// Time from which a resting hinge no longer holds, or a stop does not press, or
+// has a contact without a solution, whose tau is NaN; resolve_rest()
+// distinguishes the two.
 std::optional<double> HingeEvents::rest_end(int body) {
   const StepFunction tau = function([this, body] { return excess(body); });
   const double t0 = stepper_.begin();
@@ -202,7 +220,9 @@ std::optional<double> HingeEvents::rest_end(int body) {
   const double begin = tau.at_begin();
   if (!(begin <= 0)) return t0;
   const bool on_stop = coupled_.can_push(body, stepper_.begin_state().data());
-  const double unit = on_stop ? -begin : 1;
+  const bool is_moment = on_stop && (equations_.is_axis(body) ||
+                                     coupled_.mode(body) != HingeMode::resting);
+  const double unit = is_moment ? -begin : 1;
   double last = stepper_.end();
   // For a hinge without load tau jumps from 0 to infinity when a moment begins;
   // it is located to the shortest possible step.
@@ -237,23 +257,31 @@ std::optional<double> HingeEvents::rest_end(int body) {
 // of rounding, unless something drives it back at once.
 std::optional<double> HingeEvents::hit(int body) {
   std::optional<double> first;
-  for (const HingeStop& stop : coupled_.hinge(body).stops) {
-    const StepFunction gap =
-        function([this, body, &stop] { return stop.gap(view_.angle(body)); });
-    StepFunction::Values values = angles_[body];
-    for (double& value : values) value = stop.gap(value);
-    const double rate =
-        stop.side * equations_.rate_of(body, stepper_.begin_state().data()).z();
-    // Shorter than the resolution of time.
-    constexpr double rounding = 1e-15;
-    const double soon = rounding * (std::max(1.0, std::abs(stop.angle)) -
-                                    rate * std::abs(stepper_.begin()));
-    if (rate < 0 && values[0] <= soon) return stepper_.begin();
-    if (!(values[0] > 0)) values[0] = just_crossed;
-    const auto time = comes_back(gap, values, body, stop.side);
+  const Hinge& hinge = coupled_.hinge(body);
+  for (std::size_t k = 0; k < hinge.stops.size(); ++k) {
+    if (static_cast<int>(k) == hinge.rests_on) continue;
+    const auto time = reaches(body, k);
     if (time && !(first && *first <= *time)) first = time;
   }
   return first;
+}
+
+std::optional<double> HingeEvents::reaches(int body, std::size_t number) {
+  const Hinge& hinge = coupled_.hinge(body);
+  const HingeStop& stop = hinge.stops[number];
+  const int at = equations_.offset(body);
+  const StepFunction gap = function([this, &hinge, &stop, at] {
+    return hinge.gap(stop, &view_.state()[at]);
+  });
+  StepFunction::Values values = gaps_[body][number];
+  const double rate = stop.side * hinge.stop_rate(&stepper_.begin_state()[at]);
+  // Shorter than the resolution of time.
+  constexpr double rounding = 1e-15;
+  const double soon = rounding * (std::max(1.0, std::abs(stop.angle)) -
+                                  rate * std::abs(stepper_.begin()));
+  if (rate < 0 && values[0] <= soon) return stepper_.begin();
+  if (!(values[0] > 0)) values[0] = just_crossed;
+  return comes_back(gap, values, body, stop.side);
 }
 
 // Time at which a gap that opens at `from` has closed: the first sample at
@@ -276,23 +304,27 @@ std::optional<double> HingeEvents::short_flight(const StepFunction& gap,
 }
 
 // Time at which a gap closes. While it opens, rounding may show it just behind
-// a stop; then the rest of the step is examined.
+// a stop; then the rest of the step is examined. At such a slow departure it
+// may seem to come back, too.
 std::optional<double> HingeEvents::comes_back(const StepFunction& gap,
                                               StepFunction::Values values,
                                               int body, int side) {
   double from = stepper_.begin();
   const double end = stepper_.end();
+  const auto comes = [&](double time) {
+    view_.show(stepper_, time);
+    const double* s = &view_.state()[equations_.offset(body)];
+    return side * coupled_.hinge(body).stop_rate(s) < 0;
+  };
   constexpr int most = 10;
   for (int i = 0; i < most && from < end; ++i) {
     const StepFunction rest(from, end, [&](double t) { return gap(t); });
     const auto crossed =
         rest.first_crossing(values, values[0], MotionEvent::Crossing::falling);
-    if (!crossed) return short_flight(rest, from);
-    view_.show(stepper_, crossed->time);
-    if (side * view_.rate_of(body).z() < 0) return crossed->time;
-    if (const auto time = short_flight(rest, crossed->time)) {
-      return time;
-    }
+    if (crossed && comes(crossed->time)) return crossed->time;
+    const auto time = short_flight(rest, crossed ? crossed->time : from);
+    if (time && comes(*time)) return time;
+    if (!crossed) return {};
     from = crossed->time;
     values[0] = just_crossed;
     for (int k = 1; k <= StepFunction::last; ++k) {
@@ -325,6 +357,10 @@ std::vector<StepEvent> HingeEvents::first() {
       add(Kind::slip_turns, i, turning(i));
     } else if (hinge.mode == HingeMode::resting) {
       add(Kind::rest_ends, i, rest_end(i));
+      add(Kind::settles, i, settling(i));
+    }
+    if (hinge.slides_on_stop()) {
+      add(Kind::leaves_stop, i, rest_end(i));
       add(Kind::settles, i, settling(i));
     }
     if (hinge.mode == HingeMode::sliding && !hinge.stops.empty()) {

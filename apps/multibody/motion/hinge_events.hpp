@@ -10,7 +10,7 @@
 namespace multibody {
 
 /// Events within a step: hinges that stop, slow down, turn or give way, and
-/// bodies that reach their stops.
+/// bodies that reach or leave their stops.
 class HingeEvents {
  public:
   /// Keeps references to all arguments.
@@ -32,9 +32,11 @@ class HingeEvents {
   std::optional<double> turning(int body);
   std::optional<double> rest_end(int body);
   double excess(int body);
+  double pull(int body);
   std::optional<double> hit(int body);
   static std::optional<double> short_flight(const StepFunction& gap,
                                             double from);
+  std::optional<double> reaches(int body, std::size_t stop);
   std::optional<double> comes_back(const StepFunction& gap,
                                    StepFunction::Values values, int body,
                                    int side);
@@ -57,7 +59,8 @@ class HingeEvents {
     StepFunction::Values rates;
   };
   std::vector<Slip> slips_;
-  std::vector<StepFunction::Values> angles_;  ///< bodies with stops
+  /// For each body, from each of its stops.
+  std::vector<std::vector<StepFunction::Values>> gaps_;
   std::vector<double> trial_;
 };
 

@@ -74,15 +74,30 @@ Eigen::MatrixXd Impulse::mobility(const std::vector<Unknown>& unknowns,
   Eigen::MatrixXd result(count, count);
   for (Eigen::Index c = 0; c < count; ++c) {
     Vec3<double>& moment = moments_.bodies[unknowns[c].body].friction;
-    moment = vec3(Vector3d(Vector3d::Unit(unknowns[c].axis)));
+    moment = vec3(unknowns[c].direction);
     evaluate(still);
     moment = {};
     for (Eigen::Index r = 0; r < count; ++r) {
-      const auto& [target, body, axis] = unknowns[r];
-      result(r, c) = vec3(dynamics_.relative_acceleration(body))[axis];
+      const auto& [target, body, direction] = unknowns[r];
+      result(r, c) = vec3(dynamics_.relative_acceleration(body)).dot(direction);
     }
   }
   return result;
+}
+
+// Ball joints that turn along their stops go on doing so.
+std::vector<Impulse::Target> Impulse::with_stops(
+    const std::vector<Target>& targets,
+    const std::vector<double>& state) const {
+  std::vector<Target> all = targets;
+  for (int i = 0; i < equations_.size(); ++i) {
+    const Hinge& hinge = equations_.coupled.hinge(i);
+    if (!hinge.slides_on_stop()) continue;
+    if (std::ranges::count(targets, i, &Target::body) > 0) continue;
+    const double* s = &state[equations_.offset(i)];
+    all.push_back({i, Vector3d::Zero(), hinge.cone->turn(s).axis});
+  }
+  return all;
 }
 
 std::vector<Impulse::Jump> Impulse::apply(double time,
@@ -91,15 +106,28 @@ std::vector<Impulse::Jump> Impulse::apply(double time,
                                           std::vector<double>& state) {
   if (targets.empty()) return {};
   equations_.set_masses(time, masses_, dynamics_);
+  return apply(ideal ? targets : with_stops(targets, state), ideal, state);
+}
+
+std::vector<Impulse::Jump> Impulse::apply(const std::vector<Target>& targets,
+                                          bool ideal,
+                                          std::vector<double>& state) {
   const std::vector<double> still = make_still(targets, ideal, state);
   std::vector<Unknown> unknowns;
   std::vector<double> changes;
   std::vector<Vector3d> before;
-  for (const auto& [body, rate] : targets) {
-    before.push_back(equations_.rate_of(body, state.data()));
-    for (int k = equations_.is_axis(body) ? 2 : 0; k < 3; ++k) {
-      unknowns.push_back({before.size() - 1, body, k});
-      changes.push_back((rate - before.back())[k]);
+  const auto add = [&](const Target& target, const Vector3d& direction) {
+    unknowns.push_back({before.size() - 1, target.body, direction});
+    changes.push_back((target.rate - before.back()).dot(direction));
+  };
+  for (const Target& target : targets) {
+    before.push_back(equations_.rate_of(target.body, state.data()));
+    if (target.along) {
+      add(target, *target.along);
+      continue;
+    }
+    for (int k = equations_.is_axis(target.body) ? 2 : 0; k < 3; ++k) {
+      add(target, Vector3d::Unit(k));
     }
   }
   moments_.bodies.assign(equations_.size(), {});
@@ -108,17 +136,22 @@ std::vector<Impulse::Jump> Impulse::apply(double time,
       Map<Eigen::VectorXd>(changes.data(), std::ssize(changes)));
   std::vector<Jump> jumps(targets.size(), {Vector3d::Zero(), 0, 0});
   for (Eigen::Index c = 0; c < impulses.size(); ++c) {
-    const auto& [target, body, axis] = unknowns[c];
-    jumps[target].impulse[axis] = impulses[c];
+    const auto& [target, body, direction] = unknowns[c];
+    jumps[target].impulse += impulses[c] * direction;
     jumps[target].response = w(c, c);
     moments_.bodies[body].friction = vec3(jumps[target].impulse);
   }
   evaluate(still);
   add_jump(still, state);
   for (std::size_t t = 0; t < targets.size(); ++t) {
-    const auto& [body, rate] = targets[t];
+    const auto& [body, rate, along] = targets[t];
+    Vector3d after = rate;
+    if (along) {  // exactly, as the others
+      after = equations_.rate_of(body, state.data());
+      after += (rate - after).dot(*along) * *along;
+    }
     set_relative_rate(equations_.system.links()[body],
-                      &state[equations_.offset(body)], rate);
+                      &state[equations_.offset(body)], after);
     // The mean of the velocities before and after does the work.
     jumps[t].loss = -0.5 * jumps[t].impulse.dot(before[t] + rate);
   }

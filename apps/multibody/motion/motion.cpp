@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <iterator>
+#include <span>
 #include <utility>
 
 #include "libcontact/base/constants.hpp"
@@ -178,6 +179,15 @@ bool Motion::pass_break() {
   return true;
 }
 
+// Between the steps, after all looks into the last one.
+void Motion::keep_on_cones() {
+  if (!hinges_->any_on_cones()) return;
+  const std::span<const double> end = stepper_->end_state();
+  std::vector<double> state(end.begin(), end.end());
+  hinges_->put_on_cones(state);
+  stepper_->restart(stepper_->end(), state);
+}
+
 void Motion::show_step(double time) {
   if (!step_watch_) return;
   view_->show(time, stepper_->end_state());
@@ -224,6 +234,7 @@ bool Motion::step() {
   const double before_break = std::nextafter(equations_->next_break, -infinity);
   show_step(std::min(stepper_->end(), before_break));
   if (pass_break()) show_step(stepper_->end());
+  keep_on_cones();
   const double from = stepper_->end();
   if (!stepper_->step(equations_->next_break) || !end_at_kink()) {
     if (keep_directions()) return true;
@@ -315,6 +326,9 @@ bool Motion::pass_event(const StepEvent& event, std::vector<double>& state) {
     case StepEvent::Kind::settles:
       hinges_->end_bounces(now_, i);
       return true;
+    case StepEvent::Kind::leaves_stop:
+      hinges_->leave_stop(now_, i);
+      return true;
     default:
       hinges_->stop(i, state);
       hinges_->change(now_, i, HingeMode::resting);
@@ -341,8 +355,12 @@ bool Motion::handle(const std::vector<StepEvent>& found) {
   for (const StepEvent& event : found) {
     const CoupledReport stuck{.status = CoupledStatus::not_converged,
                               .body = event.index};
-    if (++changes_here_ > 8 * equations_->size() + 16) {
+    // Impacts of bodies on each other's stops die out, but slowly.
+    const int most = 8 * equations_->size() + 100;
+    if (++changes_here_ > most) {
       set_failure(stuck, now_);
+      failure_->reason =
+          fmt::format("at {} s: more than {} changes at one time", now_, most);
       return true;
     }
     if (const auto reason = hinges_->stalls(now_, event.index)) {
@@ -463,6 +481,7 @@ MotionState Motion::save() {
     state.paces.push_back(hinge.follows ? memory.pace : 0);
     state.hinge_angles.push_back(view_->motions()[1 + i].hinge_angle);
     state.settle_times.push_back(hinges_->settle_time(i));
+    state.rests_on.push_back(hinge.rests_on);
   }
   state.losses = equations_->losses;
   state.step = stepper_->next_step();
@@ -480,6 +499,7 @@ void Motion::restore(const MotionState& state) {
   equations_->memory = coupled.beginning();
   for (int i = 0; i < coupled.size(); ++i) {
     equations_->set_mode(i, state.modes[i]);
+    coupled.rest_on(i, state.rests_on[i], equations_->memory);
     HingeMemory& memory = equations_->memory.hinges[i];
     memory.direction = state.directions[i];
     memory.moment = state.friction[i];

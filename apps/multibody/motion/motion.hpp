@@ -138,6 +138,7 @@ class Motion {
  private:
   bool step();
   bool pass_break();
+  void keep_on_cones();
   void show_step(double time);
   bool redo_step_to(double time);
   bool end_at_kink();

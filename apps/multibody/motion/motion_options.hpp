@@ -74,7 +74,7 @@ struct MotionOptions {
   /// a fixed carrier (Carrier::fixed).
   std::optional<CarrierDrive> carrier_drive;
   CoupledOptions coupling;
-  /// Stops of bodies on axes, at most one on each side of a body.
+  /// Rigid stops of bodies, at most one on each side of a body.
   std::vector<HingeStop> stops;
 };
 

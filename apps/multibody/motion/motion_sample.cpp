@@ -47,12 +47,26 @@ void MotionSample::show(double time, std::span<const double> state) {
 void MotionSample::show(Stepper& stepper, double time) {
   trial_.resize(equations_.number_count());
   stepper.interpolate(time, trial_);
+  keep_at_stops(stepper.begin_state());
   show(time, trial_);
+}
+
+// A body that rests on the stop of its axis is exactly there; interpolation
+// adds rounding.
+void MotionSample::keep_at_stops(std::span<const double> begin) {
+  const CoupledDynamics& coupled = equations_.coupled;
+  for (int i = 0; i < coupled.size(); ++i) {
+    const Hinge& hinge = coupled.hinge(i);
+    if (hinge.stops.empty() || !hinge.is_axis) continue;
+    const int at = equations_.offset(i);
+    if (hinge.mode == HingeMode::resting) trial_[at] = begin[at];
+  }
 }
 
 void MotionSample::show_estimate(Stepper& stepper, double time) {
   trial_.resize(equations_.number_count());
   stepper.estimate(time, trial_);
+  keep_at_stops(stepper.begin_state());
   show(time, trial_);
 }
 
@@ -83,6 +97,10 @@ HingeMode MotionSample::mode(int body) const {
 }
 double MotionSample::angle(int body) const {
   return state_[equations_.offset(body)];
+}
+bool MotionSample::rests_on_stop(int body) const {
+  return equations_.coupled.hinge(body).rests_on_stop(
+      &state_[equations_.offset(body)]);
 }
 Vector3d MotionSample::rate_of(int body) const {
   return equations_.rate_of(body, state_.data());
@@ -122,10 +140,10 @@ HingeSample MotionSample::hinge(int body) const {
   const Reaction<double>& reaction = hinges.reaction(body);
   s.reaction_force = link.axes * vec3(reaction.force);
   s.reaction_moment = link.axes * vec3(reaction.moment);
-  if (s.mode == HingeMode::resting) {
-    const int push = equations_.coupled.hinge(body).push_at(numbers[0]);
-    s.stop_moment = std::max(0.0, push * reaction.moment.z);
+  if (const ConeRest* cone = hinges.cone_of(body)) {
+    s.reaction_moment += link.axes * (cone->moment * cone->axis);
   }
+  s.stop_moment = std::max(0.0, hinges.stop_moment(body));
   if (equations_.coupled.hinge(body).has_friction && !is_fixed(s.mode)) {
     s.joints = hinges.joints(body);
     if (s.mode == HingeMode::sliding) {

@@ -27,15 +27,15 @@ struct HingeSample {
   double angle_rate;                          ///< axis only, rad/s
   Eigen::Vector3d reaction_force;  ///< R, with the force of friction, N
   /// Moment about the hinge's centre; at rest and locked: the whole held
-  /// moment, else without friction_moment; N m.
+  /// moment, else without friction_moment; N m. With that of a stop.
   Eigen::Vector3d reaction_moment;
   Eigen::Vector3d friction_moment;  ///< sliding: M_t on the body, N m
   /// resting: tau, the needed moment over the largest moment that friction
   /// holds; sliding with friction: 1; NaN otherwise.
   double utilisation;
   double dissipated;  ///< by friction since the start, >= 0, J
-  /// Moment of a stop about the axis on the body, beyond the moment held by
-  /// friction, >= 0, N m.
+  /// Moment of a stop about its axis on the body, beyond the moment held by
+  /// friction, >= 0, N m. See HingeStop.
   double stop_moment;
   /// One solution per joint of the hinge, in the order of the group; empty
   /// without friction or if locked or released. At rest: the impending slip.
@@ -76,6 +76,9 @@ class MotionSample {
   HingeMode mode(int body) const;
   /// Angle of a body on an axis, rad: cheap, without evaluating forces.
   double angle(int body) const;
+  /// Whether a body rests on a rigid stop, where a ball joint may turn along
+  /// it.
+  bool rests_on_stop(int body) const;
   /// Computes accelerations and reactions.
   HingeSample hinge(int body) const;
   /// Accelerations of motions()[place]: of the centre of mass, gravity
@@ -111,6 +114,7 @@ class MotionSample {
 
  private:
   struct Instant;
+  void keep_at_stops(std::span<const double> begin);
 
   const Equations& equations_;
   double time_ = 0;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "libcontact/base/complaint.hpp"
@@ -38,10 +39,16 @@ void prescribe_fixed(const MotionStart& start, MotionOptions& options) {
   options.carrier_drive = CarrierDrive{};
 }
 
+double gap_of_ball(const HingeStop& stop, const BodyStart& start) {
+  const Vector3d body = start.rotation * stop.body_direction;
+  return stop.gap(std::atan2(body.cross(stop.parent_direction).norm(),
+                             body.dot(stop.parent_direction)));
+}
+
 void check_stops(const System& system, const MotionStart& start,
                  const std::vector<HingeStop>& stops) {
   for (std::size_t k = 0; k < stops.size(); ++k) {
-    const auto& [body, angle, side, restitution] = stops[k];
+    const auto& [body, angle, side, restitution, of_body, of_parent] = stops[k];
     const std::string place = fmt::format("stops[{}]", k);
     const auto require = [&](bool holds, const std::string& what,
                              const char* rule) {
@@ -49,19 +56,33 @@ void check_stops(const System& system, const MotionStart& start,
       throw contact::Error(contact::detail::must_be(place + "." + what, rule));
     };
     require(body >= 0 && body < system.size() &&
-                system.links()[body].kind == HingeKind::axis,
-            fmt::format("body = {}", body), "a body on an axis");
+                system.links()[body].kind != HingeKind::none,
+            fmt::format("body = {}", body), "a body with a hinge");
+    const bool is_axis = system.links()[body].kind == HingeKind::axis;
+    require(is_axis || (0 < angle && angle < std::numbers::pi),
+            fmt::format("angle = {}", angle),
+            "between 0 and pi on a ball joint");
+    constexpr double unit = 1e-9;
+    require(is_axis || (std::abs(of_body.norm() - 1) < unit &&
+                        std::abs(of_parent.norm() - 1) < unit),
+            "body_direction and parent_direction",
+            "unit vectors on a ball joint");
     require(side == 1 || side == -1, fmt::format("side = {}", side), "1 or -1");
     require(restitution >= 0 && restitution <= 1,
             fmt::format("restitution = {}", restitution), "0 to 1");
     require(body >= std::ssize(start.bodies) ||
-                stops[k].gap(start.bodies[body].angle) >= 0,
+                (is_axis ? stops[k].gap(start.bodies[body].angle) >= 0
+                         : gap_of_ball(stops[k], start.bodies[body]) >=
+                               -cone_rounding),
             fmt::format("angle = {}", angle),
             "one that the body does not start beyond");
     for (std::size_t other = 0; other < k; ++other) {
-      require(stops[other].body != body || stops[other].side != side,
-              fmt::format("side = {}", side),
+      if (stops[other].body != body) continue;
+      require(stops[other].side != side, fmt::format("side = {}", side),
               "another than that of the body's other stop");
+      require(stops[other].body_direction == of_body &&
+                  stops[other].parent_direction == of_parent,
+              "directions", "those of the body's other stop");
     }
   }
 }
@@ -106,6 +127,20 @@ MotionOptions checked_options(const System& system, const MotionStart& start,
   return options;
 }
 
+// A ball joint that begins at a stop, and does not leave or hit it, rests there
+// unless the stop would have to pull.
+void begin_on_stop(int body, Equations& equations, double* s) {
+  const Hinge& hinge = equations.coupled.hinge(body);
+  if (hinge.is_axis || hinge.stops.empty()) return;
+  for (int k = 0; k < static_cast<int>(hinge.stops.size()); ++k) {
+    const HingeStop& stop = hinge.stops[k];
+    if (!(std::abs(hinge.gap(stop, s)) <= cone_rounding)) continue;
+    if (hinge.stop_rate(s) != 0) continue;
+    hinge.cone->put_on(stop, s);
+    equations.coupled.rest_on(body, k, equations.memory);
+  }
+}
+
 std::vector<double> start_state(Equations& equations,
                                 const MotionStart& start) {
   const System& system = equations.system;
@@ -128,6 +163,7 @@ std::vector<double> start_state(Equations& equations,
       continue;
     }
     put_hinged(body, link, place, to);
+    begin_on_stop(i, equations, to);
     const Vector3d rate = equations.rate_of(i, state.data());
     if (body.locked) {
       equations.set_mode(i, HingeMode::locked);

@@ -11,21 +11,24 @@
 /// Records of a motion and of its end.
 namespace multibody {
 
-/// A change of a hinge.
+/// A change of a hinge. On stops of ball joints both modes may be the same.
 struct HingeChange {
   double time;
   int body;
   HingeMode from;
   HingeMode to;
-  bool on_stop = false;  ///< it rests on a stop
+  /// It rests on a stop; a ball joint turns along it unless friction holds it.
+  bool on_stop = false;
 };
 
-/// A jump of a hinge's velocity: at a stop, or by a latch.
+/// A jump of a hinge's velocity: at a stop, or by a latch. A body that rests on
+/// its stop while another one jumps takes part with the rate 0.
 struct HingeImpact {
   double time;
   int body;
   bool latches;  ///< by a latch
-  /// Rate on an axis, else |Dw|, before the jump, rad/s.
+  /// Rate of the hinge's angle on an axis or at a stop, else |Dw|, before the
+  /// jump, rad/s.
   double rate;
   double impulse;  ///< size, N m s
   double loss;     ///< energy loss, J
@@ -40,8 +43,9 @@ struct StepEvent {
     slip_turns,  ///< it turns against itself within a step
     rest_ends,
     hits_stop,
-    settles,  ///< its last bounces on a stop are over
-    user,     ///< an application's event
+    settles,      ///< its last bounces on a stop are over
+    leaves_stop,  ///< a ball joint's stop would have to pull
+    user,         ///< an application's event
   };
   Kind kind;
   int index;  ///< body or event
@@ -84,6 +88,8 @@ struct MotionState {
   std::vector<double> hinge_angles;  ///< as BodyMotion::hinge_angle
   /// Time at which the unresolved last bounces on a stop end, else 0.
   std::vector<double> settle_times;
+  /// Index of the stop on which a ball joint rests, among the body's; else -1.
+  std::vector<int> rests_on;
   std::vector<double> losses;  ///< energy loss at stops and latches, J
   double step = 0;
 };

@@ -36,6 +36,7 @@ void check_counts(const MotionState& state, std::size_t bodies) {
   check_count("paces", state.paces.size(), bodies);
   check_count("hinge_angles", state.hinge_angles.size(), bodies);
   check_count("settle_times", state.settle_times.size(), bodies);
+  check_count("rests_on", state.rests_on.size(), bodies);
   check_count("losses", state.losses.size(), bodies);
 }
 
@@ -66,6 +67,14 @@ void check_hinge(const MotionState& state, std::size_t i, HingeKind kind,
     require(straight || !(value > 0), name, i, value,
             "0 but where a ball joint slides");
   }
+}
+
+void check_rest(const MotionState& state, std::size_t i, const Hinge& hinge) {
+  const int stop = state.rests_on[i];
+  const bool can_rest = hinge.cone && state.modes[i] != HingeMode::released;
+  const auto stops = static_cast<int>(hinge.stops.size());
+  require(stop == -1 || (can_rest && 0 <= stop && stop < stops), "rests_on", i,
+          stop, "a stop of a ball joint, or -1");
 }
 
 StateLayout layout_of(const System& system,
@@ -112,7 +121,8 @@ void check_layout(const MotionState& state, const Equations& equations) {
   for (std::size_t i = 0; i < bodies; ++i) {
     const Hinge& hinge = coupled.hinge(static_cast<int>(i));
     check_hinge(state, i, system.links()[i].kind,
-                hinge.can_rest || !hinge.stops.empty());
+                hinge.can_rest || (hinge.is_axis && !hinge.stops.empty()));
+    check_rest(state, i, hinge);
   }
   const int beside = equations.number_count() - coupled.layout().size();
   const StateLayout layout = layout_of(system, state.modes);
@@ -120,10 +130,16 @@ void check_layout(const MotionState& state, const Equations& equations) {
               static_cast<std::size_t>(layout.size() + beside));
   for (int i = 0; i < system.size(); ++i) {
     const Hinge& hinge = coupled.hinge(i);
-    const double angle = state.numbers[layout.offset(i)];
+    const double* s = &state.numbers[layout.offset(i)];
     require(state.modes[i] != HingeMode::resting || hinge.can_rest ||
-                hinge.push_at(angle) != 0,
-            "numbers", layout.offset(i), angle, "the angle of a stop");
+                hinge.push_at(s) != 0,
+            "numbers", layout.offset(i), *s, "the angle of a stop");
+    if (state.rests_on[i] < 0) continue;
+    // As far as tolerances let it go in a step.
+    constexpr double far = 1e-3;
+    const double gap = hinge.gap(hinge.stops[state.rests_on[i]], s);
+    require(std::abs(gap) <= far, "numbers", layout.offset(i), *s,
+            "that of a body at its stop");
   }
 }
 

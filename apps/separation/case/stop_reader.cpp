@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "libcontact/base/units.hpp"
 #include "libcontact/play/hunt_crossley.hpp"
 #include "separation/case/hinges/hinge_type.hpp"
@@ -22,21 +25,26 @@ void check_hinge(const TomlTable& table, const TomlTable& of,
                 parent_key(of, "direction"));
   }
   check_angles(table, hinge, stop.angle, stop.angle, "a ball hinge");
-  if (stop.is_rigid()) {
-    table.needs(
-        "stiffness_N_m_per_rad on a ball hinge: rigid stops are on "
-        "axes");
+  // There the directions lie on one line, which a rigid stop turns about no
+  // axis in particular.
+  const bool has_axis = 0 < stop.angle && stop.angle < std::numbers::pi;
+  if (stop.is_rigid() && !has_axis) {
+    table.must_be("angle",
+                  "between 0 deg and 180 deg where a ball hinge has a rigid "
+                  "stop: at these angles the directions have no common normal");
   }
 }
 
-void read_side(const TomlTable& table, double start, HingeStop& stop) {
+// @param near  within which the body starts at its stop, rad
+void read_side(const TomlTable& table, double start, double near,
+               HingeStop& stop) {
   const auto from = table.optional_choice("from");
-  if (!from && start == stop.angle) {
+  if (!from && std::abs(start - stop.angle) <= near) {
     table.needs("angle", "from: the body starts there");
   }
   const bool below = from ? *from == 0 : start < stop.angle;
   stop.side = below ? -1 : 1;
-  if (stop.gap(start) < 0) {
+  if (stop.gap(start) < -near) {
     table.must_be("angle",
                   fmt::format("{:.6g} deg or {}, so that the body "
                               "does not start beyond it",
@@ -96,14 +104,14 @@ contact::KnownKeys stop_keys() {
 
 std::vector<HingeStop> read_stops(const TomlTable& table, const Hinge& hinge,
                                   const multibody::BodyStart& start) {
-  const double begin = hinge.kind == multibody::HingeKind::axis
-                           ? start.angle
-                           : hinge_angle(hinge, start.rotation);
+  const bool is_axis = hinge.kind == multibody::HingeKind::axis;
+  const double begin =
+      is_axis ? start.angle : hinge_angle(hinge, start.rotation);
   std::vector<HingeStop> stops;
   for (const TomlTable& of : table.tables("stop")) {
     HingeStop stop = read_stop(of);
     check_hinge(of, table, hinge, stop);
-    read_side(of, begin, stop);
+    read_side(of, begin, is_axis ? 0 : multibody::cone_rounding, stop);
     for (const HingeStop& other : stops) {
       if (other.side == stop.side) {
         of.must_be("angle",

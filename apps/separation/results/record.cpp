@@ -139,13 +139,6 @@ bool is_held(HingeMode mode) {
   return is_fixed(mode) || mode == HingeMode::resting;
 }
 
-bool is_on_stop(const Body& body, const MotionSample& sample, int i) {
-  return sample.mode(i) == HingeMode::resting &&
-         std::ranges::any_of(body.hinge.stops, [&](const HingeStop& stop) {
-           return stop.is_rigid() && stop.angle == sample.angle(i);
-         });
-}
-
 // Its derivative.
 double acceleration_of(const Simulation& simulation, int body) {
   const Hinge& hinge = simulation.of().bodies[body].hinge;
@@ -411,8 +404,10 @@ void Recorder::note_change(const multibody::HingeChange& change,
     memory_.notes.erase(std::next(same).base());
     return;
   }
-  const char* what = was_on_stop ? leaves_stop : begins_to_slide;
-  if (rests) what = change.on_stop ? rests_on_stop : comes_to_rest;
+  const char* what = rests ? comes_to_rest : begins_to_slide;
+  if (change.on_stop && !was_on_stop) what = rests_on_stop;
+  // Whatever else: friction may hold a ball joint at the stop, or beside it.
+  if (was_on_stop && !change.on_stop) what = leaves_stop;
   memory_.notes.push_back({change.time, body, what});
 }
 
@@ -434,11 +429,15 @@ void Recorder::note_impact(const multibody::HingeImpact& impact) {
     note->loss = loss;
     return;
   }
-  record.impacts += 1;
+  // Of a body that rests on its stop while another one hits.
+  const bool is_hit = rate != 0;
+  record.impacts += is_hit ? 1 : 0;
   record.stop_impulses += impulse;
   record.largest_impulse = std::max(record.largest_impulse, impulse);
   record.stop_loss += loss;
-  memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
+  if (is_hit) {
+    memory_.notes.push_back({time, name, hits_stop, rate, impulse, loss});
+  }
 }
 
 // At an event that comes for a body, the first one of those about others; of
@@ -494,8 +493,8 @@ void Recorder::look_at_changes(const Simulation& simulation) {
     for (std::size_t i = 0; i < case_.bodies.size(); ++i) {
       memory_.modes.push_back(
           static_cast<int>(simulation.sample().mode(static_cast<int>(i))));
-      memory_.bodies[i].on_stop = static_cast<int>(is_on_stop(
-          case_.bodies[i], simulation.sample(), static_cast<int>(i)));
+      memory_.bodies[i].on_stop = static_cast<int>(
+          simulation.sample().rests_on_stop(static_cast<int>(i)));
     }
     changes_seen_ = changes.size();
     impacts_seen_ = simulation.impacts().size();
@@ -504,8 +503,9 @@ void Recorder::look_at_changes(const Simulation& simulation) {
   std::vector<double> since(case_.bodies.size(), memory_.last_time);
   const auto add_rest = [&](std::size_t body, double until) {
     BodyRecord& record = memory_.bodies[body];
-    if (memory_.modes[body] != resting) return;
-    record.rest_time += until - since[body];
+    if (memory_.modes[body] == resting) {
+      record.rest_time += until - since[body];
+    }
     if (record.on_stop != 0) record.rest_on_stop += until - since[body];
   };
   const auto& impacts = simulation.impacts();

@@ -22,7 +22,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::string_view program_format = "hinge-separation checkpoint ";
-constexpr std::string_view format_name = "hinge-separation checkpoint 15";
+constexpr std::string_view format_name = "hinge-separation checkpoint 16";
 static_assert(format_name.starts_with(program_format));
 constexpr std::size_t sum_size = 8;  // in hexadecimal digits
 constexpr const char* source = "the saved state";
@@ -39,7 +39,8 @@ bool is_whole(const json& j) {
 // Fractions in the place of whole numbers are refused: their cast is undefined
 // where they are large.
 bool has_whole_numbers(const json& j) {
-  constexpr std::array names = {"modes", "spent", "fault", "blocks", "on_stop"};
+  constexpr std::array names = {"modes",  "spent",   "fault",
+                                "blocks", "on_stop", "rests_on"};
   if (j.is_array()) return std::ranges::all_of(j, has_whole_numbers);
   if (!j.is_object()) return true;
   return std::ranges::all_of(j.items(), [&](const auto& item) {

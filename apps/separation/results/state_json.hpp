@@ -26,7 +26,8 @@ struct nlohmann::adl_serializer<Eigen::Vector3d> {
 namespace multibody {
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(MotionState, time, numbers, modes,
                                    directions, friction, straight_from, paces,
-                                   hinge_angles, settle_times, losses, step)
+                                   hinge_angles, settle_times, rests_on, losses,
+                                   step)
 }  // namespace multibody
 
 namespace separation {

@@ -40,9 +40,11 @@ std::vector<multibody::HingeFriction> friction_of(const Case& c,
 multibody::MotionOptions options_of(const Case& c) {
   multibody::MotionOptions options = c.options;
   for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
-    for (const HingeStop& stop : c.bodies[i].hinge.stops) {
+    const Hinge& hinge = c.bodies[i].hinge;
+    for (const HingeStop& stop : hinge.stops) {
       if (!stop.is_rigid()) continue;
-      options.stops.push_back({i, stop.angle, stop.side, stop.restitution});
+      options.stops.push_back({i, stop.angle, stop.side, stop.restitution,
+                               hinge.body_direction, hinge.parent_direction});
     }
   }
   return options;
