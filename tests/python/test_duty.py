@@ -120,6 +120,25 @@ class Cycles(unittest.TestCase):
         ):
             hip.cycle(c["time_s"], force, angles=degrees, sequence="zxy")
 
+        class Turned(Frame):  # numpy.radians keeps the names of pandas' columns
+            def __array__(self, dtype=None, copy=None):
+                return np.radians(degrees)
+
+        with self.assertWarnsRegex(
+            libcontact.ContactWarning, "reach .* deg: radians read as degrees"
+        ):
+            hip.cycle(c["time_s"], force, angles=Turned(), sequence="zxy")
+
+        class Kilonewtons:
+            columns = [f"R_{k}_kN" for k in "xyz"]
+
+            def __array__(self, dtype=None, copy=None):
+                return force / 1e3
+
+        cycle = hip.cycle(
+            c["time_s"], Kilonewtons(), angles=Frame(), sequence="zxy")  # fmt: skip
+        self.assertAlmostEqual(cycle.energy / energy[0], 1, delta=1e-12)
+
     def test_at_the_rows_are_those_of_the_reference(self):
         states = columns(folder / "cycle_hip_states.csv")
         cycle = hip_cycle()

@@ -3,6 +3,7 @@
 import copy
 import functools
 import tomllib
+import warnings
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -249,6 +250,7 @@ class Joint(FileText, _core.Joint):
 
         time: s, (n,), ascending.
         force: N, (n, 3); on "body" or "carrier" and in the axes of either.
+            Columns of a DataFrame whose names end in _kN are kN.
         angles: rad, (n, 3), intrinsic rotations of the body about the axes of
             `sequence`, "zxy" or another; of a pin (n,), about z. Columns of a
             DataFrame whose names end in _deg are degrees.
@@ -267,7 +269,7 @@ class Joint(FileText, _core.Joint):
             raise _core.Error("a cycle requires angles or rates")
         motion = _core._numbers(rates if angles is None else angles)  # type: ignore
         if angles is not None:
-            motion = _in_radians(motion, angles)
+            motion = _in_si(motion, angles, _ANGLES)
         if angles is not None and self.kind == "pin":
             motion = np.stack([motion, 0 * motion, 0 * motion], axis=-1)
             sequence = "z"
@@ -275,22 +277,38 @@ class Joint(FileText, _core.Joint):
             raise _core.Error("angles requires sequence, such as \"zxy\"")
         if angles is None and sequence is not None:
             raise _core.Error(f"sequence = \"{sequence}\" requires angles")
+        force = _in_si(_core._numbers(force), force, _FORCES)  # type: ignore
         return Cycle(
             self, time, force, motion, sequence, period, force_on, force_in,
             tilt, place,
         )  # fmt: skip
 
 
-def _in_radians(
-    angles: NDArray[np.float64], given: object
+# Units at the end of a column's name, over SI.
+_ANGLES = {"_deg": np.pi / 180}
+_FORCES = {"_kN": 1e3, "_MN": 1e6, "_mN": 1e-3, "_lbf": 4.4482216152605}
+
+
+def _in_si(
+    numbers: NDArray[np.float64], given: object, units: dict[str, float]
 ) -> NDArray[np.float64]:
-    """Turns columns of a DataFrame, or a Series, named ..._deg to radians."""
+    """Columns of a DataFrame, or a Series, by the units in their names."""
     names = getattr(given, "columns", [getattr(given, "name", None)])
-    is_degree = [str(name).endswith("_deg") for name in names]
-    if not any(is_degree):
-        return angles
-    turned: NDArray[np.float64] = angles * np.where(is_degree, np.pi / 180, 1.0)
-    return turned
+    factors = [
+        next((f for end, f in units.items() if str(name).endswith(end)), 1.0)
+        for name in names
+    ]
+    if all(factor == 1 for factor in factors):
+        return numbers
+    if units is _ANGLES and 0 < np.nanmax(np.abs(numbers)) < np.pi / 2:
+        warnings.warn(
+            "the angles of columns named ..._deg reach "
+            f"{np.nanmax(np.abs(numbers)):.3g} deg: radians read as degrees?",
+            _core.ContactWarning,
+            stacklevel=4,
+        )
+    converted: NDArray[np.float64] = numbers * np.array(factors)
+    return converted
 
 
 class Wear:
