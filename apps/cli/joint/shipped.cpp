@@ -74,15 +74,24 @@ std::string shipped_hint(Shipped kind, std::string_view name,
   return contact::detail::did_you_mean(meant);
 }
 
-// The first table ends the keys at the top level.
-void refuse_joint_file(std::string_view program, const std::string& file,
+void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted) {
+  // Lines that only one kind of file has, the first ones above all tables.
+  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {"kind=\"ball\"", "a joint file"},   {"kind=\"pin\"", "a joint file"},
+      {"[carrier]", "a case file"},        {"[[dispersion]]", "a study file"},
+      {"[[requirement]]", "a study file"},
+  };
   std::ifstream in(file);
-  for (std::string line; std::getline(in, line) && !line.starts_with("[");) {
+  bool in_table = false;
+  for (std::string line; std::getline(in, line);) {
     std::erase(line, ' ');
-    if (line.starts_with("kind=\"ball\"") || line.starts_with("kind=\"pin\"")) {
-      throw contact::Error(fmt::format("{} is a joint file; {} takes {}", file,
-                                       program, wanted));
+    in_table = in_table || line.starts_with("[");
+    for (const auto& [begin, kind] : kinds) {
+      if (!line.starts_with(begin) || (in_table && begin[0] != '[')) continue;
+      if (kind == wanted) return;
+      throw contact::Error(
+          fmt::format("{} is {}; {} takes {}", file, kind, program, wanted));
     }
   }
 }

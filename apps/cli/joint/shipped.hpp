@@ -24,8 +24,9 @@ std::string shipped_hint(Shipped kind, std::string_view name,
                          std::vector<std::string> words = {});
 
 /// Throws contact::Error if a file that cannot be read as `wanted` ("a case
-/// file") is a joint file: "FILE is a joint file; PROGRAM takes WANTED".
-void refuse_joint_file(std::string_view program, const std::string& file,
+/// file") is another kind of file: "FILE is a joint file; PROGRAM takes
+/// WANTED".
+void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted);
 
 }  // namespace cli

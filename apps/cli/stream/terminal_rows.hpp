@@ -41,7 +41,7 @@ inline constexpr ReportRow report_rows[] = {
      "p_peak*_Pa",
      {{{"mean", "p_mean_Pa"}, {"nominal", "p_nominal_Pa"}}}},
     {"largest peak pressure", "largest_p_peak_Pa"},
-    {"catalogue friction f_M", "f_M", {{{"surface f", "f"}}}},
+    {"catalogue friction f_M", "f_M", {{{"R_t/R_n", "f"}}}},
     {"part of what it holds", "utilisation"},
     {"torque without load", "M_0_N_m", {{{"pressure", "p_0_Pa"}}}, false},
     {"largest p v",

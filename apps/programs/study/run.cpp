@@ -278,7 +278,7 @@ void say_warnings(const Study& study) {
 
 cli::ExitStatus run(const Options& o) {
   cli::OutputNames names = check_outputs(o);
-  cli::refuse_joint_file(program, o.file, "a study file");
+  cli::refuse_other_file(program, o.file, "a study file");
   const Study study(o.file, changes_of(o));
   if (!o.output.plot.empty()) {
     for (const std::string& file : picture_files(study, o.output.plot)) {
