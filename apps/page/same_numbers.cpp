@@ -13,7 +13,7 @@ std::string listed(const Eigen::Vector3d& v) {
 
 constexpr std::string_view python = R"(import libcontact
 
-joint = libcontact.Joint.from_file("joint.toml")
+joint = libcontact.Joint.from_file("joint.toml"){}
 s = joint.solve([{}], [{}])  # N, rad/s
 print(s.half_angle, "rad", s.peak_pressure, "Pa", s.friction_moment, "N m")
 )";
@@ -23,7 +23,7 @@ constexpr std::string_view cpp = R"(#include <cstdio>
 #include <libcontact/{}.hpp>
 
 int main() {{
-  const contact::Joint joint(contact::read_joint("joint.toml"));
+  const contact::Joint joint(contact::read_joint("joint.toml"){});
   const contact::JointSolution s = joint.solve(
       {{.reaction = {{{}}},             // N
        .angular_velocity = {{{}}}}});  // rad/s
@@ -34,16 +34,18 @@ int main() {{
 
 }  // namespace
 
-SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin) {
+SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
+                         bool has_seat) {
+  const std::string_view left_out = has_seat ? ".without_seat()" : "";
   const std::string force = listed(input.force);
   const std::string turn = listed(input.turn);
   return {message("hinge-joint --joint joint.toml --reaction {}{} --rate {} "
-                  "--pv --summary",
+                  "--pv --summary{}",
                   input.given->force,
                   is_pin ? "" : message(" --beta {}", input.given->angle_deg),
-                  input.turn[2]),
-          message(python, force, turn),
-          message(cpp, "contact", "files", force, turn)};
+                  input.turn[2], has_seat ? " --without-seat" : ""),
+          message(python, left_out, force, turn),
+          message(cpp, "contact", "files", left_out, force, turn)};
 }
 
 }  // namespace page

@@ -16,6 +16,8 @@ struct SameNumbers {
 
 /// @param input   the given numbers
 /// @param is_pin  pins have no angle between reaction and rate
-SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin);
+/// @param has_seat  which the page leaves out
+SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
+                         bool has_seat);
 
 }  // namespace page
