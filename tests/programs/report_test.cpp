@@ -255,6 +255,26 @@ TEST(TerminalReport, LeavesOutWhatMattersLeast) {
   EXPECT_FALSE(has_text(text, "importance")) << text;
 }
 
+TEST(TerminalReport, OfASeparationIsShortAndNamesItsPairs) {
+  const ProgramFolder folder;
+  const std::string soyuz = "hinge-separation data/cases/soyuz.toml";
+  const std::string text = report_of(folder, soyuz);
+  EXPECT_LE(lines_of(text), 25U) << text;
+  for (const char* part :
+       {"upper nodes break: upper node breaks", "4 bodies", "booster 3",
+        "486.6", "139.8 mm", "of core and booster 3", "largest energy"}) {
+    EXPECT_TRUE(has_text(text, part)) << part << '\n' << text;
+  }
+  const std::string all = report_of(folder, soyuz + " --all");
+  EXPECT_GE(lines_of(all), 70U) << all;
+  EXPECT_TRUE(has_text(line_of(all, "core and booster 3"), "139.8 mm")) << all;
+  // Those that the case asks for.
+  const std::string stages =
+      report_of(folder, "hinge-separation data/cases/two_stages.toml");
+  EXPECT_TRUE(has_text(stages, "upper at end")) << stages;
+  EXPECT_TRUE(has_text(stages, "0.2053")) << stages;
+}
+
 TEST(TerminalReport, OnlyWhereNothingElseIsAskedFor) {
   const ProgramFolder folder;
   const auto is_report = [&](const std::string& options) {
