@@ -331,6 +331,10 @@ TEST(TerminalReport, OfAStudyBeginsWithItsVerdictInWords) {
   EXPECT_TRUE(has_text(text, "at most 40 N m")) << text;
   EXPECT_FALSE(has_text(text, "|")) << text;
   EXPECT_FALSE(has_text(text, "M_t_N_m")) << text;
+  // What is too wide for a page is left out, and is there with --all.
+  EXPECT_TRUE(has_text(text, "deviation        5 %       95 %")) << text;
+  EXPECT_TRUE(has_text(folder.run_well(study + " --format report --all").out,
+                       "largest  missing"));
   // In a pipe the same Markdown as ever.
   EXPECT_TRUE(has_text(folder.run_well(study).out, "| M_t_N_m at most 40 |"));
 }
