@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
+#include "cli/stream/quoting.hpp"
 #include "cli/stream/terminal_report.hpp"
 #include "cli/stream/verdict.hpp"
 #include "support/program.hpp"
@@ -374,6 +376,12 @@ TEST_P(Reports, OfEveryProgramFitATerminal) {
   EXPECT_GE(lines_of(text), 3U) << text;
   EXPECT_LE(lines_of(text), 40U) << text;
   EXPECT_FALSE(has_text(text, "\"")) << text;
+  for (std::istringstream lines(text); lines;) {
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_LE(cli::terminal_width(line), cli::TerminalReport::widest_table)
+        << line;
+  }
   // No number of more than four digits but whole ones.
   EXPECT_FALSE(has_text(text, "0000000")) << text;
 }
@@ -388,8 +396,12 @@ INSTANTIATE_TEST_SUITE_P(
         "hinge-table --theta0 20:80:20 --alpha 0:90:30 --quantity sigma_Z",
         "hinge-duty --joint data/joints/pin_joint.toml --cycle "
         "data/duty/pin_cycle.csv",
+        "hinge-duty --joint data/joints/pin_joint.toml --cycle "
+        "data/duty/pin_cycle.csv --set geometry.radial_clearance_um=20,40",
         "hinge-identify --joint data/duty/torque_rig.toml --data "
         "data/duty/torque_rig.csv",
+        "hinge-angle --joint data/joints/pin_joint.toml --load 1kN --law all",
+        "hinge-separation data/cases/solar_array.toml",
         "hinge-separation data/cases/door.toml",
         "hinge-study data/studies/lined_bearing.toml --check"));
 
