@@ -40,9 +40,6 @@ constexpr std::array<Choice<Colour>, 3> colours = {{{"auto", Colour::automatic},
                                                     {"always", Colour::always},
                                                     {"never", Colour::never}}};
 
-// --quiet; notes of all modules check it.
-bool quiet = false;
-
 constexpr std::array<Choice<Format>, 5> formats = {
     {{"csv", Format::csv},
      {"json", Format::json},
@@ -321,7 +318,7 @@ void Program::add_output(OutputOptions& options) {
         "csv (default), json, markdown, latex, or report, the default on a "
         "terminal"},
        {"--all", &options.report.all, "", "print all columns in the report"},
-       {"--quiet", &quiet, "", "leave notes out"},
+       {"--quiet", &quiet, "", "leave notes and progress out"},
        {"--color", word("--color", options.colour, colours), "WHEN",
         "colours of the report: auto (default), always, never"},
        {"--columns", List{&options.columns}, "NAMES",

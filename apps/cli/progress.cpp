@@ -1,8 +1,11 @@
 #include "cli/progress.hpp"
 
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <cstdio>
+
+#include "cli/stream/standard_streams.hpp"
 
 namespace cli {
 
@@ -13,6 +16,8 @@ Progress::Progress(std::string what, std::size_t total)
       next_(Clock::now() + std::chrono::seconds(terminal_ ? 1 : 10)) {}
 
 Progress::~Progress() { clear(); }
+
+bool Progress::is_due() const { return !quiet && Clock::now() >= next_; }
 
 void Progress::have_said() {
   next_ = Clock::now() + std::chrono::milliseconds(terminal_ ? 200 : 10'000);
@@ -44,6 +49,11 @@ void Progress::clear() {
   // Back to the start of the line, and erase it (ECMA-48 EL).
   if (shown_) std::fputs("\r\033[K", stderr);
   shown_ = false;
+}
+
+void ShareDone::come_to(double share) {
+  if (!progress_.is_terminal() || !progress_.is_due()) return;
+  progress_.say(fmt::format("{} % of {}", static_cast<int>(100 * share), of_));
 }
 
 }  // namespace cli

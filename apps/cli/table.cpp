@@ -110,6 +110,7 @@ Table::Table(TableStyle style, std::vector<std::string> column_names)
     : style_(std::move(style)),
       names_(std::move(column_names)),
       shown_(shown(style_.columns, names_)) {
+  style_.report.chosen = !style_.columns.empty();
   for (std::string& name : names_) name = shown_name(name, style_);
   collected_ = style_.format == Format::report ||
                (style_.format >= Format::markdown &&

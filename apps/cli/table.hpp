@@ -20,7 +20,7 @@ enum class Format { csv, json, markdown, latex, report };
 /// How a table is written.
 struct TableStyle {
   Format format = Format::csv;
-  /// Only these columns, in this order; all if empty.
+  /// Only these columns, in this order, also in the report; all if empty.
   std::vector<std::string> columns = {};
   char separator = ',';        ///< between cells of CSV
   bool decimal_comma = false;  ///< in CSV
@@ -30,6 +30,14 @@ struct TableStyle {
   TableStyle titled(std::string title) const {
     TableStyle style = *this;
     style.report.title = std::move(title);
+    return style;
+  }
+
+  /// This style for a table whose column `quantity` names the quantity of these
+  /// columns in each row.
+  TableStyle of_quantity(std::vector<std::string> numbers) const {
+    TableStyle style = *this;
+    style.report.of_quantity = std::move(numbers);
     return style;
   }
 

@@ -1,10 +1,13 @@
 // Terminal output: reports, colours, notes. script(1) gives the programs one.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <string>
 
+#include "cli/stream/quoting.hpp"
 #include "cli/stream/terminal_report.hpp"
 #include "cli/stream/verdict.hpp"
 #include "support/program.hpp"
@@ -60,6 +63,26 @@ TEST(ShownUnit, IsTheColumnsAndItsPrefixLeavesOneToAThousand) {
   EXPECT_EQ(shown("K_load_N_m_per_rad", 96710), "K_load 96710 N m/rad");
   EXPECT_EQ(shown("drift_J", 9.379e-13), "drift 9.379e-13 J");
   EXPECT_EQ(shown("pv_max_W_per_m2", 1.667e6), "pv_max 1.667 MPa m/s");
+  EXPECT_EQ(shown("x_N", 5e-10), "x 5e-10 N");
+}
+
+TEST(ShownUnit, IsOfTheWholeNameAndNotOfALetterInIt) {
+  const auto shown = [](std::string_view column) {
+    const cli::ShownUnit unit = shown_unit(column);
+    return unit.stem + ": " + unit.symbol;
+  };
+  // Only power over area is PV.
+  EXPECT_EQ(shown("pv_integral_J"), "pv_integral: J");
+  EXPECT_EQ(shown("pv_total_W"), "pv_total: W");
+  EXPECT_EQ(shown("q_max_W_per_m2"), "q_max: W/m^2");
+  EXPECT_EQ(shown("pv_nominal_W_per_m2"), "pv_nominal: Pa m/s");
+  // Products that no key has.
+  EXPECT_EQ(shown("largest_pv_integral_carrier_Pa_m"),
+            "largest_pv_integral_carrier: Pa m");
+  EXPECT_EQ(shown("latch_impulse_N_m_s"), "latch_impulse: N m s");
+  EXPECT_EQ(shown("k_seat_mm3_per_N_m"), "k_seat: mm^3/(N m)");
+  EXPECT_EQ(shown("geometry.radial_clearance_um"),
+            "geometry.radial_clearance: µm");
 }
 
 TEST(TerminalReport, OfOneRowHasTheAnswerBesideTheTextbooks) {
@@ -105,6 +128,153 @@ TEST(TerminalReport, OfSeveralRowsIsATableOfWhatMatters) {
   }
   EXPECT_FALSE(has_text(text, "residual")) << text;
   EXPECT_EQ(std::ranges::count(text, '\n'), 5 + 2) << text;
+}
+
+// The lines of a command's report in a pipe.
+std::string report_of(const ProgramFolder& folder, const std::string& command) {
+  return folder.run_well(command + " --format report").out;
+}
+
+// The first line that begins with these words; "" if there is none.
+std::string line_of(const std::string& text, const std::string& words) {
+  const auto at = text.find("\n  " + words);
+  if (at == text.npos) return "";
+  return text.substr(at + 1, text.find('\n', at + 1) - at - 1);
+}
+
+// The report on rows whose cells each end a line.
+std::string report_of(cli::TerminalReport report, std::string_view cells) {
+  std::string text = report.add(cells);
+  text += report.rest();
+  return text;
+}
+
+const std::string pin = "data/joints/pin_joint.toml";
+const std::string cycle =
+    "hinge-duty --joint " + pin + " --cycle data/duty/pin_cycle.csv";
+
+TEST(TerminalReport, OfChosenColumnsHasEachOfThem) {
+  const ProgramFolder folder;
+  const std::string joint = "hinge-joint --joint " + pin +
+                            " --columns p_nominal_Pa,M_t_N_m,evaluations,R_N";
+  // A table keeps their order.
+  EXPECT_EQ(report_of(folder, joint + " --reaction 10kN,20kN"),
+            "pin joint, 40 mm steel pin in bronze\n\n"
+            "  p_nominal, MPa  M_t, N m  evaluations  R, kN\n"
+            "               5     20.09            4     10\n"
+            "              10     40.53            4     20\n");
+  const std::string one = report_of(folder, joint + " --reaction 10kN");
+  EXPECT_EQ(line_of(one, "p nominal"), "  p nominal        5 MPa");
+  EXPECT_EQ(line_of(one, "friction torque"), "  friction torque  20.09 N m");
+  EXPECT_EQ(lines_of(one), 2 + 4) << one;
+  // One without a value too.
+  EXPECT_EQ(
+      report_of(cli::TerminalReport({"R_N", "R_lift_off_N"}, {.chosen = true}),
+                "1000\n\n"),
+      "  reaction    1 kN\n"
+      "  R lift off  -\n");
+}
+
+TEST(TerminalReport, HasNumbersBesideAValueInTheirOwnUnits) {
+  const ProgramFolder folder;
+  const std::string command =
+      "hinge-joint --joint " + pin + " --reaction 1kN:10kN:1kN --equivalent";
+  const std::string line =
+      line_of(report_of(folder, command), "torque per axis");
+  const CsvTable csv = folder.table(command);
+  const double error =
+      csv.at(csv.row_of("torque_per_axis_N_m"), "largest_error");
+  // Relative errors have none, errors of the value have the value's.
+  EXPECT_TRUE(line.ends_with(fmt::format("N m  {:>13.4f}", error))) << line;
+  const std::string duty =
+      report_of(folder, cycle + " --columns quantity,value,at_time_s,x");
+  EXPECT_TRUE(has_text(duty, "at_time, s")) << duty;
+  EXPECT_TRUE(has_text(line_of(duty, "largest theta0"), "26.94°      0.3625"))
+      << duty;
+  const std::string fit =
+      report_of(folder,
+                "hinge-identify --joint data/duty/torque_rig.toml --data "
+                "data/duty/torque_rig.csv");
+  EXPECT_TRUE(has_text(line_of(fit, "A "), "kPa       6.340 kPa")) << fit;
+  // Lines without a value are left out.
+  EXPECT_FALSE(has_text(fit, "rate trend")) << fit;
+}
+
+TEST(TerminalReport, HasResultsThatAnOptionAskedFor) {
+  const ProgramFolder folder;
+  const std::string plain = report_of(folder, cycle);
+  EXPECT_FALSE(has_text(plain, "wear")) << plain;
+  const std::string measured = report_of(
+      folder,
+      cycle +
+          " --measured-volume 2 --measured-error 0.1 --measured-cycles 1e4");
+  EXPECT_TRUE(has_text(measured, "measured wear coefficient k")) << measured;
+  EXPECT_TRUE(has_text(measured, "standard error")) << measured;
+  const std::string worn =
+      report_of(folder, cycle + " --wear-seat 1e-7 --cycles 1e4");
+  for (const char* part :
+       {"wear of a cycle (seat)", "deepest wear of a cycle", "cycles 10000",
+        "half-angle after them", "peak pressure after them"}) {
+    EXPECT_TRUE(has_text(worn, part)) << part << '\n' << worn;
+  }
+  // In a table of joints too, whatever else there is no room for.
+  const std::string table = report_of(
+      folder, cycle + " --wear-seat 1e-7 --set geometry.length_mm=40,50");
+  EXPECT_TRUE(has_text(table, "mm^3")) << table;
+}
+
+TEST(TerminalReport, BreaksTheHeadsOfATableThatIsTooWide) {
+  const cli::TerminalReport report(
+      {"geometry.radial_clearance_um", "largest_M_t_N_m", "residual",
+       "effective_sliding_distance_m", "largest_pv_max_W_per_m2"},
+      {.chosen = true});
+  EXPECT_EQ(report_of(report,
+                      "20\n66.7\n1e-20\n0.044\n1.26e6\n"
+                      "40\n65.25\n0\n0.044\n1.667e6\n"),
+            "   geometry.                      effective_\n"
+            "     radial_                        sliding_  largest_\n"
+            "  clearance,  largest_             distance,   pv_max,\n"
+            "          µm  M_t, N m  residual          mm   MPa m/s\n"
+            "          20      66.7     1e-20          44      1.26\n"
+            "          40     65.25         0          44     1.667\n");
+}
+
+TEST(TerminalReport, LeavesOutWhatMattersLeast) {
+  const cli::TerminalReport report(
+      {"key_of_a_joint", "energy_J", "a_number_without_importance",
+       "largest_M_t_N_m", "largest_theta0_deg", "theta0_fitted_deg",
+       "p_peak_exact_by_exact_Pa", "load_N", "largest_p_peak_Pa",
+       "largest_pv_max_W_per_m2", "volume_seat_mm3"},
+      {});
+  std::string cells;
+  for (int i = 0; i < 22; ++i) cells += fmt::format("1.23456{}\n", i);
+  const std::string text = report_of(report, cells);
+  // Differences of joints and numbers asked for stay.
+  for (const char* part : {"key_of_", "volume_", "load, N"}) {
+    EXPECT_TRUE(has_text(text, part)) << part << '\n' << text;
+  }
+  EXPECT_FALSE(has_text(text, "energy")) << text;
+  EXPECT_FALSE(has_text(text, "importance")) << text;
+}
+
+TEST(TerminalReport, OfASeparationIsShortAndNamesItsPairs) {
+  const ProgramFolder folder;
+  const std::string soyuz = "hinge-separation data/cases/soyuz.toml";
+  const std::string text = report_of(folder, soyuz);
+  EXPECT_LE(lines_of(text), 25U) << text;
+  for (const char* part :
+       {"upper nodes break: upper node breaks", "4 bodies", "booster 3",
+        "486.6", "139.8 mm", "of core and booster 3", "largest energy"}) {
+    EXPECT_TRUE(has_text(text, part)) << part << '\n' << text;
+  }
+  const std::string all = report_of(folder, soyuz + " --all");
+  EXPECT_GE(lines_of(all), 70U) << all;
+  EXPECT_TRUE(has_text(line_of(all, "core and booster 3"), "139.8 mm")) << all;
+  // Those that the case asks for.
+  const std::string stages =
+      report_of(folder, "hinge-separation data/cases/two_stages.toml");
+  EXPECT_TRUE(has_text(stages, "upper at end")) << stages;
+  EXPECT_TRUE(has_text(stages, "0.2053")) << stages;
 }
 
 TEST(TerminalReport, OnlyWhereNothingElseIsAskedFor) {
@@ -163,6 +333,10 @@ TEST(TerminalReport, OfAStudyBeginsWithItsVerdictInWords) {
   EXPECT_TRUE(has_text(text, "at most 40 N m")) << text;
   EXPECT_FALSE(has_text(text, "|")) << text;
   EXPECT_FALSE(has_text(text, "M_t_N_m")) << text;
+  // What is too wide for a page is left out, and is there with --all.
+  EXPECT_TRUE(has_text(text, "deviation        5 %       95 %")) << text;
+  EXPECT_TRUE(has_text(folder.run_well(study + " --format report --all").out,
+                       "largest  missing"));
   // In a pipe the same Markdown as ever.
   EXPECT_TRUE(has_text(folder.run_well(study).out, "| M_t_N_m at most 40 |"));
 }
@@ -184,6 +358,15 @@ TEST(TerminalReport, QuietLeavesNotesOutAndNoWarnings) {
   EXPECT_TRUE(has_text(folder.run_well(bush + " --quiet").err, "warning: "));
 }
 
+TEST(TerminalReport, QuietLeavesProgressOut) {
+  const ProgramFolder folder;
+  // Some seconds of wear step by step.
+  const std::string wear = cycle + " --wear-seat 1e-7 --cycles 2e5 --blocks b";
+  EXPECT_TRUE(has_text(on_terminal(folder, wear), "% of the cycles"));
+  EXPECT_FALSE(
+      has_text(on_terminal(folder, wear + " --quiet"), "% of the cycles"));
+}
+
 class Reports : public testing::TestWithParam<const char*> {};
 
 TEST_P(Reports, OfEveryProgramFitATerminal) {
@@ -193,6 +376,12 @@ TEST_P(Reports, OfEveryProgramFitATerminal) {
   EXPECT_GE(lines_of(text), 3U) << text;
   EXPECT_LE(lines_of(text), 40U) << text;
   EXPECT_FALSE(has_text(text, "\"")) << text;
+  for (std::istringstream lines(text); lines;) {
+    std::string line;
+    std::getline(lines, line);
+    EXPECT_LE(cli::terminal_width(line), cli::TerminalReport::widest_table)
+        << line;
+  }
   // No number of more than four digits but whole ones.
   EXPECT_FALSE(has_text(text, "0000000")) << text;
 }
@@ -207,8 +396,12 @@ INSTANTIATE_TEST_SUITE_P(
         "hinge-table --theta0 20:80:20 --alpha 0:90:30 --quantity sigma_Z",
         "hinge-duty --joint data/joints/pin_joint.toml --cycle "
         "data/duty/pin_cycle.csv",
+        "hinge-duty --joint data/joints/pin_joint.toml --cycle "
+        "data/duty/pin_cycle.csv --set geometry.radial_clearance_um=20,40",
         "hinge-identify --joint data/duty/torque_rig.toml --data "
         "data/duty/torque_rig.csv",
+        "hinge-angle --joint data/joints/pin_joint.toml --load 1kN --law all",
+        "hinge-separation data/cases/solar_array.toml",
         "hinge-separation data/cases/door.toml",
         "hinge-study data/studies/lined_bearing.toml --check"));
 

@@ -23,7 +23,8 @@ void for_cells(const Report& report, const Call& call) {
 
 void write_reports(const std::vector<Joint>& joints,
                    const std::vector<Report>& reports, Output& output,
-                   const TableStyle& style) {
+                   const TableStyle& plain) {
+  const TableStyle style = plain.titled(shared_title(joints, ""));
   if (joints.size() == 1) {
     reports[0].write(output, style);
     return;

@@ -1,6 +1,7 @@
 #include "cli/stream/report.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace cli {
 
@@ -22,7 +23,7 @@ double Report::number(std::string_view name) const {
 
 std::vector<std::string> Report::columns() const {
   std::vector<std::string> names = {"quantity", "value"};
-  names.insert(names.end(), beside_.begin(), beside_.end());
+  for (const Beside& column : beside_) names.push_back(column.name);
   names.emplace_back("meaning");
   return names;
 }
@@ -50,7 +51,12 @@ void Report::write(Output& output, const TableStyle& style) const {
 }
 
 void Report::write_lines(Output& output, const TableStyle& style) const {
-  write_table(style, columns(), output, [this](RowWriter& row) {
+  std::vector<std::string> of_quantity = {"value"};
+  for (const Beside& column : beside_) {
+    if (column.has_unit_of_value) of_quantity.push_back(column.name);
+  }
+  const TableStyle shown = style.of_quantity(std::move(of_quantity));
+  write_table(shown, columns(), output, [this](RowWriter& row) {
     for (const Line& line : lines_) {
       row.text(line.name);
       write_cell(line.value, row);

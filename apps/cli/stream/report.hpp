@@ -27,8 +27,13 @@ class Report {
     std::vector<Cell> beside = {};
   };
 
-  /// @param beside  columns between value and meaning
-  explicit Report(std::vector<std::string> beside = {})
+  /// A column between value and meaning.
+  struct Beside {
+    std::string name;
+    bool has_unit_of_value = false;
+  };
+
+  explicit Report(std::vector<Beside> beside = {})
       : beside_(std::move(beside)) {}
 
   /// @param beside  one cell for each column, or fewer
@@ -57,7 +62,7 @@ class Report {
   void write_for_people(Output& output, const TableStyle& style) const;
   void write_lines(Output& output, const TableStyle& style) const;
 
-  std::vector<std::string> beside_;
+  std::vector<Beside> beside_;
   std::vector<Line> lines_;
 };
 

@@ -11,6 +11,9 @@ namespace cli {
 /// @throws contact::Error if /dev/null cannot be opened
 void open_missing_streams();
 
+/// --quiet: neither notes nor progress are printed.
+inline bool quiet = false;
+
 /// Writes to standard error; if that fails, the text is lost and nothing else.
 void say(std::string_view text);
 

@@ -17,8 +17,9 @@ namespace {
 
 // Number of rows that decide the units and widths of a table.
 constexpr std::size_t first_rows = 200;
-constexpr std::size_t most_lines = 12;
-constexpr std::size_t most_columns = 6;
+constexpr std::size_t most_lines = 16;
+// Heads are not broken to be narrower.
+constexpr std::size_t least_head = 8;
 
 std::string left(std::string_view text, std::size_t width) {
   const std::size_t own = terminal_width(text);
@@ -28,6 +29,15 @@ std::string left(std::string_view text, std::size_t width) {
 std::string right(std::string_view text, std::size_t width) {
   const std::size_t own = terminal_width(text);
   return std::string(width - std::min(width, own), ' ') + std::string(text);
+}
+
+std::string placed(std::string_view text, std::size_t width, bool to_right) {
+  return to_right ? right(text, width) : left(text, width);
+}
+
+// A column that says how a row was computed.
+bool is_word(std::string_view name) {
+  return name == "status" || name == "residual" || name == "evaluations";
 }
 
 // The text matched by the * of the pattern; none if the name does not match.
@@ -49,6 +59,64 @@ std::optional<std::string> middle(std::string_view name,
   if (!law.empty() && law[0] != '_') return std::nullopt;
   std::ranges::replace(law, '_', ' ');
   return law.empty() ? "" : " (" + law.substr(1) + ')';
+}
+
+// The row of the report on a column; null if there is none.
+const ReportRow* row_of(std::string_view column) {
+  const auto* found =
+      std::ranges::find_if(report_rows, [&](const ReportRow& row) {
+        return middle(column, row.column).has_value();
+      });
+  return found == std::end(report_rows) ? nullptr : found;
+}
+
+std::string label_of(const ReportRow& row, std::string_view column) {
+  return fmt::format("{}{}", row.label, *middle(column, row.column));
+}
+
+std::string head_of(const ShownUnit& unit) {
+  return unit.stem + (unit.symbol.empty() ? "" : ", " + unit.symbol);
+}
+
+// The lines of a head whose column has numbers of some width: it is broken
+// within its name, and before its unit.
+std::vector<std::string> broken_head(const ShownUnit& unit, std::size_t width) {
+  std::vector<std::string> pieces(1);
+  for (const char c : unit.stem) {
+    pieces.back() += c;
+    if (c == '_' || c == '.' || c == ' ') pieces.emplace_back();
+  }
+  if (!unit.symbol.empty()) {
+    pieces.back() += ", ";
+    pieces.push_back(unit.symbol);
+  }
+  width = std::max(width, least_head);
+  std::vector<std::string> lines;
+  for (const std::string& piece : pieces) {
+    const std::size_t with = lines.empty() ? 0 : terminal_width(lines.back());
+    const auto end = piece.find_last_not_of(' ') + 1;
+    if (!lines.empty() &&
+        with + terminal_width(piece.substr(0, end)) <= width) {
+      lines.back() += piece;
+    } else {
+      lines.push_back(piece);
+    }
+  }
+  for (std::string& line : lines) line.erase(line.find_last_not_of(' ') + 1);
+  return lines;
+}
+
+std::size_t widest(const std::vector<std::string>& lines) {
+  std::size_t width = 0;
+  for (const std::string& line : lines) {
+    width = std::max(width, terminal_width(line));
+  }
+  return width;
+}
+
+void end_line(std::string& text) {
+  text.erase(text.find_last_not_of(' ') + 1);
+  text += '\n';
 }
 
 std::size_t place_of(std::string_view name,
@@ -81,9 +149,7 @@ std::string shown(const std::string& padded, std::string_view word,
 
 bool has_report_lines(std::span<const std::string> names) {
   return std::ranges::count_if(names, [](const std::string& name) {
-           return std::ranges::any_of(report_rows, [&](const ReportRow& row) {
-             return middle(name, row.column).has_value();
-           });
+           return row_of(name) != nullptr;
          }) > 1;
 }
 
@@ -101,14 +167,27 @@ std::string TerminalReport::add(std::string_view cells) {
       row.emplace_back(cells.substr(0, end));
       cells.remove_prefix(end + 1);
     }
+    if (!says_something(row)) rows_.pop_back();
   }
   if (rows_.size() < first_rows && !is_table_) return {};
   return table_rows();
 }
 
+// False if none of the row's numbers of its quantity has a value.
+bool TerminalReport::says_something(const Row& row) const {
+  bool has_place = false;
+  for (const std::string& name : style_.of_quantity) {
+    const std::size_t at = place_of(name, names_);
+    if (at == names_.size()) continue;
+    if (!row[at].empty()) return true;
+    has_place = true;
+  }
+  return !has_place;
+}
+
 std::string TerminalReport::rest() {
   std::string text;
-  if (!is_table_ && rows_.size() == 1) {
+  if (!is_table_ && rows_.size() == 1 && !style_.always_table) {
     text = lines(rows_[0]);
     rows_.clear();
     empty_ = false;
@@ -136,8 +215,7 @@ std::optional<TerminalReport::Line> TerminalReport::line(const ReportRow& of,
       beside += fmt::format(" ({:+.3g} %)", 100 * (*number / *other - 1));
     }
   }
-  return Line{fmt::format("{}{}", of.label, *middle(names_[at], of.column)),
-              with_unit(row[at], names_[at]), beside};
+  return Line{label_of(of, names_[at]), with_unit(row[at], names_[at]), beside};
 }
 
 // Any column; words get their colour.
@@ -149,31 +227,47 @@ std::optional<TerminalReport::Line> TerminalReport::plain_line(
               ""};
 }
 
-std::vector<TerminalReport::Line> TerminalReport::chosen_lines(
+// A column that the user named, also without a value.
+TerminalReport::Line TerminalReport::chosen_line(std::size_t at,
+                                                 const Row& row) const {
+  Line chosen = plain_line(at, row).value_or(
+      Line{spaced(shown_unit(names_[at]).stem), "-", ""});
+  if (const ReportRow* of = row_of(names_[at])) {
+    chosen.label = label_of(*of, names_[at]);
+  }
+  return chosen;
+}
+
+std::vector<TerminalReport::Line> TerminalReport::important_lines(
     const Row& row) const {
-  std::vector<Line> chosen;
+  std::vector<Line> lines;
   for (const ReportRow& of : report_rows) {
     for (std::size_t i = 0; i < names_.size(); ++i) {
-      if (!middle(names_[i], of.column) || chosen.size() == most_lines)
-        continue;
-      if (auto found = line(of, i, row)) chosen.push_back(*std::move(found));
+      if (!middle(names_[i], of.column) || lines.size() == most_lines) continue;
+      if (auto found = line(of, i, row)) lines.push_back(*std::move(found));
     }
   }
-  if (chosen.size() < 2) return {};
+  if (lines.size() < 2) return {};
   // A verdict, or a status other than the usual one.
   for (const char* word : {"state", "status", "contact_state"}) {
     const std::size_t at = place_of(word, names_);
     if (at == names_.size() || row[at] == "ok" || row[at] == "clearance") {
       continue;
     }
-    if (auto found = plain_line(at, row)) chosen.push_back(*std::move(found));
+    if (auto found = plain_line(at, row)) lines.push_back(*std::move(found));
   }
-  return chosen;
+  return lines;
 }
 
 std::string TerminalReport::lines(const Row& row) const {
   std::vector<Line> all;
-  if (!style_.all) all = chosen_lines(row);
+  if (style_.chosen) {
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      all.push_back(chosen_line(i, row));
+    }
+  } else if (!style_.all) {
+    all = important_lines(row);
+  }
   const std::size_t most = style_.all ? names_.size() : most_lines;
   if (all.empty()) {
     for (std::size_t i = 0; i < names_.size() && all.size() < most; ++i) {
@@ -198,104 +292,150 @@ std::string TerminalReport::lines(const Row& row) const {
 }
 
 // A number in the unit of its column, or of the quantity of its row.
-std::string TerminalReport::shown_cell(const Row& row, std::size_t at,
-                                       const ShownUnit& unit) const {
-  const std::size_t quantity = place_of("quantity", names_);
-  if (at == quantity) return spaced(shown_unit(row[at]).stem);
-  const auto number = parse_number(row[at]);
-  if (!number) return row[at];
-  return quantity < names_.size() ? with_unit(row[at], row[quantity])
-                                  : unit.text(*number);
+std::string TerminalReport::shown_cell(const Row& row,
+                                       const Column& column) const {
+  const std::size_t quantity =
+      style_.of_quantity.empty() ? names_.size() : place_of("quantity", names_);
+  const std::string& cell = row[column.at];
+  if (column.at == quantity) return spaced(shown_unit(cell).stem);
+  const auto number = parse_number(cell);
+  if (!number) return cell;
+  const bool has_own =
+      quantity == names_.size() ||
+      std::ranges::count(style_.of_quantity, names_[column.at]) == 0;
+  return has_own ? column.unit.text(*number) : with_unit(cell, row[quantity]);
 }
 
-// Columns before the known ones are differences of joints; they are shown.
-void TerminalReport::begin_table() {
-  is_table_ = true;
-  const auto known = [this](std::size_t at) {
-    return std::ranges::any_of(report_rows, [&](const ReportRow& row) {
-      return row.in_tables && middle(names_[at], row.column);
-    });
-  };
+std::vector<TerminalReport::Column> TerminalReport::all_columns() const {
+  const bool wanted =
+      style_.all || style_.chosen || !style_.of_quantity.empty();
+  std::vector<Column> all;
+  for (std::size_t i = 0; i < names_.size(); ++i) {
+    all.push_back({.at = i, .rank = wanted ? 0 : i});
+  }
+  return all;
+}
+
+// Columns before the known ones are differences of joints; they are shown. Next
+// come the numbers that an option asked for.
+std::vector<TerminalReport::Column> TerminalReport::important_columns() const {
   const auto constant = [this](std::size_t at) {
     return std::ranges::all_of(
         rows_, [&](const Row& row) { return row[at] == rows_[0][at]; });
   };
-  std::vector<std::size_t> matter;
+  std::vector<Column> differences;
+  std::vector<Column> asked;
+  std::vector<Column> matter;
+  bool is_known = false;
   for (std::size_t i = 0; i < names_.size(); ++i) {
-    if (known(i) || names_[i] == "b_deg") matter.push_back(i);
+    const ReportRow* row = row_of(names_[i]);
+    const bool is_beta = names_[i] == "b_deg";
+    const auto is = [row](ReportRow::Use use) {
+      return row != nullptr && row->use == use;
+    };
+    if (is(ReportRow::Use::asked_for)) {
+      asked.push_back({.at = i});
+    } else if (is(ReportRow::Use::everywhere)) {
+      matter.push_back({.at = i, .rank = 1 + std::size_t(row - report_rows)});
+    } else if (is_beta && !constant(i)) {
+      matter.push_back({.at = i});
+    } else if (!is_known && !is_beta && !constant(i) && !is_word(names_[i])) {
+      differences.push_back({.at = i});
+    }
+    is_known = is_known || is_beta || !asked.empty() || !matter.empty();
   }
-  if (style_.all || matter.size() < 2) {
-    const std::size_t most =
-        style_.all ? names_.size() : std::min(names_.size(), 2 * most_columns);
-    for (std::size_t i = 0; i < most; ++i) shown_.push_back(i);
-  } else {
-    for (std::size_t i = 0; i < matter[0]; ++i) {
-      const bool is_word = names_[i] == "status" || names_[i] == "residual" ||
-                           names_[i] == "evaluations";
-      if (!is_word && !constant(i)) shown_.push_back(i);
-    }
-    for (const std::size_t i : matter) {
-      const bool is_beta = names_[i] == "b_deg" && constant(i);
-      if (shown_.size() < most_columns + 1 && !is_beta) shown_.push_back(i);
-    }
-    const std::size_t status = place_of("status", names_);
-    if (status < names_.size() &&
-        !(constant(status) && rows_[0][status] == "ok")) {
-      shown_.push_back(status);
+  if (asked.size() + matter.size() < 2) return all_columns();
+  std::vector<Column> all;
+  for (const auto& part : {differences, asked, matter}) {
+    all.insert(all.end(), part.begin(), part.end());
+  }
+  const std::size_t status = place_of("status", names_);
+  if (status < names_.size() &&
+      !(constant(status) && rows_[0][status] == "ok")) {
+    all.push_back({.at = status});
+  }
+  return all;
+}
+
+// Finds the unit and the width of the cells.
+void TerminalReport::measure(Column& column) const {
+  double largest = 0;
+  for (const Row& row : rows_) {
+    const auto number = parse_number(row[column.at]);
+    if (number && std::isfinite(*number)) {
+      largest = std::max(largest, std::abs(*number));
     }
   }
-  for (const std::size_t i : shown_) {
-    double largest = 0;
-    for (const Row& row : rows_) {
-      const auto number = parse_number(row[i]);
-      if (number && std::isfinite(*number)) {
-        largest = std::max(largest, std::abs(*number));
-      }
-    }
-    ShownUnit unit = shown_unit(names_[i]).scaled(largest);
-    std::size_t width = 0;
-    bool has_number = false;
-    for (const Row& row : rows_) {
-      has_number = has_number || parse_number(row[i]);
-      width = std::max(width, terminal_width(shown_cell(row, i, unit)));
-    }
-    const std::string head =
-        unit.stem + (unit.symbol.empty() ? "" : ", " + unit.symbol);
-    widths_.push_back(std::max(width, terminal_width(head)));
-    has_number_.push_back(has_number);
-    units_.push_back(std::move(unit));
+  column.unit = shown_unit(names_[column.at]).scaled(largest);
+  for (const Row& row : rows_) {
+    column.has_number = column.has_number || parse_number(row[column.at]);
+    column.width =
+        std::max(column.width, terminal_width(shown_cell(row, column)));
   }
+  column.head = {head_of(column.unit)};
+}
+
+std::size_t TerminalReport::table_width() const {
+  std::size_t all = 0;
+  for (const Column& column : columns_) {
+    all += 2 + std::max(column.width, widest(column.head));
+  }
+  return all;
+}
+
+void TerminalReport::begin_table() {
+  is_table_ = true;
+  columns_ = style_.all || style_.chosen ? all_columns() : important_columns();
+  for (Column& column : columns_) measure(column);
+  if (table_width() > widest_table) {
+    for (Column& column : columns_) {
+      column.head = broken_head(column.unit, column.width);
+    }
+  }
+  while (table_width() > widest_table) {
+    const auto last = std::ranges::max_element(columns_, {}, &Column::rank);
+    if (last->rank == 0) break;
+    columns_.erase(last);
+  }
+  for (Column& column : columns_) {
+    column.width = std::max(column.width, widest(column.head));
+  }
+}
+
+// Heads end at the same line.
+std::string TerminalReport::heads() const {
+  std::size_t most = 0;
+  for (const Column& column : columns_) {
+    most = std::max(most, column.head.size());
+  }
+  std::string text;
+  for (std::size_t below = most; below > 0; --below) {
+    for (const Column& column : columns_) {
+      const std::size_t lines = column.head.size();
+      text += "  " + placed(below > lines ? "" : column.head[lines - below],
+                            column.width, column.has_number);
+    }
+    end_line(text);
+  }
+  return text;
 }
 
 std::string TerminalReport::table_rows() {
   if (rows_.empty()) return {};
   std::string text;
   empty_ = false;
-  const auto end_line = [&text] {
-    text.erase(text.find_last_not_of(' ') + 1);
-    text += '\n';
-  };
   if (!is_table_) {
     begin_table();
     if (!style_.title.empty()) text = style_.title + "\n\n";
-    for (std::size_t c = 0; c < shown_.size(); ++c) {
-      const std::string& symbol = units_[c].symbol;
-      const std::string head =
-          units_[c].stem + (symbol.empty() ? "" : ", " + symbol);
-      text += "  " + (has_number_[c] ? right(head, widths_[c])
-                                     : left(head, widths_[c]));
-    }
-    end_line();
+    text += heads();
   }
   for (const Row& row : rows_) {
-    for (std::size_t c = 0; c < shown_.size(); ++c) {
-      const std::string cell = shown_cell(row, shown_[c], units_[c]);
-      const std::size_t width = widths_[c];
-      text +=
-          "  " + shown(has_number_[c] ? right(cell, width) : left(cell, width),
-                       row[shown_[c]], style_.colour);
+    for (const Column& column : columns_) {
+      text += "  " + shown(placed(shown_cell(row, column), column.width,
+                                  column.has_number),
+                           row[column.at], style_.colour);
     }
-    end_line();
+    end_line(text);
   }
   rows_.clear();
   return text;

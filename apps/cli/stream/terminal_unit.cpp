@@ -1,10 +1,13 @@
 #include "cli/stream/terminal_unit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 
 #include "cli/number.hpp"
+#include "cli/picture/axis.hpp"
 
 namespace cli {
 namespace {
@@ -13,6 +16,9 @@ using contact::Dimension;
 
 // Number of the last Dimension.
 constexpr int dimensions = static_cast<int>(Dimension::inverse_temperature);
+
+// Products of units in columns of results; no key has them.
+constexpr std::array<std::string_view, 2> products = {"Pa_m", "N_m_s"};
 
 struct SiPrefix {
   double factor;
@@ -41,11 +47,44 @@ const SiPrefix& prefix_for(double value, const Prefixes& all) {
   return all.back();
 }
 
+// The unit at the end of a column's name.
+struct EndUnit {
+  std::string_view ending = {};  ///< "": none
+  bool printed = false;          ///< true if it is the unit of tables
+};
+
+EndUnit unit_at_end(std::string_view column) {
+  EndUnit best;
+  const auto take = [&](std::string_view end, bool printed) {
+    // A single letter of a symbol is a unit only if tables print it;
+    // counterexample: f_t.
+    if (end.empty() || (end.size() == 1 && !printed)) return;
+    if (column.size() <= end.size() + 1 || !column.ends_with(end) ||
+        column[column.size() - end.size() - 1] != '_') {
+      return;
+    }
+    if (best.ending.size() < end.size()) best = {end, printed};
+  };
+  for (int d = 0; d <= dimensions; ++d) {
+    const auto dimension = static_cast<Dimension>(d);
+    for (const contact::Unit& unit : contact::units_of(dimension)) {
+      take(unit.ending, &unit == &contact::printed_unit(dimension));
+    }
+  }
+  for (const std::string_view end : products) take(end, true);
+  return best;
+}
+
+// A divisor of several units: (N m).
+std::string grouped(const std::string& symbol) {
+  return symbol.find(' ') == symbol.npos ? symbol : '(' + symbol + ')';
+}
+
 }  // namespace
 
 ShownUnit ShownUnit::scaled(double value) const {
   // What is left by rounding has an exponent and no prefix.
-  constexpr double least = 1e-12;
+  constexpr double least = si_prefixes.back().factor;
   if (!prefixes || std::abs(value) < least || !std::isfinite(value)) {
     return *this;
   }
@@ -66,7 +105,7 @@ std::string ShownUnit::text(double value) const {
   if (std::isinf(number)) return number > 0 ? "inf" : "-inf";
   constexpr double largest_count = 1e7;
   if (number == std::floor(number) && std::abs(number) < largest_count) {
-    return number_text(number);
+    return fmt::format("{:.0f}", number);
   }
   const std::string rounded = rounded_text(number, 4);
   const double shown = std::stod(rounded);
@@ -77,43 +116,25 @@ std::string ShownUnit::text(double value) const {
 }
 
 ShownUnit shown_unit(std::string_view column) {
-  const contact::Unit* best = nullptr;
-  bool printed = false;
-  for (int d = 0; d <= dimensions; ++d) {
-    const auto dimension = static_cast<Dimension>(d);
-    for (const contact::Unit& unit : contact::units_of(dimension)) {
-      const std::string_view end = unit.ending;
-      // A single letter of a symbol is a unit only if tables print it;
-      // counterexample: f_t.
-      const bool prints = &unit == &contact::printed_unit(dimension);
-      if (end.empty() || (end.size() == 1 && !prints)) continue;
-      if (column.size() <= end.size() + 1 || !column.ends_with(end) ||
-          column[column.size() - end.size() - 1] != '_') {
-        continue;
-      }
-      if (best != nullptr && best->ending.size() >= end.size()) continue;
-      best = &unit;
-      printed = prints;
-    }
-  }
-  if (best == nullptr) return {std::string(column)};
-  const std::string_view end = best->ending;
+  const auto [end, printed] = unit_at_end(column);
+  if (end.empty()) return {std::string(column)};
   const std::string_view front =
       column.substr(0, column.size() - end.size() - 1);
   if (front.ends_with("_per")) {
     // Units that no key has: K_N_m_per_rad.
     ShownUnit unit = shown_unit(front.substr(0, front.size() - 4));
-    unit.symbol += "/" + contact::unit_symbol(end);
+    unit.symbol += "/" + grouped(contact::unit_symbol(end));
     unit.prefixes = false;
     return unit;
   }
-  ShownUnit unit{std::string(column.substr(0, column.size() - end.size() - 1)),
-                 contact::unit_symbol(end)};
+  ShownUnit unit{std::string(front), with_micro(contact::unit_symbol(end))};
   unit.prefixes = printed && end != "deg" && end != "C" && end != "kg" &&
                   end != "per_K" && end != "rad_per_s" && end != "kg_m2";
   if (end == "deg") unit.symbol = "°";
   // As pictures and catalogues have it.
-  if (unit.stem.find("pv") != unit.stem.npos) unit.symbol = "Pa m/s";
+  if (end == "W_per_m2" && front.find("pv") != front.npos) {
+    unit.symbol = "Pa m/s";
+  }
   return unit;
 }
 

@@ -100,21 +100,6 @@ contact::JointContact endless_contact(const Options& options,
       .contact();
 }
 
-class Percent {
- public:
-  explicit Percent(const std::string& of)
-      : progress_("percent of " + of, 100) {}
-  void come_to(double share) {
-    const auto percent = static_cast<std::size_t>(100 * share);
-    if (percent > done_) progress_.add(percent - done_);
-    done_ = std::max(done_, percent);
-  }
-
- private:
-  cli::Progress progress_;
-  std::size_t done_ = 0;
-};
-
 // Computes the wear of the joint over --cycles; nothing without this option.
 void wear_in(const Options& options, JointDuty& duty) {
   if (!options.cycles) return;
@@ -130,8 +115,8 @@ void wear_in(const Options& options, JointDuty& duty) {
     before = contact::read_worn_seat(options.worn, cycle.contact().geometry());
   }
   const bool has_map = !options.worn.empty() || !options.worn_out.empty();
-  Percent done("the cycles");
   contact::WearIn worn = made_of(duty.joint, [&] {
+    cli::ShareDone done("the cycles");  // erased before the warnings
     return contact::wear_in(cycle.cycle(), endless_contact(options, duty),
                             {options.wear_seat.value_or(0) * si_coefficient,
                              options.wear_inner.value_or(0) * si_coefficient},
@@ -300,7 +285,7 @@ contact::Joint joint_of(const Options& options, const CycleFile& cycle,
 
 JointCycle cycle_of(const contact::DutyCycle& cycle,
                     const contact::Joint& joint, const contact::Lies& lies) {
-  Percent done("a table of contacts");
+  cli::ShareDone done("a table of contacts");
   return {cycle, joint, lies, [&](double share) { done.come_to(share); }};
 }
 

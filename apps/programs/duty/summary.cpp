@@ -185,7 +185,7 @@ void add_rims(const JointCycle& cycle, Report& to) {
 
 cli::Report summary_of(const JointDuty& duty,
                        const std::optional<MeasuredWear>& measured, Have have) {
-  Report report({"at_time_s", "x", "y", "z"});
+  Report report({{"at_time_s"}, {"x"}, {"y"}, {"z"}});
   for (const auto& q : contact::cycle_quantities()) report.add(q, duty.cycle);
   const double pv_integral = duty.cycle.sums().pv;
   add_peaks(duty.cycle, have, report);

@@ -137,8 +137,12 @@ double direction_deg(const MeasuredMoment& datum) {
 }
 
 cli::Report report_of(const FrictionFit& fit, bool profile) {
-  std::vector<std::string> beside = {"standard_error", "low", "high"};
-  if (profile) beside.insert(beside.end(), {"profile_low", "profile_high"});
+  std::vector<cli::Report::Beside> beside = {
+      {"standard_error", true}, {"low", true}, {"high", true}};
+  if (profile) {
+    beside.insert(beside.end(),
+                  {{"profile_low", true}, {"profile_high", true}});
+  }
   cli::Report report(beside);
   add_lines(fit, profile, report);
   return report;

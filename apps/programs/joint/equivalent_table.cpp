@@ -195,7 +195,7 @@ cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
   const bool pin = joint.is_pin();
   const auto states = states_of(inputs);
   const EquivalentFriction e = equivalent_friction(joint, states);
-  cli::Report report({"largest_error"});
+  cli::Report report({{"largest_error"}});
   add_range(inputs, pin, report);
   add_numbers(e, f0, pin ? pin_names : ball_names, report);
   add_stiction(joint, states, report);
@@ -205,7 +205,7 @@ cli::ExitStatus write_equivalent(const Setup& setup, const Inputs& inputs,
     add_bending(setup, inputs, e.arm.value, report);
   }
   cli::Output output(options.output);
-  report.write(output, options);
+  report.write(output, options.titled(shared_title(setup.given, "")));
   output.commit();
   return cli::all_good;
 }

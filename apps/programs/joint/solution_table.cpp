@@ -116,8 +116,8 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
                        const Beside& beside, const cli::OutputOptions& options,
                        const std::function<void()>& begin) {
   const NamedJoint& joint = setup.joints[0];
-  std::vector<std::string> printed;
-  if (!beside.empty()) printed.emplace_back("value_printed");
+  std::vector<cli::Report::Beside> printed;
+  if (!beside.empty()) printed.push_back({"value_printed", true});
   cli::Output output(options.output);
   // Checks the requested columns before the work.
   const cli::Table table(options, cli::Report(printed).columns());
@@ -138,7 +138,7 @@ Problems write_summary(const Setup& setup, const Inputs& inputs,
     if (!beside.empty()) cells = {beside.at(1, column.name)};
     report.add(column.name, column(a), column.meaning, cells);
   }
-  report.write(output, options);
+  report.write(output, options.titled(shared_title(setup.given, "")));
   output.commit();
   Problems problems;
   problems.add(a, joint, 0);

@@ -63,8 +63,8 @@ void add_output(cli::Program& program, Options& o) {
         "--replay"}});
   program.add_output(o.output);
   program.describe("--format",
-                   "table of --compare: csv (default), json, markdown,\nlatex; "
-                   "the summary is JSON");
+                   "report, the default on a terminal, or json; table of\n"
+                   "--compare: csv (default), json, markdown, latex, report");
 }
 
 }  // namespace

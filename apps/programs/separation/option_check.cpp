@@ -58,7 +58,8 @@ void check_run(const Options& o, bool format_given) {
   }
   if (format_given && o.output.format != cli::Format::json &&
       o.output.format != cli::Format::report) {
-    cli::refuse_without("--format", "--compare: the summary is JSON");
+    cli::refuse_without("--format",
+                        "--compare: the summary is JSON or a report");
   }
   check_standard_output("--history", o.history, o);
   check_standard_output("--events", o.events, o);

@@ -79,14 +79,16 @@ std::string journal_of(const Options& o) {
 }
 
 cli::ExitStatus list_quantities(const Options& o, const Study& study) {
-  cli::write_table(o.output, {"quantity", "nominal"},
-                   [&](cli::RowWriter& cells) {
+  cli::Output output(o.output.output);
+  cli::write_table(o.output.of_quantity({"nominal"}), {"quantity", "nominal"},
+                   output, [&](cli::RowWriter& cells) {
                      for (const auto& [name, value] : study.nominal()) {
                        cells.text(name);
                        cells.number(value);
                        cells.end();
                      }
                    });
+  output.commit();
   return cli::all_good;
 }
 
@@ -214,7 +216,7 @@ void write_results(const Options& o, const Study& study,
   const bool colour = o.output.report.colour;
   const std::string said =
       o.output.format == cli::Format::report
-          ? to_report(study, findings, command_of(o), colour)
+          ? to_report(study, findings, command_of(o), o.output.report)
           : to_text(study, findings, command_of(o));
   if (colour && o.output.format == cli::Format::report) {
     text.write_coloured(said);

@@ -266,18 +266,12 @@ void JointModel::prepare(const std::vector<std::vector<double>>& first,
 // The joint, with a table, if only the load scatters; built on first use.
 const contact::Joint& JointModel::tabulated() const {
   std::call_once(rims_->once, [this] {
-    cli::Progress progress("percent of a table of contacts", 100);
-    std::size_t done = 0;
-    const auto say = [&](double share) {
-      const auto percent = static_cast<std::size_t>(100 * share);
-      if (percent > done) progress.add(percent - done);
-      done = std::max(done, percent);
-    };
+    cli::ShareDone done("a table of contacts");
     const double most = rims_->most_load;
     rims_->table = joint_->tabulated(
         {.least_load = std::max(0.9 * rims_->least_load, 0.01 * most),
          .most_load = 1.1 * most,
-         .progress = say});
+         .progress = [&](double share) { done.come_to(share); }});
   });
   return *rims_->table;
 }

@@ -45,8 +45,8 @@ void add_numbers(const PointSeries& series, cli::Report& to) {
 
 void write_point_summary(const NamedJoint& joint, const PointSeries& series,
                          const cli::OutputOptions& options) {
-  std::vector<std::string> beside = {"at_state"};
-  if (series.has_time()) beside.emplace_back("at_time_s");
+  std::vector<cli::Report::Beside> beside = {{"at_state"}};
+  if (series.has_time()) beside.push_back({"at_time_s"});
   cli::Output output(options.output);
   cli::Report report(beside);
   report.add("law", joint.law, "half-angle law");

@@ -108,10 +108,14 @@ std::vector<Quantity> quantities(const Case& c, int of) {
 void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
                       const cli::OutputOptions& options) {
   std::vector<std::string> columns = {"body", "quantity"};
+  std::vector<std::string> frictions;
   for (const Outcome& outcome : outcomes) {
-    columns.emplace_back(to_string(outcome.friction));
+    frictions.emplace_back(to_string(outcome.friction));
   }
-  cli::write_table(options, columns, [&](cli::RowWriter& row) {
+  columns.insert(columns.end(), frictions.begin(), frictions.end());
+  cli::Output output(options.output);
+  const cli::TableStyle style = options.titled(c.name).of_quantity(frictions);
+  cli::write_table(style, columns, output, [&](cli::RowWriter& row) {
     for (int body = 0; body < static_cast<int>(c.bodies.size()); ++body) {
       if (c.bodies[body].hinge.kind == multibody::HingeKind::none) continue;
       for (const Quantity& quantity : quantities(c, body)) {
@@ -124,6 +128,7 @@ void write_comparison(const Case& c, const std::vector<Outcome>& outcomes,
       }
     }
   });
+  output.commit();
 }
 
 }  // namespace separation

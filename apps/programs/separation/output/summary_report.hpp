@@ -7,8 +7,9 @@
 
 namespace separation {
 
-/// Prints the summary of a run for people: its events, then a line for each
-/// number of the bodies, joints and clearances.
+/// Prints the summary of a run for people: tables of its events and bodies, the
+/// smallest distance and the drift of energy; with --all a row for each number
+/// of the bodies, joints and clearances.
 void write_report(const nlohmann::ordered_json& summary, cli::Output& output,
                   const cli::TableStyle& style);
 

@@ -58,7 +58,7 @@ std::string shown_name(std::string_view key) {
 }
 
 std::string shown_label(std::string_view key) {
-  const std::string unit = cli::with_micro(cli::shown_unit(key).symbol);
+  const std::string unit = cli::shown_unit(key).symbol;
   return shown_name(key) + (unit.empty() ? "" : ", " + unit);
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "cli/number.hpp"
 #include "cli/stream/quoting.hpp"
@@ -85,17 +86,38 @@ std::string markdown(const Part& part) {
   return text + '\n';
 }
 
-// Columns of a width each, the first to the left. fmt counts characters.
-std::string aligned(const Part& part) {
-  std::string text = part.text.empty() ? "" : part.text + "\n\n";
-  std::vector<Cells> lines = part.rows;
-  lines.insert(lines.begin(), part.header);
-  std::vector<std::size_t> widths(part.header.size());
+std::vector<std::size_t> widths_of(const std::vector<Cells>& lines) {
+  std::vector<std::size_t> widths(lines[0].size());
   for (const Cells& cells : lines) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       widths[i] = std::max(widths[i], cli::terminal_width(cells[i]));
     }
   }
+  return widths;
+}
+
+// Without spare columns as long as the table is too wide.
+Part narrowed(Part part) {
+  for (const std::string& spare : part.spare) {
+    std::vector<Cells> lines = part.rows;
+    lines.insert(lines.begin(), part.header);
+    const std::vector<std::size_t> widths = widths_of(lines);
+    const std::size_t whole =
+        std::accumulate(widths.begin(), widths.end(), 2 * widths.size());
+    if (whole <= cli::TerminalReport::widest_table) break;
+    const auto at = std::ranges::find(part.header, spare) - part.header.begin();
+    part.header.erase(part.header.begin() + at);
+    for (Cells& row : part.rows) row.erase(row.begin() + at);
+  }
+  return part;
+}
+
+// Columns of a width each, the first to the left. fmt counts characters.
+std::string aligned(const Part& part) {
+  std::string text = part.text.empty() ? "" : part.text + "\n\n";
+  std::vector<Cells> lines = part.rows;
+  lines.insert(lines.begin(), part.header);
+  const std::vector<std::size_t> widths = widths_of(lines);
   for (const Cells& cells : lines) {
     for (std::size_t i = 0; i < cells.size(); ++i) {
       text += i == 0 ? fmt::format("  {:<{}}", cells[i], widths[i])
@@ -148,7 +170,13 @@ Part quantities_part(const Study& study, const Findings& findings,
                      const Words& words) {
   Part part{.heading = "Numbers",
             .header = {"quantity", "nominal", "mean", "deviation", "smallest",
-                       "5 %", "50 %", "95 %", "largest", "missing"}};
+                       "5 %", "50 %", "95 %", "largest", "missing"},
+            .spare = {"50 %", "smallest", "largest"}};
+  if (std::ranges::all_of(findings.quantities,
+                          [](const Scatter& s) { return s.missing == 0; })) {
+    part.spare.emplace_back("missing");
+  }
+  part.spare.emplace_back("mean");
   if (study.plan().joint_file.empty()) part.pictures = {"clearance", "angles"};
   for (const Scatter& s : findings.quantities) {
     part.rows.push_back({words.key(s.quantity), number(s.nominal),
@@ -417,7 +445,9 @@ std::string to_text(const Study& study, const Findings& findings,
 }
 
 std::string to_report(const Study& study, const Findings& findings,
-                      const std::string& command, bool colour) {
+                      const std::string& command,
+                      const cli::TerminalReport::Style& style) {
+  const bool colour = style.colour;
   // Texts of files have no colours of their own.
   const auto plain = [colour](const std::string& text) {
     return colour ? cli::terminal_text(text) : text;
@@ -432,7 +462,8 @@ std::string to_report(const Study& study, const Findings& findings,
     text += "\n\n";
   }
   for (const Part& part : parts_of(study, findings, in_words)) {
-    if (part.heading != "Verdicts") text += plain(aligned(part));
+    if (part.heading == "Verdicts") continue;
+    text += plain(aligned(style.all ? part : narrowed(part)));
   }
   if (!findings.requirements.empty()) {
     const std::uint64_t worst = findings.requirements[0].worst[0].run;

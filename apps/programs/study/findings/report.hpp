@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/stream/terminal_report.hpp"
 #include "programs/study/findings/findings.hpp"
 
 namespace study {
@@ -21,6 +22,8 @@ struct Part {
   std::string text = {};
   Cells header = {};  ///< empty: no table
   std::vector<Cells> rows = {};
+  /// Columns that a report leaves out, in this order, if it would be too wide.
+  Cells spare = {};
   std::vector<std::string> pictures = {};  ///< names of pictures
   std::vector<std::uint64_t> runs = {};    ///< run of each row
 };
@@ -53,9 +56,9 @@ std::string to_text(const Study& study, const Findings& findings,
                     const std::string& command);
 
 /// The parts for a terminal: verdicts as sentences, then aligned tables.
-/// @param colour  of the verdicts
 std::string to_report(const Study& study, const Findings& findings,
-                      const std::string& command, bool colour);
+                      const std::string& command,
+                      const cli::TerminalReport::Style& style);
 
 /// "clearance.smallest_m at least 0.05"
 std::string to_string(const Requirement& requirement);
