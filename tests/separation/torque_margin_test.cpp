@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "libcontact/base/units.hpp"
 #include "separation/case/case_reader.hpp"
@@ -216,6 +217,32 @@ com_m = [0.5, 0, 0]
   slow.bodies[0].rigid.inertia *= 1e9;  // hardly accelerates
   const separation::Run run(slow, {});
   EXPECT_NEAR(run.sample().hinge(0).friction_moment.norm(), friction, 1e-8);
+}
+
+// What a margin lacks: enough of it for its standard, friction of joints that
+// carry no load, anything that resists.
+TEST(TorqueMargin, SaysWhatItLacks) {
+  const auto notes = [](std::string text) {
+    text.insert(text.find("to_deg"), "standard = \"ecss_theoretical\", ");
+    const Case c = parse_case(text, "c.toml");
+    return separation::margin_notes(c.bodies[0].hinge,
+                                    torque_margin(c, 0, FrictionChoice::full));
+  };
+  const std::string harness = R"(
+[[force]]; name = "harness"; kind = "torsion"; body = "boom"; angle_deg = [-90, 0]; moment_N_m = [-0.17, -0.17]
+)"_toml;
+  EXPECT_EQ(notes(begin + margin),
+            std::vector<std::string>{"is infinite: nothing resists"});
+  EXPECT_EQ(notes(begin + margin + harness),
+            std::vector<std::string>{
+                "is 0.7843 at 0 deg: ECSS-E-ST-33-01C requires 2"});
+  std::string joint = margin;
+  joint.insert(joint.find("[[force]]"),
+               fmt::format("[[body.hinge.joint]]\nfile = \"{}\"\n",
+                           CONTACT_DATA_DIR "/joints/pin_joint.toml"));
+  EXPECT_EQ(notes(begin + joint + harness).back(),
+            "contains no friction of joints, which carry no load at rest: add "
+            "the friction in operation as a resisting moment");
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 
 #include "libcontact/base/text.hpp"
@@ -79,13 +80,20 @@ void add_unproven(const Outcome& outcome, Texts& texts) {
       counts.unproven, counts.evaluations));
 }
 
+// Each warning once, with all bodies that it is about.
 void add_margins(const Case& c, const Outcome& outcome, Texts& texts) {
+  std::map<std::string, Texts> bodies;
   for (int i = 0; i < static_cast<int>(c.bodies.size()); ++i) {
-    if (!c.bodies[i].hinge.margin) continue;
-    for (std::string& note : margin_notes(
-             c.bodies[i], outcome.margins->of(c, i, outcome.friction))) {
-      texts.push_back(std::move(note));
+    const Body& body = c.bodies[i];
+    if (!body.hinge.margin) continue;
+    for (const std::string& note : margin_notes(
+             body.hinge, outcome.margins->of(c, i, outcome.friction))) {
+      bodies[note].push_back(body.rigid.name);
     }
+  }
+  for (const auto& [note, of] : bodies) {
+    texts.push_back(
+        fmt::format("torque_margin of {} {}", fmt::join(of, ", "), note));
   }
 }
 

@@ -210,24 +210,21 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
   return least;
 }
 
-std::vector<std::string> margin_notes(const Body& body,
+std::vector<std::string> margin_notes(const Hinge& hinge,
                                       const TorqueMargin& margin) {
-  const MarginPath& path = *body.hinge.margin;
-  const auto about = [&](const std::string& what) {
-    return fmt::format("torque_margin of \"{}\" {}", body.rigid.name, what);
-  };
+  const MarginPath& path = *hinge.margin;
   std::vector<std::string> notes;
   if (std::isinf(margin.ratio)) {
-    notes.push_back(about("is infinite: nothing resists"));
+    notes.emplace_back("is infinite: nothing resists");
   } else if (margin.ratio < path.required) {
-    notes.push_back(about(fmt::format(
-        "is {:.4g} at {:.4g} deg: {} requires {}", margin.ratio,
-        margin.angle / contact::degree, path.standard, path.required)));
+    notes.push_back(fmt::format("is {:.4g} at {:.4g} deg: {} requires {}",
+                                margin.ratio, margin.angle / contact::degree,
+                                path.standard, path.required));
   }
-  if (!body.hinge.joints.empty() && margin.friction == 0) {
-    notes.push_back(about(
+  if (!hinge.joints.empty() && margin.friction == 0) {
+    notes.emplace_back(
         "contains no friction of joints, which carry no load at rest: add the "
-        "friction in operation as a resisting moment"));
+        "friction in operation as a resisting moment");
   }
   return notes;
 }

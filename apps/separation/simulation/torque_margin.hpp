@@ -38,9 +38,10 @@ struct TorqueMargin {
 /// @throws contact::Error if the joints have no friction moment
 TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
 
-/// Warnings of a margin: one below MarginPath::required, no resisting moment,
-/// joints whose friction does not count for want of a load.
-std::vector<std::string> margin_notes(const Body& body,
+/// Warnings of a margin, which follow "torque_margin of BODY": one below
+/// MarginPath::required, no resisting moment, joints whose friction does not
+/// count for want of a load.
+std::vector<std::string> margin_notes(const Hinge& hinge,
                                       const TorqueMargin& margin);
 
 /// Torque margins of a run, computed on first use. Safe from several threads.

@@ -34,6 +34,12 @@ Classes classes_of(const std::vector<double>& sorted) {
   constexpr double most = 80;
   const double low = sorted.front();
   const double span = sorted.back() - low;
+  const double scale = std::max(std::abs(low), std::abs(sorted.back()));
+  // Numbers that differ by rounding are one: a narrow class about it.
+  if (!(span > 1e-9 * scale)) {
+    const double width = scale > 0 ? 0.01 * scale : 1;
+    return {low - width / 2, width, {static_cast<int>(sorted.size())}};
+  }
   const auto at = [&](double p) {
     return sorted[static_cast<std::size_t>(
         p * static_cast<double>(sorted.size() - 1))];
@@ -42,9 +48,8 @@ Classes classes_of(const std::vector<double>& sorted) {
   const double wanted = 2 * (at(0.75) - at(0.25)) / std::cbrt(size);
   const double count = wanted > 0
                            ? std::clamp(std::ceil(span / wanted), 1., most)
-                       : span > 0 ? 1 + std::ceil(std::log2(size))
-                                  : 1;
-  Classes classes{low, span > 0 ? span / count : 1,
+                           : 1 + std::ceil(std::log2(size));
+  Classes classes{low, span / count,
                   std::vector<int>(static_cast<std::size_t>(count))};
   for (const double x : sorted) {
     const auto i = static_cast<std::size_t>((x - low) / classes.width);
