@@ -23,7 +23,9 @@ in_pipe() { # COMMAND
   cat errors
 }
 in_console() { # COMMAND
-  NO_COLOR=1 script -qec "$1" /dev/null </dev/null | tr -d '\r' || true
+  # Without lines of progress, which slow machines show.
+  NO_COLOR=1 script -qec "$1" /dev/null </dev/null | tr -d '\r' |
+    sed 's/.*\x1b\[K//' || true
 }
 
 # A page with the examples run again.
