@@ -173,7 +173,7 @@ struct Calculator::Prepared {
         endless(spec.without_seat()),
         joint{endless.half_angle_law_name(),
               endless.pressure_law_name(),
-              contact::Joint(endless, laws),
+              contact::Joint(endless.contact(laws)),
               {},
               {},
               true} {
@@ -242,7 +242,8 @@ struct Calculator::Prepared {
     const hinge_joint::Input input = state_of(state, is_pin);
     const Answer a = solve(input);
     const SameNumbers same =
-        same_numbers(input, is_pin, spec.geometry.seat().has_value());
+        same_numbers(input, is_pin, spec.geometry.seat().has_value(),
+                     spec.relief.kind() != contact::Relief::Kind::none);
     Json notes = Json::array();
     add(spec.clearance_notes(), notes);
     return {{"words",

@@ -35,8 +35,10 @@ int main() {{
 }  // namespace
 
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
-                         bool has_seat) {
-  const std::string_view left_out = has_seat ? ".without_seat()" : "";
+                         bool has_seat, bool has_relief) {
+  const std::string_view left_out = has_seat     ? ".without_seat()"
+                                    : has_relief ? ".without_relief()"
+                                                 : "";
   const std::string force = listed(input.force);
   const std::string turn = listed(input.turn);
   return {message("hinge-joint --joint joint.toml --reaction {}{} --rate {} "

@@ -16,8 +16,9 @@ struct SameNumbers {
 
 /// @param input   the given numbers
 /// @param is_pin  pins have no angle between reaction and rate
-/// @param has_seat  which the page leaves out
+/// @param has_seat, has_relief  which the page leaves out; hinge-joint has no
+///                              option for a joint without its relief
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
-                         bool has_seat);
+                         bool has_seat, bool has_relief);
 
 }  // namespace page

@@ -40,8 +40,14 @@ const sizeOf = (name, row) => {
 
 for (const name of fs.readdirSync(joints)) {
   test(`${name}: numbers are those of the programs`, async (t) => {
-    const file = path.join(joints, name);
-    const text = fs.readFileSync(file, 'utf8');
+    const text = fs.readFileSync(path.join(joints, name), 'utf8');
+    // The page leaves reliefs out: the last table of a file.
+    const relief = text.indexOf('\n[relief]');
+    let file = path.join(joints, name);
+    if (relief >= 0) {
+      file = path.join(fs.mkdtempSync(path.join(os.tmpdir(), 'page-')), name);
+      fs.writeFileSync(file, text.slice(0, relief + 1));
+    }
     const isPin = /^kind = "pin"/m.test(text);
     let worst = {error: 0};
     const compare = (value, expected, size, what) => {
@@ -69,8 +75,7 @@ for (const name of fs.readdirSync(joints)) {
         for (const word of ['law', 'pressure', 'state', 'status']) {
           assert.strictEqual(answer.words[word], row[word]);
         }
-        // Slices have no single profile.
-        if (!(number.R_n_N > 0) || number.theta0_deg === null) continue;
+        if (!(number.R_n_N > 0)) continue;
         const profile = rows('hinge-pressure', '--joint', file, '--load',
                              String(number.R_n_N), '--points', '101');
         const column = Object.keys(profile[0]).find((key) => /^p_/.test(key));

@@ -50,7 +50,7 @@ async function engineNumbers(joint, state) {
 
 test('it opens from the disk, answers while one types, asks for nothing',
      async (t) => {
-  assert.ok(fs.statSync(file).size <= 1.6e6, `${fs.statSync(file).size} bytes`);
+  assert.ok(fs.statSync(file).size <= 1.5e6, `${fs.statSync(file).size} bytes`);
   await withCalculator({}, async (page) => {
     const [first] = await answers(page);
     t.diagnostic(`first answer ${

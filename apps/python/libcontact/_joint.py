@@ -277,7 +277,7 @@ class Joint(FileText, _core.Joint):
             raise _core.Error("angles requires sequence, such as \"zxy\"")
         if angles is None and sequence is not None:
             raise _core.Error(f"sequence = \"{sequence}\" requires angles")
-        force = _in_si(_core._numbers(force), force, _FORCES)  # type: ignore
+        force = _in_si(_core._numbers(force), force, _FORCES)
         return Cycle(
             self, time, force, motion, sequence, period, force_on, force_in,
             tilt, place,
