@@ -206,7 +206,7 @@ TEST(ConeStops, ImpactsOfGeneralBodiesAreDenseSolutions) {
     std::vector<Body> bodies;
     MotionStart start;
     for (int i = 0; i < 2; ++i) {
-      bodies.push_back({HingeKind::ball, 1 + i, random.inertia(),
+      bodies.push_back({HingeKind::ball, 1. + i, random.inertia(),
                         random.vector(), random.vector()});
       start.bodies.emplace_back().rotation = random.turn();
       start.bodies.back().relative_angular_velocity = random.vector();

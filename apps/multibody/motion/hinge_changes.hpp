@@ -76,9 +76,9 @@ class HingeChanges {
   /// A body that leaves a stop.
   struct Bounce {
     const HingeStop* stop;
-    std::optional<Eigen::Vector3d> along;  ///< as Impulse::Target::along
-    double response = 0;                   ///< rate per unit impulse
-    double rate = 0;                       ///< >= 0, rad/s
+    std::optional<Eigen::Vector3d> along = {};  ///< as Impulse::Target::along
+    double response = 0;                        ///< rate per unit impulse
+    double rate = 0;                            ///< >= 0, rad/s
     double pressed = 0;  ///< acceleration that brings it back, rad/s^2
   };
   void settle(double time, std::vector<Bounce>& bounces,
