@@ -222,11 +222,12 @@ com_m = [0.5, 0, 0]
 // What a margin lacks: enough of it for its standard, friction of joints that
 // carry no load, anything that resists.
 TEST(TorqueMargin, SaysWhatItLacks) {
-  const auto notes = [](std::string text) {
+  const auto notes = [](std::string text,
+                        FrictionChoice friction = FrictionChoice::full) {
     text.insert(text.find("to_deg"), "standard = \"ecss_theoretical\", ");
     const Case c = parse_case(text, "c.toml");
-    return separation::margin_notes(c.bodies[0].hinge,
-                                    torque_margin(c, 0, FrictionChoice::full));
+    return separation::margin_notes(*c.bodies[0].hinge.margin,
+                                    torque_margin(c, 0, friction));
   };
   const std::string harness = R"(
 [[force]]; name = "harness"; kind = "torsion"; body = "boom"; angle_deg = [-90, 0]; moment_N_m = [-0.17, -0.17]
@@ -243,6 +244,8 @@ TEST(TorqueMargin, SaysWhatItLacks) {
   EXPECT_EQ(notes(begin + joint + harness).back(),
             "contains no friction of joints, which carry no load at rest: add "
             "the friction in operation as a resisting moment");
+  // Joints that are taken as ideal lack nothing.
+  EXPECT_EQ(notes(begin + joint + harness, FrictionChoice::ideal).size(), 1u);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ void add_margins(const Case& c, const Outcome& outcome, Texts& texts) {
     const Body& body = c.bodies[i];
     if (!body.hinge.margin) continue;
     for (const std::string& note : margin_notes(
-             body.hinge, outcome.margins->of(c, i, outcome.friction))) {
+             *body.hinge.margin, outcome.margins->of(c, i, outcome.friction))) {
       bodies[note].push_back(body.rigid.name);
     }
   }

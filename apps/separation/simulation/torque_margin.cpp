@@ -69,8 +69,6 @@ class Sweep {
     }
   }
 
-  double ratio(double angle) { return at(angle).ratio; }
-
   TorqueMargin at(double angle) {
     const multibody::MotionSample& sample = still(angle);
     const multibody::HingeSample held = sample.hinge(body_);
@@ -95,6 +93,7 @@ class Sweep {
     }
     found.friction = path.friction_factor * friction(angle, held);
     found.ratio = found.driving / (found.friction + found.other);
+    found.lacks_load = solver_.has_friction() && found.friction == 0;
     return found;
   }
 
@@ -190,29 +189,27 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction) {
   Sweep sweep(c, body, friction);
   const std::vector<double> nodes = sweep.nodes();
   std::vector<double> ratios;
-  for (const double angle : nodes) ratios.push_back(sweep.ratio(angle));
   TorqueMargin least;
-  const auto note = [&](double ratio, double angle) {
-    if (ratio < least.ratio) least = sweep.at(angle);
+  const auto note = [&](const TorqueMargin& found) {
+    if (found.ratio < least.ratio) least = found;
+    return found.ratio;
   };
-  for (std::size_t i = 0; i < nodes.size(); ++i) note(ratios[i], nodes[i]);
+  for (const double angle : nodes) ratios.push_back(note(sweep.at(angle)));
   // Between the neighbours of each node that is lower than both.
   for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
     const double before = i > 0 ? ratios[i - 1] : ratios[i];
     const double after = i + 2 < nodes.size() ? ratios[i + 2] : ratios[i + 1];
     if (ratios[i] > before || ratios[i + 1] > after) continue;
     constexpr int bits = 26;  // bits of the angle: ratios differ by 1e-15
-    const auto [angle, ratio] = boost::math::tools::brent_find_minima(
-        [&](double at) { return sweep.ratio(at); }, nodes[i], nodes[i + 1],
+    boost::math::tools::brent_find_minima(
+        [&](double at) { return note(sweep.at(at)); }, nodes[i], nodes[i + 1],
         bits);
-    note(ratio, angle);
   }
   return least;
 }
 
-std::vector<std::string> margin_notes(const Hinge& hinge,
+std::vector<std::string> margin_notes(const MarginPath& path,
                                       const TorqueMargin& margin) {
-  const MarginPath& path = *hinge.margin;
   std::vector<std::string> notes;
   if (std::isinf(margin.ratio)) {
     notes.emplace_back("is infinite: nothing resists");
@@ -221,7 +218,7 @@ std::vector<std::string> margin_notes(const Hinge& hinge,
                                 margin.ratio, margin.angle / contact::degree,
                                 path.standard, path.required));
   }
-  if (!hinge.joints.empty() && margin.friction == 0) {
+  if (margin.lacks_load) {
     notes.emplace_back(
         "contains no friction of joints, which carry no load at rest: add the "
         "friction in operation as a resisting moment");

@@ -17,6 +17,7 @@ struct TorqueMargin {
   double angle = 0;  ///< rad
   /// Moments with their factors, N m.
   double driving = 0, friction = 0, other = 0;
+  bool lacks_load = false;  ///< joints with friction carry none
 };
 
 /// The quasi-static torque margin of a body on an axis: all bodies are at rest,
@@ -41,7 +42,7 @@ TorqueMargin torque_margin(const Case& c, int body, FrictionChoice friction);
 /// Warnings of a margin, which follow "torque_margin of BODY": one below
 /// MarginPath::required, no resisting moment, joints whose friction does not
 /// count for want of a load.
-std::vector<std::string> margin_notes(const Hinge& hinge,
+std::vector<std::string> margin_notes(const MarginPath& path,
                                       const TorqueMargin& margin);
 
 /// Torque margins of a run, computed on first use. Safe from several threads.
