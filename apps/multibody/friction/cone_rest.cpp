@@ -61,12 +61,7 @@ void Hinges::push(const VectorXd& by) {
     add_stop(cone.body);
     at_.cone_change[cone.body] = vec3(Vector3d(by[k] * cone.axis));
   }
-  if (is_prescribed() && !is_tree()) {
-    work_out_motion();
-  } else {
-    at_.dynamics.add_friction(at_.cone_change);
-    at_.reactions_known = false;
-  }
+  add_moments(at_.cone_change);
 }
 
 // Accelerations are linear in the moments of the stops: by differences, large

@@ -105,18 +105,12 @@ void FrictionTracker::stop(int hinge) {
   for (int k = 0; k < hinges_[hinge].joints; ++k) joints_.stop(joint(hinge, k));
 }
 
-bool FrictionTracker::is_tracked(int hinge) const {
+bool FrictionTracker::all(int hinge,
+                          bool (JointTracker::*of)(int) const noexcept) const {
   const int count = hinges_[hinge].joints;
   int k = 0;
-  while (k < count && joints_.is_tracked(joint(hinge, k))) ++k;
+  while (k < count && (joints_.*of)(joint(hinge, k))) ++k;
   return count > 0 && k == count;
-}
-
-bool FrictionTracker::is_trusted(int hinge) const {
-  const int count = hinges_[hinge].joints;
-  int k = 0;
-  while (k < count && joints_.is_trusted(joint(hinge, k))) ++k;
-  return k == count;
 }
 
 // Only the sum of a group's moments along the axis is known: the first joint

@@ -23,9 +23,13 @@ class FrictionTracker {
   void start(int hinge, const HingeSolver& solver,
              const HingeSolver::Memory& last, const Eigen::Vector3d& rate);
   void stop(int hinge);
-  bool is_tracked(int hinge) const;
+  bool is_tracked(int hinge) const {
+    return all(hinge, &JointTracker::is_tracked);
+  }
   /// As JointTracker::is_trusted(), of all joints of a hinge.
-  bool is_trusted(int hinge) const;
+  bool is_trusted(int hinge) const {
+    return all(hinge, &JointTracker::is_trusted);
+  }
   /// Number of tracked hinges.
   int count() const { return count_; }
 
@@ -83,6 +87,8 @@ class FrictionTracker {
   /// The k-th joints of all hinges lie side by side, so that lanes over hinges
   /// are lanes over joints; missing joints are never tracked.
   int joint(int hinge, int k) const { return k * row_ + hinge; }
+  /// Whether this holds for all joints of a hinge that can be tracked.
+  bool all(int hinge, bool (JointTracker::*of)(int) const noexcept) const;
   std::vector<contact::JointContact> lay_out(
       const std::vector<HingeFriction>& friction);
   void set_shares(int hinge, const HingeFriction& friction);

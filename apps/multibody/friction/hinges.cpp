@@ -144,13 +144,13 @@ void Hinges::start() {
     forces().bodies[i].friction = vec3(moment);
   }
   for (ConeRest& cone : at_.cones) cone.moment = 0;
-  work_out_motion();
+  evaluate();
   if (at_.cones.empty()) return;
   find_cone_inertia();
   keep_on_cones();
 }
 
-void Hinges::work_out_motion() {
+void Hinges::evaluate() {
   if (is_prescribed()) {
     at_.dynamics.evaluate_prescribed(at_.state.data(), forces(),
                                      *at_.prescribed);
@@ -160,9 +160,10 @@ void Hinges::work_out_motion() {
   at_.reactions_known = false;
 }
 
-void Hinges::evaluate() {
-  work_out_motion();
-  keep_on_cones();
+void Hinges::add_moments(const std::vector<Vec3<double>>& changes) {
+  if (is_prescribed() && !is_tree()) return evaluate();
+  at_.dynamics.add_friction(changes);
+  at_.reactions_known = false;
 }
 
 void Hinges::apply_changes() {
@@ -173,13 +174,8 @@ void Hinges::apply_changes() {
     forces().bodies[i].friction = vec3(memory(i).moment);
     if (!at_.cones.empty()) add_stop(i);
   }
-  if (is_prescribed() && !is_tree()) {
-    evaluate();
-  } else {
-    at_.dynamics.add_friction(at_.change);
-    at_.reactions_known = false;
-    keep_on_cones();
-  }
+  add_moments(at_.change);
+  keep_on_cones();
 }
 
 void Hinges::give_reactions(FrictionTracker& tracker) {
@@ -198,8 +194,8 @@ void Hinges::move(FrictionTracker& tracker) {
   } else {
     tracker.move(at_.dynamics);
     at_.reactions_known = false;
-    keep_on_cones();
   }
+  keep_on_cones();
   give_reactions(tracker);
 }
 

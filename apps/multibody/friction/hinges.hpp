@@ -179,8 +179,8 @@ class Hinges {
     Eigen::Matrix3d by_force, by_held;
   };
   Slopes slopes(int body);
-  void work_out_motion();
   void evaluate();
+  void add_moments(const std::vector<Vec3<double>>& changes);
   void add_cone(int body, const double* s);
   void find_cone_inertia();
   Eigen::VectorXd along_cones() const;

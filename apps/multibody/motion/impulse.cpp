@@ -86,7 +86,7 @@ Eigen::MatrixXd Impulse::mobility(const std::vector<Unknown>& unknowns,
 }
 
 // Ball joints that turn along their stops go on doing so.
-std::vector<Impulse::Target> Impulse::with_stops(
+std::vector<Impulse::Target> Impulse::along_stops(
     const std::vector<Target>& targets,
     const std::vector<double>& state) const {
   std::vector<Target> all = targets;
@@ -106,7 +106,7 @@ std::vector<Impulse::Jump> Impulse::apply(double time,
                                           std::vector<double>& state) {
   if (targets.empty()) return {};
   equations_.set_masses(time, masses_, dynamics_);
-  return apply(ideal ? targets : with_stops(targets, state), ideal, state);
+  return apply(ideal ? targets : along_stops(targets, state), ideal, state);
 }
 
 std::vector<Impulse::Jump> Impulse::apply(const std::vector<Target>& targets,

@@ -49,8 +49,8 @@ class Impulse {
     int body;
     Eigen::Vector3d direction;
   };
-  std::vector<Target> with_stops(const std::vector<Target>& targets,
-                                 const std::vector<double>& state) const;
+  std::vector<Target> along_stops(const std::vector<Target>& targets,
+                                  const std::vector<double>& state) const;
   std::vector<double> make_still(const std::vector<Target>& targets, bool ideal,
                                  const std::vector<double>& state);
   void evaluate(const std::vector<double>& still);
