@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/base/units.hpp"
@@ -17,9 +17,9 @@
 namespace contact {
 namespace {
 
+using detail::pi;
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-using std::numbers::pi;
 
 // Cross-shear of work done along directions, sum of |f| d d^T: one eigenvalue
 // is 0, the others have this sum and product.

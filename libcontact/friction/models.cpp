@@ -7,11 +7,13 @@
 #include "libcontact/base/constants.hpp"
 #include "libcontact/friction/elliptic/integrals.hpp"
 #include "libcontact/friction/friction_integrals.hpp"
+#include "libcontact/friction/special.hpp"
 #include "libcontact/pressure/cosine.hpp"
 
 namespace contact {
 namespace {
 
+using detail::all_nan;
 using detail::pi;
 
 bool is_half_angle(double theta0) { return theta0 >= 0 && theta0 <= pi; }
@@ -58,11 +60,6 @@ double integrate(F f, double theta0, double pole) {
 
 FrictionTriple times(FrictionTriple x, double along, double across) {
   return {x.force * along, x.sliding * along, x.spinning * across};
-}
-
-FrictionIntegrals all_nan() {
-  using detail::nan;
-  return {nan, {nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}};
 }
 
 }  // namespace

@@ -11,12 +11,8 @@
 namespace contact {
 namespace {
 
+using detail::all_nan;
 using detail::pi;
-
-FrictionIntegrals all_nan() {
-  using detail::nan;
-  return {nan, {nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}};
-}
 
 FrictionTriple over(const FrictionTriple& f, double normal) {
   return {f.force / normal, f.sliding / normal, f.spinning / normal};

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/friction/integrals.hpp"
 
 /// The special cases of the friction integrals of a ball joint with the
@@ -51,5 +52,14 @@ FrictionIntegrals spinning_friction_integrals(double half_angle);
 /// @param axis  slip axis, sine and cosine of a in [-pi/2, pi/2]
 /// @return relative error at most 3e-15 (friction/special_test.cpp).
 FrictionIntegrals hemisphere_friction_integrals(SlipAxis axis);
+
+namespace detail {
+
+/// Of arguments out of range.
+constexpr FrictionIntegrals all_nan() {
+  return {nan, {nan, nan, nan}, {nan, nan, nan}, {nan, nan, nan}};
+}
+
+}  // namespace detail
 
 }  // namespace contact

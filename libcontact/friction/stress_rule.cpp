@@ -5,7 +5,6 @@
 #include <boost/math/special_functions/ellint_1.hpp>
 #include <boost/math/special_functions/jacobi_elliptic.hpp>
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "libcontact/base/constants.hpp"
@@ -16,7 +15,7 @@ namespace contact {
 namespace {
 
 using detail::GaussLegendre;
-using std::numbers::pi;
+using detail::pi;
 
 // Gauss's rules for the planes through the slip axis and for the points in
 // each. Edges ask for more points than planes do.

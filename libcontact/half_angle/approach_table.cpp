@@ -11,7 +11,7 @@ namespace {
 // Coefficients at the end fall like k^-5.
 constexpr double negligible = 2e-8;
 
-double square(double half_angle) {
+double squared_chord(double half_angle) {
   const double s = 2 * std::sin(half_angle / 2);
   return s * s;
 }
@@ -46,7 +46,7 @@ ChebyshevTable ApproachTable::tabulated(int count, const Solver& solver) const {
                 solved.reciprocal_load *
                 load_.load_parameter(half_angle).load_parameter;
             const double complement = load_.reaches_limit() ? rest : 1;
-            const double unit = square(half_angle);
+            const double unit = squared_chord(half_angle);
             const double l = logarithm(half_angle);
             const auto h = [&](double value) {
               return std::log(complement * (value / unit - l));
@@ -80,7 +80,7 @@ ContactApproach ApproachTable::operator()(double half_angle) const noexcept {
   const double l = logarithm(half_angle);
   const auto value = [&](int column) {
     const double h = series_.value(column, v);
-    return square(half_angle) * (std::exp(h) / complement + l);
+    return squared_chord(half_angle) * (std::exp(h) / complement + l);
   };
   return {value(0), stiffness(half_angle, value(1))};
 }

@@ -26,7 +26,7 @@ RootBracket root_between(const Function& f, double low, double high) {
 
 // theta0*, where F falls to 0. An incompressible inner body in a rigid outer
 // one closes up: pi.
-double limit_of(const detail::FittedRelation& relation) {
+double limit_of_fit(const detail::FittedRelation& relation) {
   const auto f = [&relation](double theta) {
     return relation(theta, std::sin(theta / 2), std::cos(theta / 2)).value;
   };
@@ -45,7 +45,7 @@ class detail::FittedHalfAngle {
  public:
   FittedHalfAngle(JointKind kind, const ElasticPair& pair)
       : relation(kind, pair),
-        limit(limit_of(relation)),
+        limit(limit_of_fit(relation)),
         start(kind, relation, limit) {}
 
   FittedRelation relation;

@@ -9,7 +9,7 @@ namespace {
 
 // Negligible in a series of ln G: the accuracy of the solvers of walled
 // contacts.
-constexpr double negligible = 1e-9;
+constexpr double negligible_term = 1e-9;
 
 // Terms that bring G to 1e-12: the closer theta0* comes to the singularity at
 // theta0 = pi, the more.
@@ -31,10 +31,10 @@ HalfAngleTable::HalfAngleTable(JointKind kind,
       variable_(kind, largest, thickness) {
   if (variable_.has_walls()) {
     series_ = tabulated(64, reciprocal);
-    if (!series_.is_resolved(negligible, 1)) {
+    if (!series_.is_resolved(negligible_term, 1)) {
       series_ = tabulated(128, reciprocal);
     }
-    series_.shorten(negligible);
+    series_.shorten(negligible_term);
     // ln G(0) = 0 in truth.
     series_.shift(0, -std::log(evaluate(0).value));
   } else {

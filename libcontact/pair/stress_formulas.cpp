@@ -40,10 +40,9 @@ extern constexpr StressEntry power_stress = {
 
 namespace {
 
+using detail::is_above_zero;
+using detail::is_not_negative;
 using detail::require;
-
-bool is_finite_number(double x) { return x >= 0 && std::isfinite(x); }
-bool is_positive_number(double x) { return x > 0 && std::isfinite(x); }
 
 }  // namespace
 
@@ -51,11 +50,11 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
                                         double dynamic_coefficient,
                                         double speed) {
   const char* const place = "stribeck friction";
-  require(is_finite_number(static_coefficient), place, "static_coefficient",
+  require(is_not_negative(static_coefficient), place, "static_coefficient",
           static_coefficient, "0 or above and finite");
-  require(is_finite_number(dynamic_coefficient), place, "dynamic_coefficient",
+  require(is_not_negative(dynamic_coefficient), place, "dynamic_coefficient",
           dynamic_coefficient, "0 or above and finite");
-  require(is_positive_number(speed), place, "speed", speed,
+  require(is_above_zero(speed), place, "speed", speed,
           "above 0 m/s and finite");
   const double more = static_coefficient - dynamic_coefficient;
   FrictionStress made(
@@ -74,9 +73,9 @@ FrictionStress FrictionStress::stribeck(double static_coefficient,
 FrictionStress FrictionStress::power(double coefficient, double pressure,
                                      double exponent) {
   const char* const place = "power friction";
-  require(is_finite_number(coefficient), place, "coefficient", coefficient,
+  require(is_not_negative(coefficient), place, "coefficient", coefficient,
           "0 or above and finite");
-  require(is_positive_number(pressure), place, "pressure", pressure,
+  require(is_above_zero(pressure), place, "pressure", pressure,
           "above 0 Pa and finite");
   require(exponent >= 0 && exponent <= 1, place, "exponent", exponent,
           "0 to 1");

@@ -36,10 +36,9 @@ extern constexpr StressEntry hersey_table_stress = {
 
 namespace {
 
+using detail::is_above_zero;
+using detail::is_not_negative;
 using detail::require;
-
-bool is_finite_number(double x) { return x >= 0 && std::isfinite(x); }
-bool is_positive_number(double x) { return x > 0 && std::isfinite(x); }
 
 void check_table(const FrictionStress::Table& table, const char* place) {
   const auto fail = [&](std::string_view what, std::string_view rule) {
@@ -51,8 +50,8 @@ void check_table(const FrictionStress::Table& table, const char* place) {
          "as many of both, 2 or more");
   }
   for (std::size_t i = 0; i < x.size(); ++i) {
-    require(is_positive_number(x[i]), place, "point", x[i], "above 0");
-    require(is_finite_number(f[i]), place, "coefficient", f[i], "0 or above");
+    require(is_above_zero(x[i]), place, "point", x[i], "above 0");
+    require(is_not_negative(f[i]), place, "coefficient", f[i], "0 or above");
     if (i == 0 || x[i] > x[i - 1]) continue;
     fail(detail::message("point = {}", x[i]),
          detail::message("above {}, the point before it", x[i - 1]));

@@ -2,13 +2,14 @@
 
 #include <cmath>
 
+#include "libcontact/base/constants.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "libcontact/pressure/running_in.hpp"
 
 namespace contact::detail {
 namespace {
 
-using std::numbers::pi;
+using detail::pi;
 
 }  // namespace
 

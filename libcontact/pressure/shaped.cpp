@@ -19,8 +19,8 @@ constexpr double widest = 175 * degree * (1 + 1e-15);
 
 /// Points of a contact: enough for tops as flat as 1 - (t/theta0)^8. More lie
 /// so near to the edge that rounding of theta is felt.
-constexpr int points = 64;
-using Values = std::array<double, points>;
+constexpr int point_count = 64;
+using Values = std::array<double, point_count>;
 
 /// Place by a variable in which shapes are smooth up to both ends: sin(phi),
 /// phi = (pi/2) v^2, so that the distance from the edge grows like v^4.
@@ -38,22 +38,23 @@ struct Place {
 };
 
 const detail::GaussLegendre& gauss() {
-  static const detail::GaussLegendre& rule = *new detail::GaussLegendre(points);
+  static const detail::GaussLegendre& rule =
+      *new detail::GaussLegendre(point_count);
   return rule;
 }
 
 /// Interpolation at v = (1 + cos(pi i/last))/2: with the edge, the last one,
 /// where theta is known only to rounding and all shapes are 0.
 struct Chebyshev {
-  static constexpr int last = points - 1;
+  static constexpr int last = point_count - 1;
   Values v;
-  std::array<Values, points> factor;  // [i][j]
+  std::array<Values, point_count> factor;  // [i][j]
 
   Chebyshev() {
-    for (int i = 0; i < points; ++i) {
+    for (int i = 0; i < point_count; ++i) {
       const double phase = pi * i / last;
       v[i] = (1 + std::cos(phase)) / 2;
-      for (int j = 0; j < points; ++j) {
+      for (int j = 0; j < point_count; ++j) {
         factor[i][j] = end(i) * end(j) * 2 / last * std::cos(j * phase);
       }
     }
@@ -64,8 +65,8 @@ struct Chebyshev {
   /// The series of df/dv.
   Values slope(const Values& f) const {
     Values c{}, d{};
-    for (int i = 0; i < points; ++i) {
-      for (int j = 0; j < points; ++j) c[j] += factor[i][j] * f[i];
+    for (int i = 0; i < point_count; ++i) {
+      for (int j = 0; j < point_count; ++j) c[j] += factor[i][j] * f[i];
     }
     for (int j = last; j > 0; --j) {
       d[j - 1] = 4 * j * c[j] + (j < last ? d[j + 1] : 0);
@@ -104,7 +105,7 @@ ShapedPressure::ShapedPressure(JointKind kind, std::string name,
 ShapedPressure::Resultants ShapedPressure::resultants(
     double half_angle) const noexcept {
   Resultants r{0, 0};
-  for (int i = 0; i < points; ++i) {
+  for (int i = 0; i < point_count; ++i) {
     const Place place((1 + gauss().node(i)) / 2, half_angle);
     const double width =
         joint_kind() == JointKind::ball ? pi * std::sin(place.theta) : 1;

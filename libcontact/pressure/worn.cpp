@@ -1,7 +1,6 @@
 #include "libcontact/pressure/worn.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include "libcontact/base/constants.hpp"
 #include "libcontact/pressure/cosine.hpp"
@@ -12,7 +11,7 @@ namespace contact {
 namespace {
 
 using detail::nan;
-using std::numbers::pi;
+using detail::pi;
 
 }  // namespace
 

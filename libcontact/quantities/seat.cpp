@@ -9,76 +9,74 @@
 namespace contact {
 namespace {
 
-using S = RimContact;
-
 bool is_number(double x) { return !std::isnan(x); }
 
-constexpr Quantity<S> of_seat[] = {
+constexpr Quantity<RimContact> of_seat[] = {
     {"free", "", Dimension::number, "1 if the contact reaches no rim",
-     [](const S& s) {
+     [](const RimContact& s) {
        return std::isnan(s.area) ? s.area : double(s.is_free);
      }},
     {"peak_pressure", "p_peak", Dimension::stress,
      "largest pressure report_distance (0.02 radii) or more from every rim",
-     [](const S& s) { return s.peak_pressure; }},
+     [](const RimContact& s) { return s.peak_pressure; }},
     {"peak_polar_angle", "v_peak", Dimension::angle,
      "its angle from the seat's axis",
-     [](const S& s) { return s.peak_place.polar_angle; }},
+     [](const RimContact& s) { return s.peak_place.polar_angle; }},
     {"peak_longitude", "phi_peak", Dimension::angle,
      "its longitude from the plane of the load",
-     [](const S& s) { return s.peak_place.longitude; }},
+     [](const RimContact& s) { return s.peak_place.longitude; }},
     {"pressure_at_load", "p_at_load", Dimension::stress,
      "pressure where the load pierces the seat",
-     [](const S& s) { return s.pressure_at_load; }},
+     [](const RimContact& s) { return s.pressure_at_load; }},
     {"lower_end", "v_low", Dimension::angle,
      "end of the contact in the plane of the load, from the seat's axis",
-     [](const S& s) { return s.lower_end; }},
+     [](const RimContact& s) { return s.lower_end; }},
     {"upper_end", "v_high", Dimension::angle, "the other end",
-     [](const S& s) { return s.upper_end; }},
+     [](const RimContact& s) { return s.upper_end; }},
     {"half_width", "", Dimension::angle,
      "from the load to the contact's end across the plane of the load",
-     [](const S& s) { return s.half_width; }},
+     [](const RimContact& s) { return s.half_width; }},
     {"lower_rim_distance", "lower_rim", Dimension::angle,
      "from the contact to the lower rim in that plane; 0 if it is reached",
-     [](const S& s) { return s.rims[0].distance; }},
+     [](const RimContact& s) { return s.rims[0].distance; }},
     {"upper_rim_distance", "upper_rim", Dimension::angle, "to the upper rim",
-     [](const S& s) { return s.rims[1].distance; }},
+     [](const RimContact& s) { return s.rims[1].distance; }},
     {"lower_rim_gap", "lower_gap", Dimension::length,
      "from the contact to the lower rim along the seat",
-     [](const S& s) { return s.rims[0].gap; }},
+     [](const RimContact& s) { return s.rims[0].gap; }},
     {"upper_rim_gap", "upper_gap", Dimension::length, "to the upper rim",
-     [](const S& s) { return s.rims[1].gap; }},
+     [](const RimContact& s) { return s.rims[1].gap; }},
     {"lower_intensity", "K_low", Dimension::number,
      "p sqrt(2 pi s) at the lower rim, s from it, Pa m^0.5",
-     [](const S& s) { return s.rims[0].intensity; }},
+     [](const RimContact& s) { return s.rims[0].intensity; }},
     {"upper_intensity", "K_high", Dimension::number, "at the upper rim",
-     [](const S& s) { return s.rims[1].intensity; }},
+     [](const RimContact& s) { return s.rims[1].intensity; }},
     {"lower_rim_pressure", "p_rim_low", Dimension::stress,
      "largest pressure on the lower rim, rounded by edge_radius",
-     [](const S& s) { return s.rims[0].peak_pressure; }, "",
-     [](const S& s) { return is_number(s.rims[0].peak_pressure); }},
+     [](const RimContact& s) { return s.rims[0].peak_pressure; }, "",
+     [](const RimContact& s) { return is_number(s.rims[0].peak_pressure); }},
     {"upper_rim_pressure", "p_rim_high", Dimension::stress, "on the upper rim",
-     [](const S& s) { return s.rims[1].peak_pressure; }, "",
-     [](const S& s) { return is_number(s.rims[1].peak_pressure); }},
+     [](const RimContact& s) { return s.rims[1].peak_pressure; }, "",
+     [](const RimContact& s) { return is_number(s.rims[1].peak_pressure); }},
     {"force_ratio", "S", Dimension::number,
      "sum of the pressures without regard to their direction over the load",
-     [](const S& s) { return s.force_ratio; }},
+     [](const RimContact& s) { return s.force_ratio; }},
     {"contact_area", "", Dimension::area, "area of the contact",
-     [](const S& s) { return s.area; }},
+     [](const RimContact& s) { return s.area; }},
     {"shift", "", Dimension::length,
      "of the ball's centre from where it is concentric",
-     [](const S& s) -> const Eigen::Vector3d& { return s.shift; }},
+     [](const RimContact& s) -> const Eigen::Vector3d& { return s.shift; }},
 };
 
-constexpr Quantity<S> of_rims[] = {
+constexpr Quantity<RimContact> of_rims[] = {
     {"seat_force", "F", Dimension::force,
      "force on the seat, sum of its pressures",
-     [](const S& s) -> const Eigen::Vector3d& { return s.force; },
+     [](const RimContact& s) -> const Eigen::Vector3d& { return s.force; },
      "force on the seat"},
     {"nominal_area", "", Dimension::area,
      "the area of catalogues: diameter times width, of cups and thrust "
      "bearings the projection along the axis",
-     [](const S& s) { return s.nominal_area; }},
+     [](const RimContact& s) { return s.nominal_area; }},
 };
 
 }  // namespace

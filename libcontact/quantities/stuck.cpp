@@ -3,34 +3,32 @@
 namespace contact {
 namespace {
 
-using S = StuckJoint;
-
-constexpr Quantity<S> of_stuck[] = {
+constexpr Quantity<StuckJoint> of_stuck[] = {
     {"load_stiffness", "K_load", Dimension::moment,
      "stiffness against a turn across a constant load, per rad",
-     [](const S& s) { return s.load_stiffness; }},
+     [](const StuckJoint& s) { return s.load_stiffness; }},
     {"held_stiffness", "K_held", Dimension::moment,
      "stiffness with the centre held, per rad",
-     [](const S& s) { return s.held_stiffness; }},
+     [](const StuckJoint& s) { return s.held_stiffness; }},
     {"spin_stiffness", "K_spin", Dimension::moment,
      "against a turn of a ball about the load, per rad",
-     [](const S& s) { return s.spin_stiffness; }},
+     [](const StuckJoint& s) { return s.spin_stiffness; }},
     {"friction_moment", "M_s", Dimension::moment,
      "friction moment of slow sliding across the load",
-     [](const S& s) { return s.friction_moment; }},
+     [](const StuckJoint& s) { return s.friction_moment; }},
     {"shape_exponent", "b", Dimension::number,
      "of the way from stuck to sliding: M/M_s = 1 - (1 - x/b)^b, x = w "
      "K_load/M_s",
-     [](const S& s) { return s.shape; }},
+     [](const StuckJoint& s) { return s.shape; }},
     {"dahl_exponent", "", Dimension::number,
      "of Dahl's model beside sigma0 = K_load",
-     [](const S& s) { return s.dahl_exponent(); }},
+     [](const StuckJoint& s) { return s.dahl_exponent(); }},
     {"lugre_stiffness", "sigma0", Dimension::moment,
      "of plain LuGre, which turns as far at M_s/2, per rad",
-     [](const S& s) { return s.lugre_stiffness(); }},
+     [](const StuckJoint& s) { return s.lugre_stiffness(); }},
     {"breakaway_angle", "", Dimension::angle,
      "turn at which the joint slides, b M_s/K_load",
-     [](const S& s) { return s.breakaway_angle(); }},
+     [](const StuckJoint& s) { return s.breakaway_angle(); }},
 };
 
 }  // namespace

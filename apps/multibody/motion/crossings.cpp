@@ -15,7 +15,7 @@ namespace {
 
 using Values = StepFunction::Values;
 constexpr int last = StepFunction::last;
-constexpr int middle = StepFunction::middle;
+constexpr int middle_node = StepFunction::middle;
 
 // Chebyshev points of the second kind in [0, 1], increasing.
 const Values nodes = [] {
@@ -24,7 +24,7 @@ const Values nodes = [] {
     const double sine = std::sin(std::numbers::pi * k / (2 * last));
     x[k] = sine * sine;
   }
-  x[middle] = 0.5;
+  x[middle_node] = 0.5;
   return x;
 }();
 
@@ -226,7 +226,8 @@ std::optional<StepFunction::Crossed> StepFunction::first_crossing(
   }
   // States between the ends are estimates, which are worst in the middle. The
   // integrator's dense output costs some evaluations.
-  double miss = std::abs(at_(point(middle, begin_, end_)) - values[middle]);
+  double miss =
+      std::abs(at_(point(middle_node, begin_, end_)) - values[middle_node]);
   constexpr double rough = 1e-3;
   if (!(miss <= rough * spread(values))) {
     for (int k = 1; k < last; ++k) values[k] = at_(point(k, begin_, end_));

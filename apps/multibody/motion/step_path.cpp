@@ -6,16 +6,17 @@
 namespace multibody {
 namespace {
 
-// Newton's form through the ends and points near Chebyshev's between them, in
-// an order in which it is exact at the beginning and stable.
-constexpr int points = 6;
-constexpr std::array<double, points> nodes = {0, 1, 0.345, 0.905, 0.095, 0.655};
+// Newton's form through the ends and points near Chebyshev's between them,
+// in an order in which it is exact at the beginning and stable.
+constexpr int fit_points = 6;
+constexpr std::array<double, fit_points> fit_nodes = {0,     1,     0.345,
+                                                      0.905, 0.095, 0.655};
 
 // Divided differences.
-void make_coefficients(std::array<double, points>& c) {
-  for (int order = 1; order < points; ++order) {
-    for (int k = points - 1; k >= order; --k) {
-      c[k] = (c[k] - c[k - 1]) / (nodes[k] - nodes[k - order]);
+void make_coefficients(std::array<double, fit_points>& c) {
+  for (int order = 1; order < fit_points; ++order) {
+    for (int k = fit_points - 1; k >= order; --k) {
+      c[k] = (c[k] - c[k - 1]) / (fit_nodes[k] - fit_nodes[k - order]);
     }
   }
 }
@@ -26,23 +27,23 @@ void StepPath::fit() {
   const std::size_t count = stepper_.end_state().size();
   const double begin = stepper_.begin();
   const double h = stepper_.end() - begin;
-  coefficients_.resize(points * count);
+  coefficients_.resize(fit_points * count);
   state_.resize(count);
-  for (int k = 0; k < points; ++k) {
+  for (int k = 0; k < fit_points; ++k) {
     if (k < 2) {
       std::ranges::copy(k == 0 ? stepper_.begin_state() : stepper_.end_state(),
                         state_.begin());
     } else {
-      stepper_.interpolate(begin + nodes[k] * h, state_);
+      stepper_.interpolate(begin + fit_nodes[k] * h, state_);
     }
     for (std::size_t i = 0; i < count; ++i) {
-      coefficients_[points * i + k] = state_[i];
+      coefficients_[fit_points * i + k] = state_[i];
     }
   }
-  std::array<double, points> c;
+  std::array<double, fit_points> c;
   for (std::size_t i = 0; i < count; ++i) {
-    const auto own = coefficients_.begin() + points * i;
-    std::copy_n(own, points, c.begin());
+    const auto own = coefficients_.begin() + fit_points * i;
+    std::copy_n(own, fit_points, c.begin());
     make_coefficients(c);
     std::ranges::copy(c, own);
   }
@@ -53,7 +54,7 @@ void StepPath::fit() {
 const double* StepPath::numbers(int first, int count, double time) {
   const double begin = stepper_.begin();
   const double h = stepper_.end() - begin;
-  if (!(h > 0) || stepper_.degree() < 0 || stepper_.degree() >= points) {
+  if (!(h > 0) || stepper_.degree() < 0 || stepper_.degree() >= fit_points) {
     state_.resize(stepper_.end_state().size());
     stepper_.interpolate(time, state_);
     return &state_[first];
@@ -61,9 +62,10 @@ const double* StepPath::numbers(int first, int count, double time) {
   if (serial_ != stepper_.serial()) fit();
   const double s = (time - begin) / h;
   for (int i = first; i < first + count; ++i) {
-    const double* c = &coefficients_[points * i];
-    double sum = c[points - 1];
-    for (int k = points - 2; k >= 0; --k) sum = c[k] + (s - nodes[k]) * sum;
+    const double* c = &coefficients_[fit_points * i];
+    double sum = c[fit_points - 1];
+    for (int k = fit_points - 2; k >= 0; --k)
+      sum = c[k] + (s - fit_nodes[k]) * sum;
     state_[i] = sum;
   }
   return &state_[first];

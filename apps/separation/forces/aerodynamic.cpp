@@ -138,7 +138,7 @@ void read_flow(const TomlTable& table, Aerodynamic& air) {
   air.dynamic_pressure = {at, table.numbers("dynamic_pressure", {at.size()})};
 }
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_aerodynamic(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto air = std::make_shared<Aerodynamic>();
   air->axis = direction(table, "axis");
@@ -180,7 +180,7 @@ ForceKind aerodynamic() {
        {"normal"},
        {"moment"},
        {"table_pressure", Dimension::stress}},
-      read};
+      read_aerodynamic};
 }
 
 }  // namespace separation

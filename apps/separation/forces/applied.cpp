@@ -54,7 +54,7 @@ Table<Vector3d> read_vectors(const TomlTable& table, std::string_view key,
   return result;
 }
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_applied(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Applied>();
   law->inertial = table.optional_choice("axes").value_or(0) == 1;
@@ -84,7 +84,7 @@ ForceKind applied() {
            {"moment", Dimension::moment},
            contact::word_key("axes", {"body", "inertial"}),
            {"force", Dimension::force}},
-          read,
+          read_applied,
           true};
 }
 

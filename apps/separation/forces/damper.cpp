@@ -4,7 +4,7 @@
 namespace separation {
 namespace {
 
-constexpr std::string_view fault_texts[] = {
+constexpr std::string_view damper_faults[] = {
     "has no direction when it starts, t = {time:.6g} s: point on {body} and "
     "its other end are in one place",
 };
@@ -25,14 +25,14 @@ struct Damper final : ForceLaw {
   ForceEnds where(const Case&, int) const override { return ends.where(); }
 
   std::span<const std::string_view> faults() const override {
-    return fault_texts;
+    return damper_faults;
   }
   int find_fault(const ForceInstant& at, bool begins, bool) const override {
     return begins && ends.is_point(at) ? 1 : 0;
   }
 };
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_damper(const ForceTable& from) {
   auto law = std::make_shared<Damper>();
   law->ends = read_line(from);
   law->damping = from.table.number("damping_N_s_per_m");
@@ -49,7 +49,7 @@ ForceKind damper() {
            {"other_body"},
            {"other_point", Dimension::length},
            contact::number_key("damping_N_s_per_m", Interval::non_negative())},
-          read,
+          read_damper,
           true};
 }
 

@@ -30,7 +30,7 @@ struct Motor final : ForceLaw {
   bool ends_with_hinge() const override { return true; }
 };
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_motor(const ForceTable& from) {
   const TomlTable& table = from.table;
   from.refuse_without_axis();
   auto law = std::make_shared<Motor>();
@@ -52,7 +52,7 @@ ForceKind motor() {
           {{"time", Dimension::time},
            {"angle", Dimension::angle},
            {"moment", Dimension::moment}},
-          read};
+          read_motor};
 }
 
 }  // namespace separation

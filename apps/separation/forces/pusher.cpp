@@ -9,17 +9,18 @@ namespace {
 using Eigen::Vector3d;
 using multibody::BodyMotion;
 
-constexpr std::string_view fault_texts[] = {
+constexpr std::string_view pusher_faults[] = {
     "pushes {body} and the carrier together: when it starts, t = {time:.6g} s, "
     "point is behind carrier_point as seen along direction",
     "pushes {body} and the carrier together: when it starts, t = {time:.6g} s, "
     "direction leads from {body} to the carrier",
 };
-enum Fault { none, behind, inwards };
 
 /// A pusher on the carrier that pushes the body along a guide until its stroke
 /// is used up.
 struct Pusher final : ForceLaw {
+  enum Fault { none, behind, inwards };
+
   Vector3d point;
   Vector3d carrier_point;
   Vector3d direction;  ///< unit, carrier axes
@@ -56,7 +57,7 @@ struct Pusher final : ForceLaw {
   }
 
   std::span<const std::string_view> faults() const override {
-    return fault_texts;
+    return pusher_faults;
   }
   // A thousandth of the stroke, and a tenth for directions, are the rounding of
   // numbers of a few digits. For a body on a hinge the centre of mass does not
@@ -78,7 +79,7 @@ struct Pusher final : ForceLaw {
   }
 };
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_pusher(const ForceTable& from) {
   from.refuse_carrier();
   const TomlTable& table = from.table;
   auto law = std::make_shared<Pusher>();
@@ -105,7 +106,7 @@ ForceKind pusher() {
            number_key("first_force", Dimension::force, non_negative),
            number_key("last_force", Dimension::force, non_negative),
            number_key("stroke", Dimension::length, Interval::positive())},
-          read,
+          read_pusher,
           true};
 }
 

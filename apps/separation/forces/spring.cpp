@@ -4,17 +4,18 @@
 namespace separation {
 namespace {
 
-constexpr std::string_view fault_texts[] = {
+constexpr std::string_view spring_faults[] = {
     "has no direction when it starts, t = {time:.6g} s: point on {body} and "
     "its other end are in one place",
     "pulls {body} back after its release, from t = {time:.6g} s: it is longer "
     "than free_length; ends_at_event ends it, a pusher only pushes",
 };
-enum Fault { none, no_direction, pulls_back };
 
 /// A spring between a point of the body and one of the carrier or of another
 /// body.
 struct Spring final : ForceLaw {
+  enum Fault { none, no_direction, pulls_back };
+
   LineForce ends;
   double stiffness;    ///< N/m
   double free_length;  ///< m
@@ -29,7 +30,7 @@ struct Spring final : ForceLaw {
   ForceEnds where(const Case&, int) const override { return ends.where(); }
 
   std::span<const std::string_view> faults() const override {
-    return fault_texts;
+    return spring_faults;
   }
   int find_fault(const ForceInstant& at, bool begins,
                  bool released) const override {
@@ -45,7 +46,7 @@ struct Spring final : ForceLaw {
   bool is_watched() const override { return true; }
 };
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_spring(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Spring>();
   law->ends = read_line(from);
@@ -69,7 +70,7 @@ ForceKind spring() {
            number_key("stiffness", Dimension::line_force, non_negative),
            number_key("free_length", Dimension::length, non_negative),
            number_key("damping_N_s_per_m", non_negative)},
-          read,
+          read_spring,
           true};
 }
 

@@ -88,7 +88,7 @@ std::optional<Propellant> read_propellant(const ForceTable& from) {
   return propellant;
 }
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_thrust(const ForceTable& from) {
   const TomlTable& table = from.table;
   auto law = std::make_shared<Thrust>();
   law->point = from.point();
@@ -131,7 +131,7 @@ ForceKind thrust() {
            {"empty_com", Dimension::length},
            {"empty_inertia", Dimension::inertia},
            {"empty_principal_inertia", Dimension::inertia}},
-          read,
+          read_thrust,
           true};
 }
 

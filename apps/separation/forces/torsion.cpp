@@ -59,7 +59,7 @@ struct Torsion final : ForceLaw {
   }
 };
 
-std::shared_ptr<const ForceLaw> read(const ForceTable& from) {
+std::shared_ptr<const ForceLaw> read_torsion(const ForceTable& from) {
   const TomlTable& table = from.table;
   from.refuse_without_axis();
   auto law = std::make_shared<Torsion>();
@@ -91,7 +91,7 @@ ForceKind torsion() {
            contact::number_key("damping_N_m_s_per_rad", non_negative),
            {"angle", Dimension::angle},
            {"moment", Dimension::moment}},
-          read};
+          read_torsion};
 }
 
 }  // namespace separation

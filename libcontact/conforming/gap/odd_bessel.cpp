@@ -6,7 +6,7 @@ namespace contact::detail {
 namespace {
 
 // Forward recurrence, which loses nothing where x is above the largest order.
-void forward(double x, Eigen::VectorXd& out) {
+void spherical_forward(double x, Eigen::VectorXd& out) {
   double before = std::sin(x) / x;
   double now = (before - std::cos(x)) / x;
   const Eigen::Index last = 2 * out.size() - 1;
@@ -20,7 +20,7 @@ void forward(double x, Eigen::VectorXd& out) {
 
 // Miller's algorithm below it: backwards from where j is below 1e-17, scaled
 // by sum (2m + 1) j_m^2 = 1.
-void backward(double x, Eigen::VectorXd& out) {
+void spherical_backward(double x, Eigen::VectorXd& out) {
   const Eigen::Index last = 2 * out.size() - 1;
   const int start = std::max(static_cast<int>(x + 12 * std::cbrt(x)),
                              static_cast<int>(last)) +
@@ -59,9 +59,9 @@ void odd_spherical_bessel(double x, Eigen::VectorXd& out) {
     out.setZero();
     if (out.size() > 0) out(0) = x / 3;
   } else if (x > 2 * static_cast<double>(out.size())) {
-    forward(x, out);
+    spherical_forward(x, out);
   } else {
-    backward(x, out);
+    spherical_backward(x, out);
   }
 }
 

@@ -28,7 +28,7 @@ bool valid(const Real& x) {
 }
 
 template <class Real>
-Real nan() {
+Real not_a_number() {
   return std::numeric_limits<Real>::quiet_NaN();
 }
 
@@ -47,7 +47,7 @@ inline constexpr double parts_switch = 0.25;
 template <class Real>
 Real elliptic_k(const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x)) return nan<Real>();
+  if (!valid(x)) return not_a_number<Real>();
   if (x == 0) return infinity<Real>();
   return boost::math::ellint_rf(Real(0), x, Real(1), Policy());
 }
@@ -55,7 +55,7 @@ Real elliptic_k(const Real& x) {
 template <class Real>
 Real elliptic_e(const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x)) return nan<Real>();
+  if (!valid(x)) return not_a_number<Real>();
   if (x == 0) return Real(1);
   if (x < boost::math::tools::root_epsilon<Real>() / 16) {
     // DLMF 19.12.2 to first order; the next term is (3/16) x^2 K at most.
@@ -67,7 +67,7 @@ Real elliptic_e(const Real& x) {
 template <class Real>
 Real elliptic_k_cosine(const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x)) return nan<Real>();
+  if (!valid(x)) return not_a_number<Real>();
   if (x == 0) return Real(1);
   if (x < parts_switch) {
     return (elliptic_e<Real>(x) - x * elliptic_k<Real>(x)) / (1 - x);
@@ -78,7 +78,7 @@ Real elliptic_k_cosine(const Real& x) {
 template <class Real>
 Real elliptic_k_sine(const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x)) return nan<Real>();
+  if (!valid(x)) return not_a_number<Real>();
   if (x == 0) return infinity<Real>();
   if (x < parts_switch) {
     return (elliptic_k<Real>(x) - elliptic_e<Real>(x)) / (1 - x);
@@ -89,7 +89,7 @@ Real elliptic_k_sine(const Real& x) {
 template <class Real>
 Real elliptic_pi_cosine(const Real& p, const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x) || !valid(p)) return nan<Real>();
+  if (!valid(x) || !valid(p)) return not_a_number<Real>();
   if (p == 0) return elliptic_k<Real>(x);
   const Real ratio = x / p;
   const Real negligible = std::numeric_limits<Real>::epsilon() / 128;
@@ -103,7 +103,7 @@ Real elliptic_pi_cosine(const Real& p, const Real& x) {
 template <class Real>
 Real elliptic_pi_sine(const Real& p, const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x) || !valid(p)) return nan<Real>();
+  if (!valid(x) || !valid(p)) return not_a_number<Real>();
   if (x == 0 || p == 0) return infinity<Real>();
   return boost::math::ellint_rj(Real(0), x, Real(1), p, Policy()) / 3;
 }
@@ -111,7 +111,7 @@ Real elliptic_pi_sine(const Real& p, const Real& x) {
 template <class Real>
 Real elliptic_pi(const Real& p, const Real& x) {
   using namespace elliptic_policy;
-  if (!valid(x) || !valid(p)) return nan<Real>();
+  if (!valid(x) || !valid(p)) return not_a_number<Real>();
   if (x == 0 || p == 0) return infinity<Real>();
   // Both terms are positive on either side of p = 1.
   const Real sine = elliptic_pi_sine<Real>(p, x);
