@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
@@ -120,12 +121,25 @@ struct TomlTable::Entry {
     if (!integer && !floating) must_be(value, index(), "a number");
     const double result = unit->to_si(
         floating ? floating->get() : static_cast<double>(integer->get()));
+    if (is_unlikely(result)) must_be(value, index(), unlikely_rule(value));
     if (range.contains(result)) return result;
     const bool says_so =
         range.low == -Interval::largest || range.high != Interval::largest;
     must_be(value, index(),
             detail::range_text(range, *unit) +
                 (std::isinf(result) && !says_so ? " and finite" : ""));
+  }
+
+  // An angle beyond a turn whose key has no unit is meant in degrees.
+  bool is_unlikely(double result) const {
+    return unit->ending == "rad" && !name.ends_with("_rad") &&
+           std::abs(result) > 2 * detail::pi && std::isfinite(result);
+  }
+  std::string unlikely_rule(const toml::node& value) const {
+    return detail::message(
+        "at most a turn without a unit: {0} is {0} rad; write {1}_deg = {0} or "
+        "{1}_rad = {0}",
+        detail::value_text(value), name.substr(name.rfind('.') + 1));
   }
 
   // Appended to `to`.
