@@ -53,7 +53,7 @@ class Seats(unittest.TestCase):
         self.assertTrue(all(
             w.category is libcontact.ContactWarning for w in said))
         self.assertTrue(any(
-            "is at its lower rim" in text and "in nine of ten cups of all sizes" in text
+            "is at both its rims" in text and "in nine of ten cups of all sizes" in text
             for text in texts), texts)  # fmt: skip
 
     def test_have_pressures_and_notes(self):
