@@ -5,13 +5,15 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_depth.hpp"
+#include "libcontact/files/toml_nodes.hpp"
 
 namespace cli {
 namespace {
@@ -74,26 +76,31 @@ std::string shipped_hint(Shipped kind, std::string_view name,
   return contact::detail::did_you_mean(meant);
 }
 
+std::string_view kind_of_file(const std::string& file) {
+  // Keys that only one kind of file has.
+  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {"kind", "a joint file"},        {"body", "a case file"},
+      {"carrier", "a case file"},      {"dispersion", "a study file"},
+      {"requirement", "a study file"},
+  };
+  const std::string text = contact::detail::file_text(file);
+  if (contact::detail::line_of_deep_key(text) > 0) return {};
+  try {
+    const toml::table root = toml::parse(text);
+    for (const auto& [key, kind] : kinds) {
+      if (root.contains(key)) return kind;
+    }
+  } catch (const toml::parse_error&) {
+  }
+  return {};
+}
+
 void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted) {
-  // Lines that only one kind of file has, the first ones above all tables.
-  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
-      {"kind=\"ball\"", "a joint file"},   {"kind=\"pin\"", "a joint file"},
-      {"[carrier]", "a case file"},        {"[[dispersion]]", "a study file"},
-      {"[[requirement]]", "a study file"},
-  };
-  std::ifstream in(file);
-  bool in_table = false;
-  for (std::string line; std::getline(in, line);) {
-    std::erase(line, ' ');
-    in_table = in_table || line.starts_with("[");
-    for (const auto& [begin, kind] : kinds) {
-      if (!line.starts_with(begin) || (in_table && begin[0] != '[')) continue;
-      if (kind == wanted) return;
-      throw contact::Error(
-          fmt::format("{} is {}; {} takes {}", file, kind, program, wanted));
-    }
-  }
+  const std::string_view kind = kind_of_file(file);
+  if (kind.empty() || kind == wanted) return;
+  throw contact::Error(
+      fmt::format("{} is {}; {} takes {}", file, kind, program, wanted));
 }
 
 }  // namespace cli

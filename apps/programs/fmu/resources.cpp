@@ -5,6 +5,7 @@
 #include <cmath>
 #include <sstream>
 
+#include "cli/joint/shipped.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/c/contact.h"
@@ -89,20 +90,12 @@ void check_case(const fs::path& file, Resources& all) {
   contact_run_free(run);
 }
 
-// A case has bodies. Text that is not TOML is reported as a faulty joint file.
-bool is_joint_file(const std::string& file) {
-  try {
-    return !toml::parse(contact::detail::file_text(file)).contains("body");
-  } catch (const toml::parse_error&) {
-    return true;
-  }
-}
-
 }  // namespace
 
 Resources read_resources(const fs::path& file) {
   Resources all;
-  all.is_joint = is_joint_file(file);
+  // Text that is not TOML is reported as a faulty joint file.
+  all.is_joint = cli::kind_of_file(file) != "a case file";
   (all.is_joint ? check_joint : check_case)(file, all);
   Packer(all).add(file, "model.toml", "");
   return all;
