@@ -8,6 +8,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/repeated_setting.hpp"
 #include "study/model/joint_model.hpp"
@@ -33,7 +34,13 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 std::unique_ptr<Model> make_model(const Plan& plan) {
-  if (plan.joint_file.empty()) return std::make_unique<SeparationModel>(plan);
+  const bool is_case = plan.joint_file.empty();
+  try {
+    contact::detail::file_text(is_case ? plan.case_file : plan.joint_file);
+  } catch (const Error& error) {
+    plan.file.fail(is_case ? "case" : "joint", error.what());
+  }
+  if (is_case) return std::make_unique<SeparationModel>(plan);
   return std::make_unique<JointModel>(plan);
 }
 
@@ -129,6 +136,7 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
   if (!nominal_.failure.empty()) {
     throw Error("the nominal run failed: " + nominal_.failure);
   }
+  leave_out_infinite();
   find_quantities();
   constexpr std::uint64_t looked_at = 200;
   std::vector<std::vector<double>> first;
@@ -136,6 +144,19 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
     first.push_back(design_->numbers(run));
   }
   model_->prepare(first, runs());
+}
+
+// A distance to a rim that does not exist is infinite, and so is the margin of
+// a hinge that nothing resists.
+void Study::leave_out_infinite() {
+  std::erase_if(nominal_.numbers, [this](const auto& number) {
+    const bool is_infinite = std::isinf(number.second);
+    if (is_infinite) {
+      nominal_.unreached.push_back(
+          {number.first, number.first + " is infinite"});
+    }
+    return is_infinite;
+  });
 }
 
 // Checks that the files allow all that the distributions allow.
@@ -280,7 +301,8 @@ Row Study::row(std::uint64_t run,
   row.failure = result.failure;
   for (const std::string& quantity : quantities_) {
     const auto found = result.numbers.find(quantity);
-    const bool has = row.failure.empty() && found != result.numbers.end();
+    const bool has = row.failure.empty() && found != result.numbers.end() &&
+                     !std::isinf(found->second);
     row.numbers.push_back(has ? found->second : nan);
   }
   return row;
