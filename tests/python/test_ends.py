@@ -74,8 +74,8 @@ class Seats(unittest.TestCase):
         self.assertAlmostEqual(
             -s.power[0] / (0.06 * rated.pv_total[0]), 1, delta=1e-3)
         np.testing.assert_allclose(rated.heat[0], -s.power[0], rtol=1e-7)
-        of_rims = [n for n in ring.notes(solution=s[0]) if " rim. " in n]
-        self.assertEqual(len(of_rims), 2)
+        of_rims = [n for n in ring.notes(solution=s[0]) if " both its rims. " in n]
+        self.assertEqual(len(of_rims), 1)
         self.assertEqual(ring.notes(solution=s[1]), [])
         self.assertEqual(s.state[1], libcontact.State.UNLOADED)
         self.assertTrue(math.isnan(s.lower_intensity[1]))
