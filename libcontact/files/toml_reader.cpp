@@ -16,6 +16,7 @@
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/files/repeated_setting.hpp"
 #include "libcontact/files/toml_file.hpp"
 
@@ -484,7 +485,8 @@ const std::string& TomlTable::source() const { return file_->source; }
 const std::filesystem::path& TomlTable::folder() const { return file_->folder; }
 
 TomlTable TomlTable::file(std::string_view key, KnownKeys (*keys)()) const {
-  const std::filesystem::path path = folder() / text(key);
+  const std::filesystem::path path =
+      detail::named_file(folder(), key, text(key));
   const auto found = file_->for_files.find(&as_table(table_));
   const KeySettings settings =
       found == file_->for_files.end() ? KeySettings{} : found->second;

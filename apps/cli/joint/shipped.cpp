@@ -13,6 +13,7 @@
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_depth.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/files/toml_nodes.hpp"
 
 namespace cli {
@@ -20,31 +21,33 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// "" if it does not exist.
 fs::path folder_of(Shipped kind) {
   constexpr std::array<const char*, 3> names = {"joints", "materials",
                                                 "backings"};
-  std::error_code none;
-  const fs::path programs =
-      fs::read_symlink("/proc/self/exe", none).parent_path();
-  if (none) return {};
-  // Relative to an installation, and to a build directory of the source tree.
-  for (const char* data : {"../share/libcontact", "../../data"}) {
-    const fs::path folder =
-        programs / data / names[static_cast<std::size_t>(kind)];
-    if (fs::is_directory(folder, none)) return folder.lexically_normal();
-  }
-  return {};
+  return contact::detail::shipped_data() /
+         names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace
 
+void find_shipped() {
+  std::error_code none;
+  const fs::path programs =
+      fs::read_symlink("/proc/self/exe", none).parent_path();
+  if (none) return;
+  // Relative to an installation, and to a build directory of the source tree.
+  for (const char* data : {"../share/libcontact", "../../data"}) {
+    if (!fs::is_directory(programs / data / "joints", none)) continue;
+    contact::detail::shipped_data() = (programs / data).lexically_normal();
+    return;
+  }
+}
+
 std::vector<std::string> shipped_names(Shipped kind) {
   std::vector<std::string> names;
-  const fs::path folder = folder_of(kind);
-  if (folder.empty()) return names;
+  if (contact::detail::shipped_data().empty()) return names;
   std::error_code none;
-  for (const auto& file : fs::directory_iterator(folder, none)) {
+  for (const auto& file : fs::directory_iterator(folder_of(kind), none)) {
     if (file.path().extension() == ".toml") {
       names.push_back(file.path().stem().string());
     }

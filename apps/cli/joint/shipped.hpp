@@ -9,6 +9,10 @@ namespace cli {
 /// A folder of data/ that is shipped with the programs.
 enum class Shipped { joints, materials, backings };
 
+/// Finds the folder data of the source tree or the installation, for the names
+/// in options and files.
+void find_shipped();
+
 /// Sorted names of its files without endings; empty if the programs find
 /// neither the source tree nor the installation.
 std::vector<std::string> shipped_names(Shipped kind);

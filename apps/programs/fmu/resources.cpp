@@ -10,6 +10,7 @@
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/c/contact.h"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/files/toml_nodes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "separation/c/run.h"
@@ -41,10 +42,11 @@ class Packer {
     for (auto&& [key, node] : table) {
       const std::string name(key.str());
       if (node.is_string() && (name == "file" || name == "pair")) {
-        const fs::path file = *node.value<std::string>();
+        const fs::path file = contact::detail::named_file(
+            folder, name, *node.value<std::string>());
         const std::string packed =
             fmt::format("{}_{}", ++count_, file.filename().string());
-        node.ref<std::string>() = add(folder / file, packed, path);
+        node.ref<std::string>() = add(file, packed, path);
       } else {
         look_at(node, folder,
                 path.empty() ? name : fmt::format("{}.{}", path, name));
