@@ -136,7 +136,6 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
   if (!nominal_.failure.empty()) {
     throw Error("the nominal run failed: " + nominal_.failure);
   }
-  leave_out_infinite();
   find_quantities();
   constexpr std::uint64_t looked_at = 200;
   std::vector<std::vector<double>> first;
@@ -144,19 +143,6 @@ Study::Study(const std::filesystem::path& file, const PlanChanges& changes)
     first.push_back(design_->numbers(run));
   }
   model_->prepare(first, runs());
-}
-
-// A distance to a rim that does not exist is infinite, and so is the margin of
-// a hinge that nothing resists.
-void Study::leave_out_infinite() {
-  std::erase_if(nominal_.numbers, [this](const auto& number) {
-    const bool is_infinite = std::isinf(number.second);
-    if (is_infinite) {
-      nominal_.unreached.push_back(
-          {number.first, number.first + " is infinite"});
-    }
-    return is_infinite;
-  });
 }
 
 // Checks that the files allow all that the distributions allow.
@@ -206,9 +192,20 @@ std::vector<std::string> Study::matching(const std::string& pattern,
                                          const char* key) {
   std::vector<std::string> found;
   std::vector<std::string> all;
+  std::string infinite;
   for (const auto& [name, value] : nominal_.numbers) {
     all.push_back(name);
-    if (matches(pattern, name)) found.push_back(name);
+    if (!matches(pattern, name)) continue;
+    if (std::isinf(value)) {
+      infinite = name;
+      continue;
+    }
+    found.push_back(name);
+    if (std::isnan(value) && name == pattern) {
+      nominal_.warnings.push_back(fmt::format(
+          "\"{}\" has no number: runs without it miss their requirement",
+          name));
+    }
   }
   const auto unreached = reasons(nominal_.unreached, pattern);
   if (found.empty() && !unreached.empty()) {
@@ -219,6 +216,10 @@ std::vector<std::string> Study::matching(const std::string& pattern,
         "\"{}\" has no number in the nominal run: {}", pattern, why));
   }
   if (!found.empty()) return found;
+  // As the distance to a rim that does not exist.
+  if (!infinite.empty()) {
+    table.fail(key, infinite + " is infinite in the nominal run");
+  }
   // A list of all would fill a page.
   table.fail(key, contact::detail::unknown("quantity",
                                            contact::detail::printable(pattern),

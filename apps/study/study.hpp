@@ -73,7 +73,6 @@ class Study {
   void refuse_repeated_keys() const;
   bool has_effect(std::size_t dispersion, double u,
                   const std::vector<double>& notable) const;
-  void leave_out_infinite();
   void find_quantities();
   std::vector<std::string> matching(const std::string& pattern,
                                     const contact::TomlTable& table,
