@@ -264,7 +264,9 @@ OutputNames names_of(const OutputOptions& options) {
 }
 
 Program::Program(const std::string& does, const std::string& name)
-    : app_(std::make_unique<CLI::App>(does, name)) {}
+    : app_(std::make_unique<CLI::App>(does, name)) {
+  find_shipped();
+}
 
 Program::~Program() = default;
 

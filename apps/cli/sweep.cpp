@@ -23,6 +23,23 @@ bool is_decimal(double value, double scale) {
   return std::abs(integer) <= 0x1p52 && integer / scale == value;
 }
 
+// 1kN:10kN:5, whose 5 may be meant as a step or as a number of values.
+void refuse_bare_step(std::string_view option, std::string_view item) {
+  const auto parts = split(item, ":");
+  if (parts.size() != 3) return;
+  const double step = parse_number(parts[2]).value_or(0);
+  std::string_view unit = parts[1];
+  if (step == 0 || !take_number(unit) || unit.empty()) return;
+  const bool is_count = step >= 2 && step == std::floor(step);
+  refuse(option, item,
+         fmt::format("a range whose step has a unit, as {0}:{1}:{2}{3}{4}",
+                     parts[0], parts[1], parts[2], unit,
+                     is_count ? fmt::format("; {0}:{1}:log{2} has {2} values "
+                                            "in equal ratios",
+                                            parts[0], parts[1], parts[2])
+                              : ""));
+}
+
 }  // namespace
 
 double Sweep::Piece::value(std::size_t i) const {
@@ -116,7 +133,10 @@ Sweep::Piece Sweep::parse_piece(std::string_view option, std::string_view text,
 
 Sweep::Sweep(std::string_view option, std::string_view text,
              const Allowed& allowed, contact::Dimension dimension) {
-  if (dimension != contact::Dimension::number) refuse_some_units(option, text);
+  if (dimension != contact::Dimension::number) {
+    for (const auto item : split(text, ",")) refuse_bare_step(option, item);
+    refuse_some_units(option, text);
+  }
   std::size_t end = 0;
   for (const std::string_view item : split(text, ",")) {
     Piece piece = parse_piece(option, item, dimension);

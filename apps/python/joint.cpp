@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "libcontact/base/error.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/half_angle/registry.hpp"
 #include "libcontact/load_law/load_law.hpp"
 #include "libcontact/pressure/registry.hpp"
@@ -181,6 +182,10 @@ void bind_joint(py::module_& m) {
   m.attr("_material_laws") = material_laws();
   m.attr("_joint_keys") = joint_keys();
   m.def("_file_toml", &file_toml);
+  m.def("_named_file", &contact::detail::named_file);
+  m.def("_set_shipped_data", [](const std::filesystem::path& folder) {
+    contact::detail::shipped_data() = folder;
+  });
   // Rejects arguments that compiled functions reject.
   m.def("_numbers", [](const Numbers& given) { return py::array(given); });
   py::class_<JointSet> joints(m, "_JointSet");

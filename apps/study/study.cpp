@@ -8,6 +8,7 @@
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/repeated_setting.hpp"
 #include "study/model/joint_model.hpp"
@@ -33,7 +34,13 @@ bool matches(std::string_view pattern, std::string_view text) {
 }
 
 std::unique_ptr<Model> make_model(const Plan& plan) {
-  if (plan.joint_file.empty()) return std::make_unique<SeparationModel>(plan);
+  const bool is_case = plan.joint_file.empty();
+  try {
+    contact::detail::file_text(is_case ? plan.case_file : plan.joint_file);
+  } catch (const Error& error) {
+    plan.file.fail(is_case ? "case" : "joint", error.what());
+  }
+  if (is_case) return std::make_unique<SeparationModel>(plan);
   return std::make_unique<JointModel>(plan);
 }
 
@@ -185,9 +192,20 @@ std::vector<std::string> Study::matching(const std::string& pattern,
                                          const char* key) {
   std::vector<std::string> found;
   std::vector<std::string> all;
+  std::string infinite;
   for (const auto& [name, value] : nominal_.numbers) {
     all.push_back(name);
-    if (matches(pattern, name)) found.push_back(name);
+    if (!matches(pattern, name)) continue;
+    if (std::isinf(value)) {
+      infinite = name;
+      continue;
+    }
+    found.push_back(name);
+    if (std::isnan(value) && name == pattern) {
+      nominal_.warnings.push_back(fmt::format(
+          "\"{}\" has no number: runs without it miss their requirement",
+          name));
+    }
   }
   const auto unreached = reasons(nominal_.unreached, pattern);
   if (found.empty() && !unreached.empty()) {
@@ -198,6 +216,10 @@ std::vector<std::string> Study::matching(const std::string& pattern,
         "\"{}\" has no number in the nominal run: {}", pattern, why));
   }
   if (!found.empty()) return found;
+  // As the distance to a rim that does not exist.
+  if (!infinite.empty()) {
+    table.fail(key, infinite + " is infinite in the nominal run");
+  }
   // A list of all would fill a page.
   table.fail(key, contact::detail::unknown("quantity",
                                            contact::detail::printable(pattern),
@@ -280,7 +302,8 @@ Row Study::row(std::uint64_t run,
   row.failure = result.failure;
   for (const std::string& quantity : quantities_) {
     const auto found = result.numbers.find(quantity);
-    const bool has = row.failure.empty() && found != result.numbers.end();
+    const bool has = row.failure.empty() && found != result.numbers.end() &&
+                     !std::isinf(found->second);
     row.numbers.push_back(has ? found->second : nan);
   }
   return row;

@@ -9,12 +9,14 @@
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
+#include "libcontact/base/constants.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
 #include "libcontact/files/key_depth.hpp"
 #include "libcontact/files/key_setting.hpp"
 #include "libcontact/files/key_units.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/files/repeated_setting.hpp"
 #include "libcontact/files/toml_file.hpp"
 
@@ -120,12 +122,25 @@ struct TomlTable::Entry {
     if (!integer && !floating) must_be(value, index(), "a number");
     const double result = unit->to_si(
         floating ? floating->get() : static_cast<double>(integer->get()));
+    if (is_unlikely(result)) must_be(value, index(), unlikely_rule(value));
     if (range.contains(result)) return result;
     const bool says_so =
         range.low == -Interval::largest || range.high != Interval::largest;
     must_be(value, index(),
             detail::range_text(range, *unit) +
                 (std::isinf(result) && !says_so ? " and finite" : ""));
+  }
+
+  // An angle beyond a turn whose key has no unit is meant in degrees.
+  bool is_unlikely(double result) const {
+    return unit->ending == "rad" && !name.ends_with("_rad") &&
+           std::abs(result) > 2 * detail::pi && std::isfinite(result);
+  }
+  std::string unlikely_rule(const toml::node& value) const {
+    return detail::message(
+        "at most a turn without a unit: {0} is {0} rad; write {1}_deg = {0} or "
+        "{1}_rad = {0}",
+        detail::value_text(value), name.substr(name.rfind('.') + 1));
   }
 
   // Appended to `to`.
@@ -470,7 +485,8 @@ const std::string& TomlTable::source() const { return file_->source; }
 const std::filesystem::path& TomlTable::folder() const { return file_->folder; }
 
 TomlTable TomlTable::file(std::string_view key, KnownKeys (*keys)()) const {
-  const std::filesystem::path path = folder() / text(key);
+  const std::filesystem::path path =
+      detail::named_file(folder(), key, text(key));
   const auto found = file_->for_files.find(&as_table(table_));
   const KeySettings settings =
       found == file_->for_files.end() ? KeySettings{} : found->second;

@@ -179,8 +179,8 @@ class TomlTable {
   const std::string& source() const;
   /// Its folder; empty for a text.
   const std::filesystem::path& folder() const;
-  /// The file that a text names, relative to this one, with the settings that
-  /// are left to it. Throws Error as from_file().
+  /// The file that a text names (named_file.hpp), with the settings that are
+  /// left to it. Throws Error as from_file().
   TomlTable file(std::string_view key, KnownKeys (*keys)()) const;
 
  private:

@@ -152,9 +152,12 @@ int checked_row(std::string_view designation, ClearanceGroup group) {
   if (const int row = row_of_lined(name); row >= 0) {
     throw Error(detail::needs(
         bearing,
-        detail::message("its clearance, diameter = {:.6g} mm and ring_width = "
-                        "{} mm in its place: series {} is lined",
-                        sizes[row].ball_mm, sizes[row].ring_mm, name.series)));
+        detail::message(
+            "a joint file, as series {} is lined: "
+            "data/joints/spherical_plain_bearing_ge50.toml with (--set) "
+            "geometry.diameter_mm={:.6g}, seat.ring_width_mm={}, and the "
+            "maker's clearance, liner and friction",
+            name.series, sizes[row].ball_mm, sizes[row].ring_mm)));
   }
   throw Error(detail::must_be(
       bearing,

@@ -4,6 +4,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "libcontact/base/check.hpp"
 #include "libcontact/base/complaint.hpp"
@@ -400,21 +401,36 @@ std::vector<std::string> SeatContact::notes(const SeatState& state) const {
         radius_ * report_distance() * 1e3, state.mean_pressure() / 1e6,
         has_free_side_face() ? "" : "; see K of the rim"));
   }
+  constexpr std::string_view both = "both its rims";
+  const bool are_alike =
+      !has_free_side_face() &&
+      rim_sentence(state, 0, both) == rim_sentence(state, 1, both);
   for (const int rim : {0, 1}) {
-    const bool is_reached = state.rims[rim].intensity > 0;
     if (has_free_side_face()) {
       add_side_face_notes(state, rim, all);
       continue;
     }
-    if (!is_reached && !(state.rims[rim].distance < rim_warning_->reach(rim))) {
-      continue;
-    }
-    all.push_back(rim_warning_->sentence(
-        rim, is_reached, detail::polar_angle(state.force),
-        contact_.half_angle(state.force.norm()).half_angle));
+    std::string text =
+        rim_sentence(state, rim,
+                     are_alike ? std::string(both)
+                               : detail::message("its {} rim", rim_names[rim]));
+    if (text.empty()) continue;
+    if (!are_alike || rim == 0) all.push_back(std::move(text));
     add_rounding_notes(state, rim, all);
   }
   return all;
+}
+
+// The warning on a rim; "" if it has no effect.
+std::string SeatContact::rim_sentence(const SeatState& state, int rim,
+                                      std::string_view place) const {
+  const bool is_reached = state.rims[rim].intensity > 0;
+  if (!is_reached && !(state.rims[rim].distance < rim_warning_->reach(rim))) {
+    return {};
+  }
+  return rim_warning_->sentence(
+      rim, place, is_reached, detail::polar_angle(state.force),
+      contact_.half_angle(state.force.norm()).half_angle);
 }
 
 // Adds notes for a rim with a side face that has an effect.

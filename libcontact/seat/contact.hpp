@@ -173,6 +173,8 @@ class SeatContact {
   double unit_force() const;
   void set_confined(double direction, SeatState& state) const;
   void set_rims(SeatState& state) const;
+  std::string rim_sentence(const SeatState& state, int rim,
+                           std::string_view place) const;
   void add_side_face_notes(const SeatState& state, int rim,
                            std::vector<std::string>& all) const;
   void add_rounding_notes(const SeatState& state, int rim,

@@ -142,7 +142,8 @@ std::optional<RimWarning::Largest> RimWarning::largest(
              : of_cup(rim, direction, half_angle);
 }
 
-std::string RimWarning::sentence(int rim, bool is_reached, double direction,
+std::string RimWarning::sentence(int rim, std::string_view place,
+                                 bool is_reached, double direction,
                                  double half_angle) const {
   const double corner = zone_.side_angle(rim);
   const auto most = largest(rim, direction, half_angle);
@@ -160,10 +161,9 @@ std::string RimWarning::sentence(int rim, bool is_reached, double direction,
                  "and 42 %, in all by up to 152 and 1735 %, which is no bound "
                  "here (docs/explanation/seats.md)");
   return message(
-      "the contact {} its {} rim. The model neglects the free side face there, "
+      "the contact {} {}. The model neglects the free side face there, "
       "assumed at {:.4g} deg to the seat: {}, true pressures at the rim {}; {}",
-      is_reached ? "is at" : "ends beside", rim == 0 ? "lower" : "upper",
-      corner / degree, size,
+      is_reached ? "is at" : "ends beside", place, corner / degree, size,
       corner < acute ? "fall to 0, so that the peak is elsewhere"
                      : "are smaller",
       cure_);

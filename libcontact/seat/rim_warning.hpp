@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "libcontact/pair/layers.hpp"
 #include "libcontact/pair/seat_zone.hpp"
@@ -43,9 +44,10 @@ class RimWarning {
                                  double half_angle) const;
 
   /// Text of the warning.
+  /// @param place       "its lower rim"
   /// @param is_reached  whether the contact reaches the rim
-  std::string sentence(int rim, bool is_reached, double direction,
-                       double half_angle) const;
+  std::string sentence(int rim, std::string_view place, bool is_reached,
+                       double direction, double half_angle) const;
 
  private:
   std::optional<Largest> of_cup(int rim, double direction,

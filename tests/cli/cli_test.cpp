@@ -481,6 +481,12 @@ TEST(Sweep, NumbersWithUnits) {
         std::pair{"1,2,5kN", "numbers that all have a unit, or all have none"},
         std::pair{"1kN:2:log3",
                   "numbers that all have a unit, or all have none"},
+        std::pair{"7,1kN:100kN:5",
+                  "--load 1kN:100kN:5 must be a range whose step has a unit, "
+                  "as 1kN:100kN:5kN; 1kN:100kN:log5 has 5 values in equal "
+                  "ratios"},
+        std::pair{"0:1 kN:0.5",
+                  "a range whose step has a unit, as 0:1 kN:0.5 kN"},
         std::pair{"-1kN", "0 to inf N"}}) {
     const std::string message = error_message([&, t = text] { forces(t); });
     EXPECT_TRUE(message.ends_with(rule)) << message;

@@ -15,6 +15,7 @@
 #include "libcontact/base/units.hpp"
 #include "libcontact/conforming/ball.hpp"
 #include "libcontact/files/joint_tables.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/half_angle/exact.hpp"
 #include "libcontact/pressure/exact.hpp"
 #include "support/edited_file.hpp"
@@ -1032,6 +1033,32 @@ TEST(JointFile, LinersWithoutAWall) {
                            "spherical_plain_bearing_infinite", "hip_cup"}) {
     EXPECT_TRUE(notes(sample_joint(name)).empty()) << name;
   }
+}
+
+TEST(JointFile, NamesAShippedPair) {
+  namespace fs = std::filesystem;
+  const auto with_pair = [](const std::string& pair, const fs::path& folder) {
+    return parse_joint(
+        "kind = 'ball'\n[geometry]\nradius_mm = 20\nradial_clearance_um = 30\n"
+        "[materials]\npair = '" +
+            pair + "'\n",
+        "j.toml", {}, folder);
+  };
+  const JointSpec by_path =
+      with_pair("materials/steel_bronze.toml", CONTACT_DATA_DIR);
+  EXPECT_ERROR(with_pair("steel_bronze", ""),
+               "j.toml:6: materials.pair = \"steel_bronze\": steel_bronze: "
+               "cannot be read: No such file or directory");
+  detail::shipped_data() = CONTACT_DATA_DIR;
+  EXPECT_EQ(with_pair("steel_bronze", ""), by_path);
+  EXPECT_NE(error_message([&] { with_pair("pin_joint", ""); }), "(no error)");
+  // A file of its folder comes first.
+  const ProgramFolder folder;
+  fs::copy_file(CONTACT_DATA_DIR "/materials/steel_steel.toml",
+                folder.path() / "steel_bronze");
+  EXPECT_EQ(with_pair("steel_bronze", folder.path()),
+            with_pair("steel_steel", ""));
+  detail::shipped_data().clear();
 }
 
 TEST(JointFile, OtherEncodings) {

@@ -219,5 +219,24 @@ TEST_F(EveryJoint, FmusSayWhatTheyLeaveOut) {
   }
 }
 
+TEST_F(EveryJoint, MayNameAShippedPair) {
+  folder_.run_well(
+      "sed 's/^pair = .*/pair = \"steel_bronze\"/' "
+      "data/joints/pin_joint.toml >named.toml");
+  for (const std::string run : {"hinge-joint named.toml --reaction 1kN",
+                                "hinge-fmu named.toml --output it.fmu"}) {
+    EXPECT_EQ(folder_.run(run).status, 0) << run;
+  }
+}
+
+TEST_F(EveryJoint, FmusSayWhatTheyHave) {
+  const std::string run =
+      "hinge-fmu data/joints/pin_joint.toml --output it.fmu";
+  EXPECT_EQ(folder_.run_well(run).err,
+            "hinge-fmu: note: wrote it.fmu: joint pin_joint: 24 inputs, 12 "
+            "outputs, 11 parameters\n");
+  EXPECT_EQ(folder_.run_well(run + " --quiet").err, "");
+}
+
 }  // namespace
 }  // namespace contact::test::every_joint_test

@@ -82,6 +82,7 @@ class TypedWrong : public testing::TestWithParam<Refused> {};
 
 TEST_P(TypedWrong, SaysWhatToType) {
   const ProgramFolder folder;
+  folder.write("inline.toml", "requirement = [{ quantity = 'x' }]\n");
   folder.write("e.toml",
                "name = \"e\"\nkind = \"pin\"\n[geometry]\nradius_mm = 20\n"
                "radial_clearance_um = 40\nlength_mm = 50\n"
@@ -151,6 +152,8 @@ INSTANTIATE_TEST_SUITE_P(
         Refused{"hinge-study " + pin, "is a joint file; hinge-study takes"},
         Refused{"hinge-separation " + pin,
                 "is a joint file; hinge-separation takes"},
+        // By its keys, however they are written.
+        Refused{"hinge-separation inline.toml", "is a study file"},
         Refused{"hinge-study data/cases/door.toml",
                 "is a case file; hinge-study takes a study file"},
         Refused{"hinge-separation data/studies/soyuz.toml",

@@ -53,7 +53,7 @@ class Seats(unittest.TestCase):
         self.assertTrue(all(
             w.category is libcontact.ContactWarning for w in said))
         self.assertTrue(any(
-            "is at its lower rim" in text and "in nine of ten cups of all sizes" in text
+            "is at both its rims" in text and "in nine of ten cups of all sizes" in text
             for text in texts), texts)  # fmt: skip
 
     def test_have_pressures_and_notes(self):
@@ -74,8 +74,8 @@ class Seats(unittest.TestCase):
         self.assertAlmostEqual(
             -s.power[0] / (0.06 * rated.pv_total[0]), 1, delta=1e-3)
         np.testing.assert_allclose(rated.heat[0], -s.power[0], rtol=1e-7)
-        of_rims = [n for n in ring.notes(solution=s[0]) if " rim. " in n]
-        self.assertEqual(len(of_rims), 2)
+        of_rims = [n for n in ring.notes(solution=s[0]) if " both its rims. " in n]
+        self.assertEqual(len(of_rims), 1)
         self.assertEqual(ring.notes(solution=s[1]), [])
         self.assertEqual(s.state[1], libcontact.State.UNLOADED)
         self.assertTrue(math.isnan(s.lower_intensity[1]))

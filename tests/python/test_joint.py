@@ -301,6 +301,11 @@ class Files(unittest.TestCase):
             hip.solve(*rows).friction_moment)
         self.assertEqual(libcontact.Joint(**said.to_dict()), said)
 
+    def test_may_name_a_shipped_pair(self):
+        size = {"kind": "ball", "geometry": {"radius": 0.02, "radial_clearance": 3e-5}}
+        joint = libcontact.Joint(**size, materials={"pair": "steel_bronze"})
+        self.assertEqual(joint["materials"]["inner"]["name"], "carbon steel")
+
     def test_have_the_messages_of_the_programs(self):
         for key, value in ("geometry.radius_mm", -5), ("wall.backing", "air"):
             _, said = program(

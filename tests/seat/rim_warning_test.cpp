@@ -190,10 +190,10 @@ TEST(RimWarning, IsSaidEarlierWhereSeatsYieldMore) {
   EXPECT_NEAR(reach({}), 10, 1e-12);
   EXPECT_NEAR(reach({.corner = 84}), 15, 1e-12);
   EXPECT_NEAR(reach({.seat = {1e9, 0.4}}), 15, 1e-12);
-  EXPECT_TRUE(has_text(warning({}, Cup().zone()).sentence(1, true, 0, 1),
+  EXPECT_TRUE(has_text(warning({}, Cup().zone()).sentence(1, "", true, 0, 1),
                        "are smaller"));
   const Cup sharp{.corner = 65};
-  EXPECT_TRUE(has_text(warning(sharp, sharp.zone()).sentence(1, true, 0, 1),
+  EXPECT_TRUE(has_text(warning(sharp, sharp.zone()).sentence(1, "", true, 0, 1),
                        "the peak is elsewhere"));
 }
 

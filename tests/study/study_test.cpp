@@ -746,6 +746,10 @@ TEST_F(StudyFolder, RequirementsOnPeaksThatAreNotThereFail) {
   const double value = study.value_of(0, row);
   EXPECT_TRUE(std::isnan(value)) << value;
   EXPECT_FALSE(study.plan().requirements[0].holds(value));
+  EXPECT_EQ(std::ranges::count(study.warnings(),
+                               "\"p_peak_Pa\" has no number: runs without it "
+                               "miss their requirement"),
+            1);
 }
 
 TEST_F(StudyFolder, LoadsThatLeaveTheSeatFail) {

@@ -262,6 +262,12 @@ Joint joint_from_options(const JointOptions& o) {
                        (of.empty() ? "" : ", " + of)};
   joint.spec.name = {};
   if (has_size) joint.notes = length_notes(o);
+  if (o.is_plain_bearing) {
+    joint.notes.push_back(fmt::format(
+        "bearing {}: a ball of steel in steel, as --pair steel_steel{}",
+        o.key("--bearing"),
+        o.use == JointUse::friction ? " --friction steel_steel_greased" : ""));
+  }
   return joint;
 }
 
@@ -337,13 +343,6 @@ void settle_joint(const Program& program, JointOptions& o) {
     if (o.pair.empty() && o.modulus_ratio.empty()) {
       o.pair = "steel_steel";
       o.is_plain_bearing = true;
-      note(program.name(),
-           fmt::format("bearing {}: a ball of steel in steel, as --pair "
-                       "steel_steel{}",
-                       o.key("--bearing"),
-                       o.use == JointUse::friction
-                           ? " --friction steel_steel_greased"
-                           : ""));
     }
   }
   if (o.joints.empty()) {

@@ -5,44 +5,49 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 #include <utility>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
+#include "libcontact/base/file_text.hpp"
 #include "libcontact/base/text.hpp"
+#include "libcontact/files/key_depth.hpp"
+#include "libcontact/files/named_file.hpp"
+#include "libcontact/files/toml_nodes.hpp"
 
 namespace cli {
 namespace {
 
 namespace fs = std::filesystem;
 
-// "" if it does not exist.
 fs::path folder_of(Shipped kind) {
   constexpr std::array<const char*, 3> names = {"joints", "materials",
                                                 "backings"};
-  std::error_code none;
-  const fs::path programs =
-      fs::read_symlink("/proc/self/exe", none).parent_path();
-  if (none) return {};
-  // Relative to an installation, and to a build directory of the source tree.
-  for (const char* data : {"../share/libcontact", "../../data"}) {
-    const fs::path folder =
-        programs / data / names[static_cast<std::size_t>(kind)];
-    if (fs::is_directory(folder, none)) return folder.lexically_normal();
-  }
-  return {};
+  return contact::detail::shipped_data() /
+         names[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace
 
+void find_shipped() {
+  std::error_code none;
+  const fs::path programs =
+      fs::read_symlink("/proc/self/exe", none).parent_path();
+  if (none) return;
+  // Relative to an installation, and to a build directory of the source tree.
+  for (const char* data : {"../share/libcontact", "../../data"}) {
+    if (!fs::is_directory(programs / data / "joints", none)) continue;
+    contact::detail::shipped_data() = (programs / data).lexically_normal();
+    return;
+  }
+}
+
 std::vector<std::string> shipped_names(Shipped kind) {
   std::vector<std::string> names;
-  const fs::path folder = folder_of(kind);
-  if (folder.empty()) return names;
+  if (contact::detail::shipped_data().empty()) return names;
   std::error_code none;
-  for (const auto& file : fs::directory_iterator(folder, none)) {
+  for (const auto& file : fs::directory_iterator(folder_of(kind), none)) {
     if (file.path().extension() == ".toml") {
       names.push_back(file.path().stem().string());
     }
@@ -74,26 +79,31 @@ std::string shipped_hint(Shipped kind, std::string_view name,
   return contact::detail::did_you_mean(meant);
 }
 
+std::string_view kind_of_file(const std::string& file) {
+  // Keys that only one kind of file has.
+  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
+      {"kind", "a joint file"},        {"body", "a case file"},
+      {"carrier", "a case file"},      {"dispersion", "a study file"},
+      {"requirement", "a study file"},
+  };
+  const std::string text = contact::detail::file_text(file);
+  if (contact::detail::line_of_deep_key(text) > 0) return {};
+  try {
+    const toml::table root = toml::parse(text);
+    for (const auto& [key, kind] : kinds) {
+      if (root.contains(key)) return kind;
+    }
+  } catch (const toml::parse_error&) {
+  }
+  return {};
+}
+
 void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted) {
-  // Lines that only one kind of file has, the first ones above all tables.
-  constexpr std::pair<std::string_view, std::string_view> kinds[] = {
-      {"kind=\"ball\"", "a joint file"},   {"kind=\"pin\"", "a joint file"},
-      {"[carrier]", "a case file"},        {"[[dispersion]]", "a study file"},
-      {"[[requirement]]", "a study file"},
-  };
-  std::ifstream in(file);
-  bool in_table = false;
-  for (std::string line; std::getline(in, line);) {
-    std::erase(line, ' ');
-    in_table = in_table || line.starts_with("[");
-    for (const auto& [begin, kind] : kinds) {
-      if (!line.starts_with(begin) || (in_table && begin[0] != '[')) continue;
-      if (kind == wanted) return;
-      throw contact::Error(
-          fmt::format("{} is {}; {} takes {}", file, kind, program, wanted));
-    }
-  }
+  const std::string_view kind = kind_of_file(file);
+  if (kind.empty() || kind == wanted) return;
+  throw contact::Error(
+      fmt::format("{} is {}; {} takes {}", file, kind, program, wanted));
 }
 
 }  // namespace cli

@@ -9,6 +9,10 @@ namespace cli {
 /// A folder of data/ that is shipped with the programs.
 enum class Shipped { joints, materials, backings };
 
+/// Finds the folder data of the source tree or the installation, for the names
+/// in options and files.
+void find_shipped();
+
 /// Sorted names of its files without endings; empty if the programs find
 /// neither the source tree nor the installation.
 std::vector<std::string> shipped_names(Shipped kind);
@@ -23,9 +27,12 @@ std::string shipped_file(Shipped kind, const std::string& name);
 std::string shipped_hint(Shipped kind, std::string_view name,
                          std::vector<std::string> words = {});
 
-/// Throws contact::Error if a file that cannot be read as `wanted` ("a case
-/// file") is another kind of file: "FILE is a joint file; PROGRAM takes
-/// WANTED".
+/// "a joint file", "a case file" or "a study file", by its keys; "" for another
+/// file and one that is not TOML, which its reader refuses.
+std::string_view kind_of_file(const std::string& file);
+
+/// Throws contact::Error if a file is of another kind than `wanted`: "FILE is a
+/// joint file; PROGRAM takes WANTED".
 void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted);
 

@@ -1,5 +1,6 @@
 // hinge-fmu: a joint or a case as an FMU.
 #include "cli/program.hpp"
+#include "cli/stream/standard_streams.hpp"
 #include "help/help.hpp"
 #include "programs/fmu/run.hpp"
 
@@ -12,6 +13,7 @@ int main(int argc, char** argv) {
                       {"--fmi", cli::count("--fmi", o.version, 2, 3), "N",
                        "version of FMI: 2 (default) or 3"},
                       {"--output", &o.output, "FILE",
-                       "FMU to write; default: FILE.fmu in this folder"}});
+                       "FMU to write; default: FILE.fmu in this folder"},
+                      {"--quiet", &cli::quiet, "", "leave notes out"}});
   return program.run(argc, argv, help, [&] { return hinge_fmu::run(o); });
 }

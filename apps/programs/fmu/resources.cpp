@@ -5,10 +5,12 @@
 #include <cmath>
 #include <sstream>
 
+#include "cli/joint/shipped.hpp"
 #include "libcontact/base/error.hpp"
 #include "libcontact/base/file_text.hpp"
 #include "libcontact/c/contact.h"
 #include "libcontact/files/joint_file.hpp"
+#include "libcontact/files/named_file.hpp"
 #include "libcontact/files/toml_nodes.hpp"
 #include "libcontact/joint/joint.hpp"
 #include "separation/c/run.h"
@@ -40,10 +42,11 @@ class Packer {
     for (auto&& [key, node] : table) {
       const std::string name(key.str());
       if (node.is_string() && (name == "file" || name == "pair")) {
-        const fs::path file = *node.value<std::string>();
+        const fs::path file = contact::detail::named_file(
+            folder, name, *node.value<std::string>());
         const std::string packed =
             fmt::format("{}_{}", ++count_, file.filename().string());
-        node.ref<std::string>() = add(folder / file, packed, path);
+        node.ref<std::string>() = add(file, packed, path);
       } else {
         look_at(node, folder,
                 path.empty() ? name : fmt::format("{}.{}", path, name));
@@ -89,20 +92,12 @@ void check_case(const fs::path& file, Resources& all) {
   contact_run_free(run);
 }
 
-// A case has bodies. Text that is not TOML is reported as a faulty joint file.
-bool is_joint_file(const std::string& file) {
-  try {
-    return !toml::parse(contact::detail::file_text(file)).contains("body");
-  } catch (const toml::parse_error&) {
-    return true;
-  }
-}
-
 }  // namespace
 
 Resources read_resources(const fs::path& file) {
   Resources all;
-  all.is_joint = is_joint_file(file);
+  // Text that is not TOML is reported as a faulty joint file.
+  all.is_joint = cli::kind_of_file(file) != "a case file";
   (all.is_joint ? check_joint : check_case)(file, all);
   Packer(all).add(file, "model.toml", "");
   return all;

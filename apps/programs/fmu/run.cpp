@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -92,7 +93,22 @@ std::string output_of(const Options& o) {
                           : o.output;
 }
 
-std::string zipped(const Options& o, const Resources& resources) {
+// "joint pin: 5 inputs, 20 outputs, 12 parameters"
+std::string content_of(const contact_hosts::fmu::Model& model,
+                       std::string_view kind, std::string_view name) {
+  using contact_hosts::fmu::Role;
+  const auto count = [&](Role role) {
+    return std::ranges::count(model.variables(), role,
+                              &contact_hosts::fmu::Variable::role);
+  };
+  return fmt::format("{} {}: {} inputs, {} outputs, {} parameters", kind, name,
+                     count(Role::input), count(Role::output),
+                     count(Role::parameter));
+}
+
+// @param content  becomes what is inside, as text
+std::string zipped(const Options& o, const Resources& resources,
+                   std::string& content) {
   const TemporaryFolder folder;
   for (const auto& [name, text] : resources.files) {
     std::ofstream(folder.path() / name) << text;
@@ -104,6 +120,7 @@ std::string zipped(const Options& o, const Resources& resources) {
   const Description description = {
       fs::path(o.file).stem(),    "contact_" + kind, model->token(), o.version,
       is_joint && o.version == 2, resources.end_time};
+  content = content_of(*model, kind, description.name);
   const fs::path zip = folder.path() / "fmu.zip";
   Archive archive(zip);
   archive.add("modelDescription.xml", description.text(*model));
@@ -129,8 +146,10 @@ cli::ExitStatus run(const Options& options) {
   Resources resources = read_resources(options.file);
   add_keys(resources);
   cli::Output output(name);
-  output.write(zipped(options, resources));
+  std::string content;
+  output.write(zipped(options, resources, content));
   output.commit();
+  cli::note("hinge-fmu", fmt::format("wrote {}: {}", name, content));
   for (const std::string& note : resources.notes) cli::warn("hinge-fmu", note);
   return cli::all_good;
 }

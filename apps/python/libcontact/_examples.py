@@ -7,12 +7,12 @@ from abc import abstractmethod
 from collections.abc import Collection, Iterator, Mapping
 from pathlib import Path
 from types import MappingProxyType
-from typing import TYPE_CHECKING, Any, TypeVar
+from typing import Any, TypeVar
 
-if TYPE_CHECKING:
-    from . import _core
+from . import _core
 
 _data = Path(__file__).parent / "data"
+_core._set_shipped_data(_data)
 Value = TypeVar("Value")
 
 

@@ -125,7 +125,7 @@ def with_files(tables: Any, folder: Path, settings: type_of_settings) -> Any:
         if kind is None:
             return inside
         its_own = tuple((r, v) for (table, r), v in walked if table is found and r)
-        path = folder / found[kind]
+        path = _core._named_file(folder, kind, found[kind])
         text = _core._file_toml(kind, path, its_own)
         return with_files(tomllib.loads(text), path.parent, its_own) | inside
 

@@ -62,13 +62,12 @@ bool reaches_rim(const contact::Joint& endless, const Load& load) {
   return false;
 }
 
-/// Adds numbers by name, without distances to rims that do not exist.
+/// Adds numbers by name.
 template <class T>
 void add(const std::vector<contact::Column<T>>& columns, const T& of,
          Result& to) {
   for (const auto& column : columns) {
-    const double value = column(of);
-    if (!std::isinf(value)) to.numbers.emplace(column.name, value);
+    to.numbers.emplace(column.name, column(of));
   }
 }
 

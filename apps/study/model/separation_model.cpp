@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <charconv>
-#include <cmath>
 
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
@@ -53,11 +52,6 @@ std::vector<std::string> labels_of(const Items& items, const std::string& which,
 
 using Numbers = std::map<std::string, double>;
 
-// Infinite values are left out.
-void add(const std::string& name, double value, Numbers& to) {
-  if (!std::isinf(value)) to.emplace(name, value);
-}
-
 // PREFIX.NAME; for vectors PREFIX.NAME[1] to [3].
 template <class T>
 void add(std::span<const contact::Quantity<T>> quantities, const T& of,
@@ -66,7 +60,7 @@ void add(std::span<const contact::Quantity<T>> quantities, const T& of,
     if (q.exists && !q.exists(of)) continue;
     const std::string name = prefix + '.' + separation::summary_name(q);
     separation::for_numbers(q, of, [&](double number, int k) {
-      add(k == 0 ? name : fmt::format("{}[{}]", name, k), number, to);
+      to.emplace(k == 0 ? name : fmt::format("{}[{}]", name, k), number);
     });
   }
 }
@@ -203,10 +197,10 @@ Numbers numbers_of(const Case& c, const separation::Outcome& outcome,
                    bool margins) {
   const auto& memory = outcome.memory;
   Numbers numbers;
-  add("end_time_s", outcome.end_time, numbers);
-  add("energy.largest_J", memory.largest_energy, numbers);
+  numbers.emplace("end_time_s", outcome.end_time);
+  numbers.emplace("energy.largest_J", memory.largest_energy);
   if (!c.options.carrier_drive) {
-    add("energy.largest_drift_J", memory.largest_drift, numbers);
+    numbers.emplace("energy.largest_drift_J", memory.largest_drift);
     if (memory.largest_energy > 0) {
       numbers.emplace("energy.drift",
                       memory.largest_drift / memory.largest_energy);
