@@ -279,11 +279,12 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   run("s.toml --report r.html");
   const std::string page = folder_.read("r.html");
   for (const char* words :
-       {R"(<h1>a &lt;/script>&lt;b onload="x" 'y'> &amp; study</h1>)",
+       {R"(<h1>a &lt;/script>&lt;b onload=&quot;x&quot; 'y'> &amp; study</h1>)",
         "default-src 'none'", "<h2>Verdicts</h2>", "<h2>Percentiles</h2>",
         "<p class=\"verdict ", "confidence",
         "<th data-name=\"requirement\">Mₜ at most 700 N m</th>"
         "<td data-name=\"success\">99 %</td><td data-name=\"risk\">10 %</td>",
+        "<th data-name=\"quantity\">Mₜ, N m</th>", "<th>Mₜ, N m</th>",
         "<th>probability of a miss: lower bound</th><th>upper bound</th>",
         "What drives Mₜ, N m", "The worst runs for Mₜ at most 700 N m",
         "<code>hinge-study s.toml --run "}) {
