@@ -303,6 +303,15 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   EXPECT_EQ(folder_.read("again.html"), page);
 }
 
+TEST_F(HingeStudy, ListsAndMassesHaveTheirUnits) {
+  run("data/studies/soyuz.toml --runs 2 --report r.html --output -");
+  const std::string page = folder_.read("r.html");
+  for (const char* words : {">com 1 of booster, m<", ">mass of booster, t<",
+                            ">carrier point 2 of hinge of booster, m<"}) {
+    EXPECT_TRUE(has_text(page, words)) << words;
+  }
+}
+
 // The report shows the dispersions without the study file.
 TEST_F(HingeStudy, TheReportSaysWhatScatters) {
   const std::string text =
