@@ -6,25 +6,12 @@
 # of boosters and a hinge's sketch:
 #   plots/figures.sh BUILD_DIR OUTPUT_DIR
 # leaves NAME.svg, NAME.png and the tables they show, as CSV.
-set -euo pipefail
-unset CDPATH
-if [ $# -ne 2 ]; then
-  sed -n '2,8s/^# \{0,1\}//p' "$0" >&2
-  exit 2
-fi
-plots=$(cd "$(dirname "$0")" && pwd)
-programs=$(cd "$1/bin" && pwd)
-mkdir -p "$2"
-cd "$2"
-if ! command -v gnuplot >/dev/null; then
-  echo "figures.sh: gnuplot is not installed, no figures" >&2
-  exit 1
-fi
+source "$(dirname "$0")/start.sh"
 
 # Figure 3: limit half-angle against the modulus ratio, 10^-2 to 10^2 in 81
 # steps, the short form where it holds, and the exact limits.
 limit() { # JOINT RATIO NU FORM LAWS: theta0 in deg, comma between laws
-  "$programs/hinge-angle" --joint "$1" --modulus-ratio "$2" --poisson1 "$3" \
+  hinge-angle --joint "$1" --modulus-ratio "$2" --poisson1 "$3" \
     --poisson2 "$3" ${4:+--limit-angle "$4"} --law "$5" --x inf 2>/dev/null |
     tail -n 1 | cut -d, -f3,5
 }
@@ -47,10 +34,10 @@ theta0_limit_exact_pin_deg,theta0_limit_exact_ball_deg
 # Figures 4 and 5: half-angle laws of a pin (equal materials) and of a ball in
 # a rigid seat, with the paper's limit half-angles.
 laws=hertz,arctan,tanh,blend:0.5,fitted,exact
-"$programs/hinge-angle" --joint pin --modulus-ratio 1 --law $laws \
+hinge-angle --joint pin --modulus-ratio 1 --law $laws \
   --limit-angle 84.85 --load-parameter 0:1:0.0025 --output figure4.csv \
   2>figure4.log
-"$programs/hinge-angle" --joint ball --modulus-ratio 0 --law $laws \
+hinge-angle --joint ball --modulus-ratio 0 --law $laws \
   --limit-angle 92.5 --load-parameter 0:4:0.01 --output figure5.csv \
   2>figure5.log
 
@@ -68,9 +55,9 @@ laws=hertz,arctan,tanh,blend:0.5,fitted,exact
 
 # Pressure of pin and ball, equal materials, for contacts of 40, 60 and 80 deg.
 for joint in pin ball; do
-  loads=$("$programs/hinge-angle" --joint $joint --modulus-ratio 1 --law exact \
+  loads=$(hinge-angle --joint $joint --modulus-ratio 1 --law exact \
     --inverse --theta0 40:80:20 | tail -n +2 | cut -d, -f2 | paste -sd,)
-  "$programs/hinge-pressure" --joint $joint --modulus-ratio 1 --law exact \
+  hinge-pressure --joint $joint --modulus-ratio 1 --law exact \
     --load-parameter "$loads" --pressure cosine,exact --points 401 \
     --output pressure_$joint.csv
 done
@@ -78,7 +65,7 @@ done
 # Figures 8 and 9: coefficients and area integrals against the slip axis
 # angle, exact and by the planar sliding-spinning model.
 for method in exact planar; do
-  "$programs/hinge-table" --theta0 20:80:20 --alpha 0:90:1 \
+  hinge-table --theta0 20:80:20 --alpha 0:90:1 \
     --method $method --output figure8_$method.csv
 done
 
@@ -86,7 +73,7 @@ done
 # polymer or bronze, at the load at which the infinite seat has 40 deg.
 source "$plots/../scripts/walled_joint.sh"
 one() { # FILE LOAD: half-angle and peak
-  "$programs/hinge-angle" --joint "$1" --load "$2" --law exact \
+  hinge-angle --joint "$1" --load "$2" --law exact \
     --pressure exact --columns theta0_exact_deg,p_peak_exact_by_exact_Pa |
     tail -n 1
 }
@@ -98,7 +85,7 @@ peak_error_percent
       [ $name = polymer ] && wall="1 0.4" || wall="110 0.34"
       joint=(walled_joint wall.toml $kind 10 10 "210 0.3" "$wall")
       "${joint[@]}"
-      load=$("$programs/hinge-angle" --joint wall.toml --law exact --inverse \
+      load=$(hinge-angle --joint wall.toml --law exact --inverse \
         --theta0 40 | tail -n 1 | cut -d, -f2)
       infinite=$(one wall.toml "$load")
       for backing in rigid steel held; do
@@ -123,8 +110,8 @@ peak_error_percent
 clearances='-5 -3 -1 0 5'
 for eps in $clearances; do
   sed "s/radial_interference_um = 3/radial_clearance_um = $eps/" \
-    "$plots/../data/joints/lined_bush_pressed.toml" >bush.toml
-  "$programs/hinge-joint" --joint bush.toml --law exact --reaction 0:15kN:100N \
+    "$data/joints/lined_bush_pressed.toml" >bush.toml
+  hinge-joint --joint bush.toml --law exact --reaction 0:15kN:100N \
     --columns R_N,M_t_N_m --output "preload_$eps.csv" 2>preload.log
 done
 rm bush.toml
@@ -132,8 +119,8 @@ rm bush.toml
 # Pressure on seats that end, over the seat and in the plane of the load, and
 # what the seat without an end would have.
 seat() { # NAME JOINT LOAD DIRECTION
-  local joint=(--joint "$plots/../data/joints/$2.toml" --load "$3")
-  "$programs/hinge-pressure" "${joint[@]}" --direction "$4" --points 181 \
+  local joint=(--joint "$data/joints/$2.toml" --load "$3")
+  hinge-pressure "${joint[@]}" --direction "$4" --points 181 \
     --output "$1.csv" 2>seat.log
   # Both halves in one: a seam between two surfaces would be seen.
   awk -F, 'function turn(i) {
@@ -147,7 +134,7 @@ seat() { # NAME JOINT LOAD DIRECTION
     END { turn() }' "$1.csv" >"$1.dat"
   awk -F, 'NR > 1 && $4 == 0 { v[++n] = $3; print $3, $5 }
     END { for (; n > 0; n--) print v[n], 0 }' "$1.csv" >"$1_cut.dat"
-  "$programs/hinge-pressure" "${joint[@]}" --law exact --pressure exact \
+  hinge-pressure "${joint[@]}" --law exact --pressure exact \
     2>>seat.log | tail -n +2 | tr , ' ' >"$1_free.dat"
 }
 seat seat_ring spherical_plain_bearing_ge50 100kN 90
@@ -156,7 +143,7 @@ seat seat_cup hip_cup 2kN 65
 # The same of two cups in the plane of the load, with and without side faces.
 cup() { # NAME LOAD DIRECTION JOINT
   for face in goes_on free; do
-    "$programs/hinge-pressure" --joint "$4" --set "seat.side_face=$face" \
+    hinge-pressure --joint "$4" --set "seat.side_face=$face" \
       --load "$2" --direction "$3" --points 91 --output face.csv \
       --columns v_deg,phi_deg,p_Pa 2>seat.log
     awk -F, 'NR > 1 && ($2 == 0 || $2 == 180) {
@@ -168,7 +155,7 @@ source "$plots/../scripts/walled_joint.sh"
 walled_joint cup.toml ball 10 10 "210 0.3" "110 0.34" rigid 10
 printf '[seat]\ncup_deg = 35\nedge_angle_deg = 65\n' >>cup.toml
 cup bronze 4258N 0 cup.toml
-cup hip 3162N 65 "$plots/../data/joints/hip_cup.toml"
+cup hip 3162N 65 "$data/joints/hip_cup.toml"
 rm cup.toml face.csv
 
 # Pressures that calculators give, over the exact one: half-angle in deg, Hertz,
@@ -176,9 +163,9 @@ rm cup.toml face.csv
 calculators() { # JOINT RADIUS_mm CLEARANCE_um
   walled_joint steel.toml "$@" "210 0.3" "210 0.3"
   local loads
-  loads=$("$programs/hinge-angle" --joint steel.toml --law exact --inverse \
+  loads=$(hinge-angle --joint steel.toml --law exact --inverse \
     --theta0 2:84:1 --columns load_exact_N | tail -n +2 | paste -sd,)
-  "$programs/hinge-pressure" --joint steel.toml --load "$loads" --law exact \
+  hinge-pressure --joint steel.toml --load "$loads" --law exact \
     --pressure exact --summary --columns load_N,theta0_deg,p_peak_Pa \
     2>steel.log |
     awk -F, -v joint="$1" -v r="$2" -v eps="$3" 'NR > 1 {
@@ -199,7 +186,7 @@ calculators ball 33 45
 rm steel.toml
 
 over() { # FILE JOINT COLUMNS OPTIONS: a table of loads or directions
-  "$programs/hinge-pressure" --joint "$plots/../data/joints/$2.toml" \
+  hinge-pressure --joint "$data/joints/$2.toml" \
     --columns "$3" --output "seat_loads_$1.csv" "${@:4}" 2>>seat.log
 }
 loads=1kN:200kN:log100
@@ -212,7 +199,7 @@ over cup hip_cup direction_deg,p_peak_Pa,p_at_load_Pa --load 2kN \
 
 # Four boosters leaving a core.
 times='0.5 1 1.4 2.2 3'
-"$programs/hinge-separation" "$plots/../data/cases/soyuz.toml" \
+hinge-separation "$data/cases/soyuz.toml" \
   --history separation.csv --output separation.json --no-clearance
 awk -v times="$times" -f "$plots/outlines.awk" separation.csv >outlines.csv
 

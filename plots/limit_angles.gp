@@ -3,7 +3,6 @@
 set encoding utf8
 set datafile separator ','
 set logscale x
-set format x '%g'
 set xrange [0.01:100]
 set yrange [70:135]
 set xlabel "Ē = E_1/E_2 (inner over outer)"

@@ -2,6 +2,8 @@
 # scheme (seven colours that colour-blind readers tell apart) for curves of
 # different kinds, a dark-to-light palette for families in order.
 set border 3 linewidth 1 linecolor rgb '#555555'
+# Without the blank for a sign, which moves numbers from their ticks.
+set format '%g'
 set tics nomirror out textcolor rgb '#333333'
 set grid linetype 1 linewidth 0.6 linecolor rgb '#e4e4e4'
 set key outside right center Left reverse samplen 2.5 spacing 1.25

@@ -1,16 +1,8 @@
 #!/usr/bin/env bash
 # Redraws the last pictures of the tutorials, by the commands on their pages:
 #   plots/tutorials.sh BUILD_DIR OUTPUT_DIR
-set -euo pipefail
-unset CDPATH
-if [ $# -ne 2 ]; then
-  sed -n '2,3s/^# \{0,1\}//p' "$0" >&2
-  exit 2
-fi
-data=$(cd "$(dirname "$0")/../data" && pwd)
-PATH=$(cd "$1/bin" && pwd):$PATH
-mkdir -p "$2"
-cd "$2"
+source "$(dirname "$0")/start.sh"
+
 hinge-joint "$data/joints/hip_cocr_uhmwpe.toml" --reaction 2000 --beta 60 \
   --map hip_contact.png --output hip_contact.csv
 hinge-duty "$data/joints/pin_joint.toml" --cycle "$data/duty/pin_swing.csv" \

@@ -4,7 +4,6 @@
 set encoding utf8
 set datafile separator ','
 set logscale x
-set format x '%g'
 set xrange [0.01:10]
 set multiplot
 do for [row = 1:2] {

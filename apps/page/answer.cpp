@@ -29,12 +29,8 @@ using Json = nlohmann::ordered_json;
 
 // Columns that are drawn over the load.
 constexpr std::string_view drawn_columns[] = {
-    "theta0_deg",        "p_peak_Pa",
-    "p_mean_Pa",         "p_nominal_Pa",
-    "M_t_N_m",           "M_textbook_N_m",
-    "M_traditional_N_m", "f_M",
-    "approach_m",        "stiffness_N_per_m",
-    "pv_max_W_per_m2",   "pv_nominal_W_per_m2"};
+    "theta0_deg", "p_peak_Pa",      "p_mean_Pa", "p_nominal_Pa",
+    "M_t_N_m",    "M_textbook_N_m", "approach_m"};
 
 // Points of a curve over four decades of load, and of a pressure profile.
 constexpr int curve_points = 81;
@@ -241,9 +237,11 @@ struct Calculator::Prepared {
     const bool is_pin = joint.joint.is_pin();
     const hinge_joint::Input input = state_of(state, is_pin);
     const Answer a = solve(input);
-    const SameNumbers same =
-        same_numbers(input, is_pin, spec.geometry.seat().has_value(),
-                     spec.relief.kind() != contact::Relief::Kind::none);
+    const SameNumbers same = same_numbers(
+        input, is_pin,
+        spec.geometry.seat()                                ? "seat"
+        : spec.relief.kind() != contact::Relief::Kind::none ? "relief"
+                                                            : "");
     Json notes = Json::array();
     add(spec.clearance_notes(), notes);
     return {{"words",

@@ -35,19 +35,19 @@ int main() {{
 }  // namespace
 
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
-                         bool has_seat, bool has_relief) {
-  const std::string_view left_out = has_seat     ? ".without_seat()"
-                                    : has_relief ? ".without_relief()"
-                                                 : "";
+                         std::string_view left_out) {
+  const std::string without =
+      left_out.empty() ? "" : message(".without_{}()", left_out);
   const std::string force = listed(input.force);
   const std::string turn = listed(input.turn);
   return {message("hinge-joint --joint joint.toml --reaction {}{} --rate {} "
                   "--pv --summary{}",
                   input.given->force,
                   is_pin ? "" : message(" --beta {}", input.given->angle_deg),
-                  input.turn[2], has_seat ? " --without-seat" : ""),
-          message(python, left_out, force, turn),
-          message(cpp, "contact", "files", left_out, force, turn)};
+                  input.turn[2],
+                  left_out.empty() ? "" : message(" --without-{}", left_out)),
+          message(python, without, force, turn),
+          message(cpp, "contact", "files", without, force, turn)};
 }
 
 }  // namespace page

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "programs/joint/state.hpp"
 
@@ -16,9 +17,8 @@ struct SameNumbers {
 
 /// @param input   the given numbers
 /// @param is_pin  pins have no angle between reaction and rate
-/// @param has_seat, has_relief  which the page leaves out; hinge-joint has no
-///                              option for a joint without its relief
+/// @param left_out  "seat" or "relief", which the page leaves out; "" for none
 SameNumbers same_numbers(const hinge_joint::Input& input, bool is_pin,
-                         bool has_seat, bool has_relief);
+                         std::string_view left_out);
 
 }  // namespace page

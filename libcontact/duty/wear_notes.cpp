@@ -27,9 +27,9 @@ std::string WearMap::coefficient_note(double coefficient) {
   if (k == 0 || (k >= least * (1 - rounding) && k <= largest * (1 + rounding)))
     return {};
   return detail::message(
-      "the wear coefficient {:.4g} mm^3/(N m) is outside the range of "
-      "bearings, {:g} to {:g}",
-      k, least, largest);
+      "the wear coefficient {:.4g} mm^3/(N m), {:.4g} m^2/N, is outside the "
+      "range of bearings, {:g} to {:g} mm^3/(N m)",
+      k, coefficient, least, largest);
 }
 
 std::string WearMap::depth_note(double depth, const JointGeometry& geometry) {

@@ -534,6 +534,38 @@ test('bodies that are let go stay in view until one goes nearer', async () => {
   });
 });
 
+test('the scale is under no name, and a pause is drawn', async () => {
+  run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
+  for (const width of [1600, 1240, 900, 360]) {
+    await withPage(file('a.html'), {viewport: {width, height: 800}},
+                   async (page, said) => {
+      for (const time of [0, 0.6, 1.3, 2]) {
+        const over = await page.evaluate((t) => {
+          replay.go(t);
+          replay.update();
+          const scale = document.getElementById('scale').getBoundingClientRect();
+          return [...document.querySelectorAll('#labels div:not([hidden])')]
+              .filter((label) => {
+                const box = label.getBoundingClientRect();
+                return box.right > scale.left && box.left < scale.right &&
+                    box.bottom > scale.top && box.top < scale.bottom;
+              }).map((label) => label.textContent);
+        }, time);
+        assert.deepStrictEqual(over, [], `${width} px, ${time} s`);
+      }
+      // No text: a font may lack it.
+      const bars = await page.evaluate(() => {
+        replay.play(true);
+        const play = document.getElementById('play');
+        const {content, height} = getComputedStyle(play, '::before');
+        return [play.textContent, content, parseFloat(height) > 8];
+      });
+      assert.deepStrictEqual(bars, ['', '""', true]);
+      assert.deepStrictEqual(said, []);
+    });
+  }
+});
+
 test('the nearest two and all events of an instant are named', async () => {
   run(path.join(cases, 'soyuz.toml'), '--replay', 'a.html');
   await withPage(file('a.html'), {}, async (page, said) => {

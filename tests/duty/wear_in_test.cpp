@@ -345,10 +345,12 @@ TEST(WearIn, CoefficientsOfBearings) {
   }
   for (const double k : {1e-9, 1.1e-12, 0.9e-19}) {
     EXPECT_NE(WearMap::coefficient_note(k).find(
-                  "mm^3/(N m) is outside the range of bearings, 1e-10 to"),
+                  "is outside the range of bearings, 1e-10 to 0.001 mm^3"),
               std::string::npos)
         << WearMap::coefficient_note(k);
   }
+  EXPECT_TRUE(WearMap::coefficient_note(1e-6).starts_with(
+      "the wear coefficient 1000 mm^3/(N m), 1e-06 m^2/N, is"));
   EXPECT_EQ(wear_in(steady(), pin(1e11, 0.1), {1e-20}, 1).notes.size(), 1u);
 }
 

@@ -104,6 +104,9 @@ void bind_functions(py::module_& m) {
   m.def("mj_name2id", [](const Model& a, int type, const std::string& name) {
     return mj_name2id(a.get(), type, name.c_str());
   });
+  m.def("mj_id2name", [](const Model& a, int type, int id) {
+    return mj_id2name(a.get(), type, id);
+  });
   const auto plain = [&](const char* name, auto* function) {
     m.def(name,
           [function](const Model& a, Data& d) { function(a.get(), d.get()); });

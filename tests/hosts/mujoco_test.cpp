@@ -392,7 +392,7 @@ TEST(HostMujoco, SaysWhatIsWrong) {
     return std::string();
   };
   EXPECT_EQ(refusal("knee", ball_file),
-            "joint \"knee\" must be one of the model");
+            "joint \"knee\" must be one of the model: hip, own");
   EXPECT_EQ(refusal("rail", ball_file),
             "joint \"rail\" must be a ball or hinge");
   EXPECT_EQ(refusal("own", pin_file),

@@ -115,7 +115,7 @@ class Mujoco(unittest.TestCase):
         )
         friction = HingeFriction(model)
         for name, file, message in [
-            ("knee", BALL, "joint 'knee' must be one of the model"),
+            ("knee", BALL, "joint 'knee' must be one of the model: hip, own$"),
             ("rail", BALL, "joint 'rail' must be a ball or hinge"),
             ("own", PIN, "joint 'own' must have no frictionloss beside"),
             ("hip", PIN, "joint 'hip': .* must be a ball joint"),

@@ -592,8 +592,8 @@ TEST_F(HingeDuty, MapPicture) {
   const std::string text = out(hip + "--wear-seat 1e-6 --map-plot hip.svg");
   const std::string ball = folder_.read("hip.svg");
   EXPECT_TRUE(has_text(
-      ball, fmt::format("seat (carrier): {:.3g} mm",
-                        1e6 * value(text, "largest_depth_carrier_mm"))));
+      ball, fmt::format("seat (carrier): {:.3g} µm",
+                        1e9 * value(text, "largest_depth_carrier_mm"))));
   EXPECT_TRUE(has_text(ball, "inner (body)<"));
   EXPECT_TRUE(has_text(ball, ">Y<"));
   EXPECT_FALSE(has_text(ball, "−Y"));

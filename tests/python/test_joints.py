@@ -108,6 +108,7 @@ class Joints(unittest.TestCase):
         self.assertEqual([one["materials.friction.coefficient"] for one in several],
                          [0.1, 0.2])
         self.assertRegex(repr(several), r"of shape \(2,\), .*coefficient 0.1 to 0.2")
+        self.assertRegex(repr(hip.vary({f0: 0.1})), r"of shape \(\), .*coefficient 0.1>$")
         with self.assertRaises(ValueError):
             several.varied[f0][0] = 7
 

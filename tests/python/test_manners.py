@@ -412,6 +412,10 @@ class Arguments(unittest.TestCase):
             (lambda: cycle.wear(point=20),
              "Cycle.wear() got an unexpected keyword argument 'point'. Did you "
              "mean 'points'?"),
+            (lambda: cycle.wear(1e-15),
+             'body = 1e-15 must be "carrier" or "body"; wear_in() and plot() of '
+             "the result take a wear coefficient, m^2/N: 1e-9 of one in "
+             "mm^3/(N m)"),
             (lambda: libcontact.identify(hip, 1, 1, 1, sigmas=1),
              "identify() got an unexpected keyword argument 'sigmas'. Did you "
              "mean 'sigma'?"),

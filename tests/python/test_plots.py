@@ -127,6 +127,9 @@ class Plots(unittest.TestCase):
         axis, = pin.plot_pressure(5e4)
         self.assertAlmostEqual(
             axis.lines[0].get_ydata().max(), pin.peak_pressure(5e4) / 1e6)
+        for wrong in ([0, 0, 5e4], 0, -1):
+            with self.assertRaisesRegex(libcontact.Error, "^contact must be a Solution"):
+                pin.plot_pressure(wrong)
 
 
 if __name__ == "__main__":

@@ -5,53 +5,18 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case/case_reader.hpp"
-#include "separation/results/run.hpp"
-#include "separation/results/saved_state.hpp"
+#include "separation/case_runs.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test::ball_stops_test {
 namespace {
 
 using separation::Case;
-using separation::Note;
 using separation::Outcome;
 using separation::parse_case;
-using separation::Rows;
-using separation::run_case;
 using std::numbers::pi;
-
-std::string run_for(double end, const std::string& more = "") {
-  return "name = \"stops\"\n" + more +
-         "[run]\nend_time_s = " + std::to_string(end) +
-         "\nrelative_tolerance = 1e-12\nabsolute_tolerance = 1e-13\n";
-}
-std::string stop(const std::string& keys) {
-  return "[[body.hinge.stop]]\n" + keys + "\n";
-}
-std::vector<Note> notes_of(const Outcome& outcome, const std::string& what) {
-  std::vector<Note> found;
-  for (const Note& note : outcome.memory.notes) {
-    if (note.what == what) found.push_back(note);
-  }
-  return found;
-}
-double last(const Outcome& outcome, const std::string& column) {
-  const Rows& rows = outcome.memory.rows;
-  return rows.at(rows.size() - 1, rows.column(column));
-}
-Outcome run_of(const std::string& text) {
-  const Case c = parse_case(text, "c.toml");
-  Outcome outcome = run_case(c, {});
-  EXPECT_EQ(outcome.failure, "");
-  for (const Note& note : outcome.memory.notes) {
-    EXPECT_TRUE(separation::can_be_noted(note, c)) << note.what;
-  }
-  return outcome;
-}
 
 // J = 15 kg m^2 on the ground, driven by 2 N m about x from 30 to 120 deg: the
 // numbers of a boom on an axis, e = 0.4.

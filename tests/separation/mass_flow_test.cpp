@@ -7,9 +7,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case/case_reader.hpp"
-#include "separation/results/run.hpp"
-#include "separation/results/saved_state.hpp"
+#include "separation/case_runs.hpp"
 #include "support/error_message.hpp"
 #include "support/toml_text.hpp"
 
@@ -27,19 +25,6 @@ std::string run_for(double end, double step) {
   return "name = \"flow\"\n[run]\nend_time_s = " + std::to_string(end) +
          "\noutput_step_s = " + std::to_string(step) +
          "\nrelative_tolerance = 1e-13\nabsolute_tolerance = 1e-13\n";
-}
-Outcome run_of(const std::string& text) {
-  const Case c = parse_case(text, "c.toml");
-  Outcome outcome = run_case(c, {});
-  EXPECT_EQ(outcome.failure, "");
-  for (const separation::Note& note : outcome.memory.notes) {
-    EXPECT_TRUE(separation::can_be_noted(note, c)) << note.what;
-  }
-  return outcome;
-}
-double last(const Outcome& outcome, const std::string& column) {
-  const Rows& rows = outcome.memory.rows;
-  return rows.at(rows.size() - 1, rows.column(column));
 }
 
 const std::string stage = R"(

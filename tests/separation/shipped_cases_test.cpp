@@ -6,8 +6,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case/case_reader.hpp"
-#include "separation/results/run.hpp"
+#include "separation/case_runs.hpp"
 #include "separation/simulation/torque_margin.hpp"
 
 namespace contact::test::shipped_cases_test {
@@ -20,10 +19,6 @@ using separation::Outcome;
 Case shipped(const std::string& name, const KeySettings& settings) {
   return separation::read_case(CONTACT_DATA_DIR "/cases/" + name + ".toml", {},
                                settings);
-}
-double last(const Outcome& outcome, const std::string& column) {
-  const separation::Rows& rows = outcome.memory.rows;
-  return rows.at(rows.size() - 1, rows.column(column));
 }
 
 // The work of the springs, W = 8 (1500 + 600)/2 0.09 J, is that of the reduced

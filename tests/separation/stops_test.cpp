@@ -4,12 +4,9 @@
 #include <cmath>
 #include <numbers>
 #include <string>
-#include <vector>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case/case_reader.hpp"
-#include "separation/results/run.hpp"
-#include "separation/results/saved_state.hpp"
+#include "separation/case_runs.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test::stops_test {
@@ -38,35 +35,6 @@ std::string boom(const std::string& hinge = "",
 [body.hinge]; kind = "axis"; axis = [0, 0, 1]
 )"_toml + hinge +
          "\n[body.start]\n" + start + "\n" + (driven ? motor : "");
-}
-
-std::string run_for(double end) {
-  return "name = \"stops\"\n[run]\nend_time_s = " + std::to_string(end) +
-         "\nrelative_tolerance = 1e-12\nabsolute_tolerance = 1e-13\n";
-}
-std::string stop(const std::string& keys) {
-  return "[[body.hinge.stop]]\n" + keys + "\n";
-}
-std::vector<Note> notes_of(const Outcome& outcome, const std::string& what) {
-  std::vector<Note> found;
-  for (const Note& note : outcome.memory.notes) {
-    if (note.what == what) found.push_back(note);
-  }
-  return found;
-}
-double last(const Outcome& outcome, const std::string& column) {
-  const Rows& rows = outcome.memory.rows;
-  return rows.at(rows.size() - 1, rows.column(column));
-}
-Outcome run_of(const std::string& text) {
-  const Case c = parse_case(text, "c.toml");
-  Outcome outcome = run_case(c, {});
-  EXPECT_EQ(outcome.failure, "");
-  // Every event is one that a state may have.
-  for (const Note& note : outcome.memory.notes) {
-    EXPECT_TRUE(separation::can_be_noted(note, c)) << note.what;
-  }
-  return outcome;
 }
 
 // Impacts, rest and the energy of the book: a constant moment makes flights

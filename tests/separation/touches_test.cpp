@@ -7,9 +7,7 @@
 #include <string>
 
 #include "libcontact/base/units.hpp"
-#include "separation/case/case_reader.hpp"
-#include "separation/results/run.hpp"
-#include "separation/results/saved_state.hpp"
+#include "separation/case_runs.hpp"
 #include "support/toml_text.hpp"
 
 namespace contact::test::touches_test {
@@ -20,18 +18,6 @@ using separation::Note;
 using separation::Outcome;
 using separation::parse_case;
 using separation::Rows;
-
-Outcome run_of(const Case& c) {
-  Outcome outcome = run_case(c, {});
-  EXPECT_EQ(outcome.failure, "");
-  for (const Note& note : outcome.memory.notes) {
-    EXPECT_TRUE(separation::can_be_noted(note, c)) << note.what;
-  }
-  return outcome;
-}
-Outcome run_of(const std::string& text) {
-  return run_of(parse_case(text, "c.toml"));
-}
 
 // Two capsules side by side, 2.5 m apart, at 2 m/s.
 const std::string recontact = R"(

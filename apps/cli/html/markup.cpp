@@ -16,6 +16,9 @@ std::string in_markup(std::string_view text) {
       case '&':
         result += "&amp;";
         break;
+      case '"':
+        result += "&quot;";
+        break;
       default:
         result += c;
     }

@@ -7,7 +7,7 @@
 /// Parts of pages that need no network.
 namespace cli {
 
-/// Escapes text for markup outside quotes.
+/// Escapes text for markup, also within double quotes.
 std::string in_markup(std::string_view text);
 
 /// Replaces every {{name}} of a text; does not search the inserted text again.

@@ -12,7 +12,7 @@
 namespace cli {
 namespace {
 
-constexpr double margin = 0.5;
+constexpr double margin = canvas_margin;
 constexpr double sample = 2.2;      // length of a legend's line
 constexpr double sample_gap = 0.5;  // gap between it and its text
 constexpr double column_gap = 1.2;
@@ -61,12 +61,11 @@ std::vector<double> apart(const std::vector<double>& sorted, const Box& room) {
 
 }  // namespace
 
-Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
+Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend,
+               std::optional<double> height)
     : room_{margin, canvas_width - margin, margin, canvas_height - margin} {
   std::vector<LegendEntry> named = legend;
   std::erase_if(named, [](const LegendEntry& e) { return e.label.empty(); });
-  // A legend below the plots enlarges the canvas; positions are final only
-  // afterwards.
   const double width = width_of(named);
   constexpr double most_beside = 0.34;  // share of the width
   const bool below =
@@ -77,20 +76,22 @@ Canvas::Canvas(std::string_view title, const std::vector<LegendEntry>& legend)
       1., std::floor((room_.width() + column_gap) / (width + column_gap))));
   const std::size_t rows = (named.size() + columns - 1) / columns;
   const double legend_height = static_cast<double>(rows) * line_step + margin;
-  if (below) {
-    stretch_ = 1 + legend_height / canvas_height;
-    room_.bottom += legend_height;
+  std::vector<std::string> titles;
+  if (!title.empty()) titles = wrapped(title, room_.width());
+  const double title_height =
+      titles.empty() ? 0
+                     : static_cast<double>(titles.size()) * line_step + margin;
+  if (height) room_.bottom = room_.top + title_height + *height;
+  // Positions are final only with the height of the whole canvas.
+  stretch_ =
+      (room_.bottom + (below ? legend_height : 0) + margin) / canvas_height;
+  for (std::size_t i = 0; i < titles.size(); ++i) {
+    script_ +=
+        text((room_.left + room_.right) / 2,
+             room_.top + (static_cast<double>(i) + 0.5) * line_step, titles[i]);
   }
-  if (!title.empty()) {
-    for (const std::string& line : wrapped(title, room_.width())) {
-      script_ +=
-          text((room_.left + room_.right) / 2, room_.top + line_step / 2, line);
-      room_.top += line_step;
-    }
-    room_.top += margin;
-  }
+  room_.top += title_height;
   if (below) {
-    room_.bottom -= legend_height;
     for (std::size_t i = 0; i < named.size(); ++i) {
       script_ += entry(
           room_.left + static_cast<double>(i / rows) * (width + column_gap),

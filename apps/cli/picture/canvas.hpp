@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -32,12 +33,15 @@ class Canvas {
   /// Reserves room for the title, in as many lines as needed, and for the
   /// legend: to the right of the plots or, if it is wide, below them on a
   /// higher canvas.
+  /// @param height  of the room for the plots, if the usual canvas would leave
+  ///                some of it empty
   explicit Canvas(std::string_view title,
-                  const std::vector<LegendEntry>& legend = {});
+                  const std::vector<LegendEntry>& legend = {},
+                  std::optional<double> height = {});
 
   /// Room that is still free.
   const Box& room() const { return room_; }
-  /// Height relative to a canvas without a legend below the plots.
+  /// Height relative to the usual canvas without a legend below the plots.
   double stretch() const { return stretch_; }
   /// The title and the legend. The entries of a legend beside the plots stand
   /// at the heights of their curves' ends as far as there is room; without

@@ -9,11 +9,13 @@
 /// Size of the texts of pictures, in units of the pictures' font (em).
 namespace cli {
 
-/// Width of the canvas, and its height without a legend below the plots.
+/// Width of the canvas, and its usual height without a legend below the plots.
 inline constexpr double canvas_width =
     picture_width / static_cast<double>(picture_font);
 inline constexpr double canvas_height =
     picture_height / static_cast<double>(picture_font);
+/// Empty room along its edges.
+inline constexpr double canvas_margin = 0.5;
 
 /// Line spacing.
 inline constexpr double line_step = 1.3;

@@ -56,9 +56,12 @@ struct EndUnit {
 EndUnit unit_at_end(std::string_view column) {
   EndUnit best;
   const auto take = [&](std::string_view end, bool printed) {
-    // A single letter of a symbol is a unit only if tables print it;
-    // counterexample: f_t.
-    if (end.empty() || (end.size() == 1 && !printed)) return;
+    // A single letter of a symbol, such as f_t, is a unit only if tables print
+    // it, or of masses.
+    if (end.empty() ||
+        (end.size() == 1 && !printed && column.find("mass_") == column.npos)) {
+      return;
+    }
     if (column.size() <= end.size() + 1 || !column.ends_with(end) ||
         column[column.size() - end.size() - 1] != '_') {
       return;

@@ -20,6 +20,21 @@ Vector3d reaction_on(const mjData* data, int body) {
   return Vector3d(data->cfrc_int + 6 * body + 3);
 }
 
+bool is_ball_or_hinge(const mjModel* model, int joint) {
+  const int type = model->jnt_type[joint];
+  return type == mjJNT_BALL || type == mjJNT_HINGE;
+}
+
+std::string names_of_hinges(const mjModel* model) {
+  std::string names;
+  for (int i = 0; i < model->njnt; ++i) {
+    const char* const name = mj_id2name(model, mjOBJ_JOINT, i);
+    if (!name || !is_ball_or_hinge(model, i)) continue;
+    names += (names.empty() ? "" : ", ") + std::string(name);
+  }
+  return names;
+}
+
 // mj_fullM() of MuJoCo 3.10 and later, and of earlier versions.
 template <class Full, class Data>
 void full_inertia(Full full, const mjModel* model, Data* data, mjtNum* to) {
@@ -41,13 +56,12 @@ HingeFriction::HingeFriction(const mjModel* model)
       force_(VectorXd::Zero(model->nv)) {}
 
 void HingeFriction::add(const std::string& joint, const std::string& file) {
-  const auto refuse = [&](const char* rule) {
+  const auto refuse = [&](const std::string& rule) {
     throw std::runtime_error("joint \"" + joint + "\" must " + rule);
   };
   const int id = mj_name2id(model_, mjOBJ_JOINT, joint.c_str());
-  if (id < 0) refuse("be one of the model");
-  const int type = model_->jnt_type[id];
-  if (type != mjJNT_BALL && type != mjJNT_HINGE) refuse("be a ball or hinge");
+  if (id < 0) refuse("be one of the model: " + names_of_hinges(model_));
+  if (!is_ball_or_hinge(model_, id)) refuse("be a ball or hinge");
   const int dof = model_->jnt_dofadr[id];
   if (model_->dof_frictionloss[dof] > 0) {
     refuse("have no frictionloss beside this friction");
@@ -56,7 +70,7 @@ void HingeFriction::add(const std::string& joint, const std::string& file) {
   if (std::any_of(hinges_.begin(), hinges_.end(), is_same)) {
     refuse("have friction of one file");
   }
-  const bool is_ball = type == mjJNT_BALL;
+  const bool is_ball = model_->jnt_type[id] == mjJNT_BALL;
   JointHandle contact = read_joint(file, "joint \"" + joint + "\"",
                                    is_ball ? CONTACT_BALL : CONTACT_PIN);
   hinges_.push_back({id, model_->jnt_bodyid[id], dof, is_ball ? 3 : 1,

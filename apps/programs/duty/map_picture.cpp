@@ -23,13 +23,6 @@ using contact::degree;
 using contact::WearMap;
 using Eigen::Vector3d;
 
-std::string label(const BodyWear& wear) {
-  std::string text = fmt::format("{} ({})", wear.surface, wear.body);
-  if (!wear.k) return text;
-  return text + fmt::format(": {:.3g} mm in 10⁶ cycles",
-                            1e6 * wear.depth(wear.deepest.wear));
-}
-
 // From above the middle of the wear.
 cli::SphereView view_of(const BodyWear& wear) {
   Vector3d middle = Vector3d::Zero();
@@ -53,6 +46,15 @@ cli::Axis axis_of(const BodyWear& wear) {
 double number_of(const BodyWear& wear, const WearMap::Wear& at) {
   constexpr double millimetre = 1e-3;
   return wear.k ? 1e6 * millimetre * wear.depth(at) : at.pv;
+}
+
+std::string label(const BodyWear& wear) {
+  std::string text = fmt::format("{} ({})", wear.surface, wear.body);
+  if (!wear.k) return text;
+  const double depth = number_of(wear, wear.deepest.wear);
+  const cli::Prefix prefix = cli::prefix_of(axis_of(wear), {0, depth});
+  return text + fmt::format(": {:.3g} {}m in 10⁶ cycles", prefix.factor * depth,
+                            prefix.name);
 }
 
 // Numbers at the dots of a square, row by row from the bottom; 0: no wear. Fine
@@ -120,19 +122,13 @@ std::string data_block(const BodyWear& wear, const cli::SphereView& view,
 
 std::string draw_balls(const std::vector<BodyWear>& wear,
                        const std::string& title, const std::string& file) {
-  const cli::Canvas canvas(title);
-  const cli::Box& room = canvas.room();
+  constexpr double width = (cli::canvas_width - 2 * cli::canvas_margin) / 2;
   constexpr double scale_width = 5;  // colours, their numbers and label
-  const double width = room.width() / 2;
-  std::array<cli::Box, 2> boxes;
-  double titles = 0;
-  for (int n = 0; n < 2; ++n) {
-    const double left = room.left + n * width;
-    boxes[n] = {left, left + width - scale_width - 1, 0,
-                room.bottom - cli::line_step};
-    titles =
-        std::max(titles, cli::Canvas::above_height(boxes[n], label(wear[n])));
-  }
+  constexpr double side = width - scale_width - 1;  // of a map
+  // Names of axes lie above and below the maps too.
+  constexpr double above = 2.5 * cli::line_step, below = cli::line_step;
+  const cli::Canvas canvas(title, {}, above + side + below);
+  const cli::Box& room = canvas.room();
   std::string script =
       "set multiplot\nunset border\nunset xtics\nunset ytics\nunset key\n"
       "unset grid\nset size ratio -1\n" +
@@ -141,12 +137,15 @@ std::string draw_balls(const std::vector<BodyWear>& wear,
   const double radius = std::max(views[0].radius, views[1].radius);
   for (int n = 0; n < 2; ++n) {
     const BodyWear& w = wear[n];
-    cli::Box& box = boxes[n];
-    box.top = room.top + titles + cli::line_step / 2;
+    const double left = room.left + n * width;
+    const cli::Box box{left, left + side, room.top + above,
+                       room.bottom - below};
+    const cli::Box with_scale{left, left + width - 1, room.top + cli::line_step,
+                              room.bottom};
     cli::SphereView& view = views[n];
     view.radius = radius;  // to the same scale
-    const cli::Box colours{box.right + 0.5, box.right + 1.3, box.top + 2,
-                           box.bottom - 2};
+    const cli::Box colours{box.right + 0.5, box.right + 1.3, box.top + 0.5,
+                           box.bottom - 0.5};
     const cli::Axis axis = axis_of(w);
     const double largest = number_of(w, w.deepest.wear);
     const cli::Prefix prefix = cli::prefix_of(axis, {0, largest});
@@ -156,7 +155,7 @@ std::string draw_balls(const std::vector<BodyWear>& wear,
     script += data_block(w, view, prefix.factor, n);
     script += view.axis_labels() + view.circles();
     script += ticks.script("cb") + canvas.margins(box) +
-              canvas.above(box, label(w)) + canvas.colour_box(colours) +
+              canvas.above(with_scale, label(w)) + canvas.colour_box(colours) +
               canvas.upward(box.right + scale_width, colours,
                             cli::label_of(axis, prefix)) +
               fmt::format(
@@ -165,7 +164,7 @@ std::string draw_balls(const std::vector<BodyWear>& wear,
                   "unset label\nunset object\n",
                   cli::number_text(radius), n);
   }
-  return cli::draw_script(script + "unset multiplot\n", file);
+  return cli::draw_script(script + "unset multiplot\n", file, canvas.stretch());
 }
 
 // Angle at which the circle is cut for a linear axis, deg: the end of a quarter

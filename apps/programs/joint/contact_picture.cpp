@@ -12,6 +12,7 @@
 #include "cli/picture/axis.hpp"
 #include "cli/picture/canvas.hpp"
 #include "cli/picture/sphere_view.hpp"
+#include "cli/picture/text_size.hpp"
 #include "cli/plot.hpp"
 #include "libcontact/base/units.hpp"
 
@@ -138,14 +139,11 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
       Panel{fmt::format("slip to {:.3g} m/s", slip), slip, "",
             ", $slip using 1:2:3:4 with vectors head filled size graph "
             "0.03,20 lw 1 lc rgb 'white'"}};
-  const cli::Canvas canvas(title);
+  constexpr double width = (cli::canvas_width - 2 * cli::canvas_margin) / 3;
+  constexpr double side = width - 1;  // of a map
+  constexpr double above = cli::line_step + 0.5, below = 5;
+  const cli::Canvas canvas(title, {}, above + side + below);
   const cli::Box& room = canvas.room();
-  const double width = room.width() / 3;
-  double titles = 0;
-  for (const Panel& panel : panels) {
-    titles = std::max(
-        titles, cli::Canvas::above_height({0, width - 1, 0, 0}, panel.title));
-  }
   // Its edge over those of the dots.
   const std::string edge = fmt::format(
       "set object circle at 0,0 size {} front fs empty border lc rgb '#333333' "
@@ -163,9 +161,9 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
   for (int n = 0; n < 3; ++n) {
     const Panel& panel = panels[n];
     const double left = room.left + n * width + 0.5;
-    const cli::Box box{left, left + width - 1, room.top + titles + 0.5,
-                       room.bottom - 5};
-    const cli::Box colours{left + 1, left + width - 2, room.bottom - 3.5,
+    const cli::Box box{left, left + side, room.top + above,
+                       room.bottom - below};
+    const cli::Box colours{left + 1, left + side - 1, room.bottom - 3.5,
                            room.bottom - 2.7};
     const cli::Ticks ticks = cli::ticks_of(
         {}, {0, panel.largest}, cli::Run::across, colours.width(), false);
@@ -178,7 +176,7 @@ std::string draw_ball(const SlidingContact& contact, double half_angle,
                   "unset label\nunset object\n",
                   n + 3, panel.plot);
   }
-  return cli::draw_script(script + "unset multiplot\n", file);
+  return cli::draw_script(script + "unset multiplot\n", file, canvas.stretch());
 }
 
 std::string draw_pin(const SlidingContact& contact, double half_angle,

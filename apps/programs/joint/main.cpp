@@ -93,7 +93,10 @@ void add_tilt(cli::Program& program, Options& o) {
                 cli::number("--slide", o.slide, Dimension::velocity,
                             {-1e100, 1e100, "m/s"}),
                 "SPEED", "speed of the body along the pin, m/s; default 0",
-                "--tilt or --load-at"}});
+                "--tilt or --load-at"},
+               {"--without-relief", &o.without_relief, "",
+                "let a pin be straight, whatever its [relief]", "",
+                "--tilt --load-at"}});
 }
 
 void add_seat(cli::Program& program, Options& o) {

@@ -65,13 +65,17 @@ NamedJoint in_seat(const Options& options, const cli::Joint& joint,
   return confined;
 }
 
+bool has_relief(const contact::JointSpec& spec) {
+  return spec.relief.kind() != contact::Relief::Kind::none;
+}
+
 // True if a pin is solved by slices.
 bool is_sliced(const Options& options, const contact::JointSpec& spec) {
   if (options.tilt.given()) return true;
   const auto is_exact = [](const std::vector<std::string>& laws) {
     return laws.empty() || (laws.size() == 1 && laws[0] == "exact");
   };
-  return spec.relief.kind() != contact::Relief::Kind::none &&
+  return !options.without_relief && has_relief(spec) &&
          contact::FinitePin::refusal(spec).empty() &&
          endless_question(options).empty() && is_exact(options.joint.laws) &&
          is_exact(options.joint.pressures);
@@ -106,11 +110,18 @@ void check_in_seat(const Options& options, Pointing pointing,
 }  // namespace
 
 void give_ends(const Options& options, Pointing pointing, Setup& setup) {
-  const bool any = std::any_of(
-      setup.given.begin(), setup.given.end(),
-      [](const cli::Joint& j) { return j.spec.geometry.seat().has_value(); });
-  if (options.without_seat && !any) {
+  const auto any = [&](const auto& has) {
+    return std::any_of(setup.given.begin(), setup.given.end(),
+                       [&](const cli::Joint& j) { return has(j.spec); });
+  };
+  const auto has_seat = [](const contact::JointSpec& spec) {
+    return spec.geometry.seat().has_value();
+  };
+  if (options.without_seat && !any(has_seat)) {
     cli::refuse_without("--without-seat", "a joint with a [seat]");
+  }
+  if (options.without_relief && !any(has_relief)) {
+    cli::refuse_without("--without-relief", "a joint with a [relief]");
   }
   const bool in_seats = !options.without_seat && pointing != Pointing::nowhere;
   contact::SharedLaws laws;

@@ -42,6 +42,7 @@ struct Options {
   std::optional<double> slide;  ///< m/s
   /// True: the contacts of joints with a seat extend beyond its rims.
   bool without_seat = false;
+  bool without_relief = false;
   bool equivalent = false;
   /// An empty language means that no load law is wanted.
   contact::LoadLawOptions kernel = {.language = ""};

@@ -19,9 +19,9 @@ for axis, values, name in zip(
     filled = axis.contourf(theta0_deg, alpha_deg, values, 12, cmap="viridis")
     lines = axis.contour(
         theta0_deg, alpha_deg, values, 6, colors="white", linewidths=0.6)
-    axis.clabel(lines, fontsize=7)
+    axis.clabel(lines, lines.levels[1:], fontsize=7)
     axis.set(title=name, xlabel="half-angle θ₀, deg")
     axis.grid(False)
     figure.colorbar(filled, ax=axis)
-axes[0].set_ylabel("slip axis angle a, deg\n0: sliding, 90: spinning")
+axes[0].set_ylabel("slip axis angle α, deg\n0: sliding, 90: spinning")
 finish()

@@ -390,6 +390,12 @@ class Cycle(_Made, _core.Cycle):
         body: "body" or "carrier".
         points: number of points of equal area.
         """
+        if not isinstance(body, str):
+            raise TypeError(
+                f'body = {body!r} must be "carrier" or "body"; wear_in() and plot() '
+                "of the result take a wear coefficient, m^2/N: 1e-9 of one in "
+                "mm^3/(N m)"
+            )
         return Wear(self._wear(body, points))
 
 

@@ -94,14 +94,15 @@ class Joints(_core.Joints):
         return html_table(title, ["", *heads, *rest], lines)
 
     def __repr__(self) -> str:
-        ranges = (
-            f"{key} {np.min(v):g} to {np.max(v):g}" if v.size else key
-            for key, v in self._keys.items()
-        )
+        ranges = ", ".join(f"{key} {_range(v)}" for key, v in self._keys.items())
         return (
-            f"<libcontact.Joints {self._joint.name!r} of shape {self.shape}, "
-            f"{', '.join(ranges)}>"
+            f"<libcontact.Joints {self._joint.name!r} of shape {self.shape}, {ranges}>"
         )
+
+
+def _range(values: NDArray[np.float64]) -> str:
+    ends = (np.min(values), np.max(values)) if values.size else ()
+    return " to ".join(dict.fromkeys(f"{x:g}" for x in ends)) or "none"
 
 
 def _numbers(key: str, given: ArrayLike) -> NDArray[np.float64]:

@@ -323,7 +323,12 @@ def plot_pressure(
 
 
 def _profile(joint: "Joint", load: ArrayLike, axes: Any) -> list[Any]:
-    force = float(np.asarray(load))
+    given = np.asarray(load, float)
+    if given.ndim or not 0 < given < np.inf:
+        raise _core.Error(
+            "contact must be a Solution, as solve() returns, or a normal force above 0 N"
+        )
+    force = float(given)
     theta0 = joint.half_angle(force)
     theta = np.linspace(-theta0, theta0, 201)
     p = joint.pressure(np.abs(theta), force) / 1e6

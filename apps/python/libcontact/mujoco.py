@@ -44,7 +44,13 @@ class HingeFriction:
             joint = Joint.from_file(joint)
         i = mujoco.mj_name2id(model, _joint_type, name)
         if i < 0:
-            raise ValueError(f"joint {name!r} must be one of the model")
+            names = (
+                mujoco.mj_id2name(model, _joint_type, j)
+                for j, kind in enumerate(model.jnt_type)
+                if int(kind) in _sizes
+            )
+            known = ", ".join(filter(None, names))
+            raise ValueError(f"joint {name!r} must be one of the model: {known}")
         kind, _, _ = _sizes.get(int(model.jnt_type[i]), ("", 0, 0))
         if not kind:
             raise ValueError(f"joint {name!r} must be a ball or hinge")

@@ -279,11 +279,12 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   run("s.toml --report r.html");
   const std::string page = folder_.read("r.html");
   for (const char* words :
-       {R"(<h1>a &lt;/script>&lt;b onload="x" 'y'> &amp; study</h1>)",
+       {R"(<h1>a &lt;/script>&lt;b onload=&quot;x&quot; 'y'> &amp; study</h1>)",
         "default-src 'none'", "<h2>Verdicts</h2>", "<h2>Percentiles</h2>",
         "<p class=\"verdict ", "confidence",
         "<th data-name=\"requirement\">Mₜ at most 700 N m</th>"
         "<td data-name=\"success\">99 %</td><td data-name=\"risk\">10 %</td>",
+        "<th data-name=\"quantity\">Mₜ, N m</th>", "<th>Mₜ, N m</th>",
         "<th>probability of a miss: lower bound</th><th>upper bound</th>",
         "What drives Mₜ, N m", "The worst runs for Mₜ at most 700 N m",
         "<code>hinge-study s.toml --run "}) {
@@ -300,6 +301,15 @@ TEST_F(HingeStudy, TheReportIsTheTableAsAPage) {
   // The same study, the same page.
   run("s.toml --report again.html --jobs 2");
   EXPECT_EQ(folder_.read("again.html"), page);
+}
+
+TEST_F(HingeStudy, ListsAndMassesHaveTheirUnits) {
+  run("data/studies/soyuz.toml --runs 2 --report r.html --output -");
+  const std::string page = folder_.read("r.html");
+  for (const char* words : {">com 1 of booster, m<", ">mass of booster, t<",
+                            ">carrier point 2 of hinge of booster, m<"}) {
+    EXPECT_TRUE(has_text(page, words)) << words;
+  }
 }
 
 // The report shows the dispersions without the study file.

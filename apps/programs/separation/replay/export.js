@@ -34,8 +34,9 @@ function drawCompass(context, style) {
   });
   const {width, text} = compass.scale();
   context.fillStyle = style('--text');
-  context.fillRect(95, picture.height - 14, width, 2);
-  drawText(context, text, 95 + width / 2, picture.height - 23, style('--text'));
+  const x = picture.width - 7 - width;
+  context.fillRect(x, picture.height - 14, width, 2);
+  drawText(context, text, x + width / 2, picture.height - 23, style('--text'));
 }
 
 function drawContact(context, style) {

@@ -72,7 +72,7 @@ function paceAt(moment) {
 function play(on) {
   if (on && playing) return;
   playing = on;
-  at('play').textContent = on ? '\u23F8\uFE0E' : '\u25B6\uFE0E';
+  at('play').textContent = on ? '' : '\u25B6\uFE0E';
   at('play').setAttribute('aria-label', on ? 'Pause' : 'Play');
   if (!on) return refresh();
   if (now >= take.end) now = take.start;

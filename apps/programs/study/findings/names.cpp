@@ -27,6 +27,14 @@ std::string shown_step(std::string_view step) {
                          : fmt::format("{} {}", table, step);
 }
 
+// Numbers of a list stand behind its unit: "com[1]" and m for "com_m[1]".
+cli::ShownUnit unit_of(std::string_view key) {
+  const std::size_t list = key.ends_with(']') ? key.rfind('[') : key.size();
+  cli::ShownUnit unit = cli::shown_unit(key.substr(0, list));
+  unit.stem += key.substr(list);
+  return unit;
+}
+
 std::string share_text(double share) {
   return fmt::format("{:.3g} %", 100 * share);
 }
@@ -34,7 +42,7 @@ std::string share_text(double share) {
 }  // namespace
 
 std::string shown_name(std::string_view key) {
-  const std::string stem = cli::shown_unit(key).stem;
+  const std::string stem = unit_of(key).stem;
   std::vector<std::string_view> steps;
   for (std::string_view rest = stem;;) {
     const std::size_t dot = rest.find('.');
@@ -45,7 +53,7 @@ std::string shown_name(std::string_view key) {
   // Symbols of tables need no further words.
   if (steps.size() == 1) return cli::shown_symbol(stem);
   // From the innermost part to the outermost.
-  std::string name = with_blanks(steps.back());
+  std::string name = with_blanks(shown_step(steps.back()));
   for (std::size_t i = steps.size() - 1; i-- > 0;) {
     const std::string_view step = steps[i];
     // The keys of these tables suffice.
@@ -58,7 +66,7 @@ std::string shown_name(std::string_view key) {
 }
 
 std::string shown_label(std::string_view key) {
-  const std::string unit = cli::shown_unit(key).symbol;
+  const std::string unit = unit_of(key).symbol;
   return shown_name(key) + (unit.empty() ? "" : ", " + unit);
 }
 

@@ -99,8 +99,8 @@ std::string band(const Envelope& envelope, const std::string& title,
   }
   script += "END\n" + heading(title, "time, s", envelope.label);
   // A key beside the curves would take half of the width.
-  script += "set key outside bottom center Left reverse maxcols 3\n";
-  if (envelope.is_wide()) script += "set logscale y\nset format y '%g'\n";
+  script += "set key above maxcols 3\n";
+  if (envelope.is_wide()) script += "set logscale y\n";
   const auto [fewest, most] = std::ranges::minmax(envelope.counts);
   const std::string counts =
       fewest == most ? ""

@@ -142,20 +142,19 @@ void add_requirements(const Study& study, const Findings& findings,
       .header = {"requirement", "success", "risk", "misses", "verdict",
                  "probability of a miss: lower bound", "upper bound"}};
   Part percentiles{.heading = "Percentiles",
-                   .header = {"requirement", "percentile", "lower bound",
+                   .header = {"quantity", "percentile", "lower bound",
                               "estimate", "upper bound"}};
   const auto& requirements = study.plan().requirements;
   for (std::size_t i = 0; i < requirements.size(); ++i) {
     const Requirement& r = requirements[i];
     const Judgement& j = findings.requirements[i];
-    const std::string name = words.demand(r);
     verdicts.rows.push_back(
-        {name, percent(r.demand.success), percent(r.demand.risk),
+        {words.demand(r), percent(r.demand.success), percent(r.demand.risk),
          fmt::format("{}", j.misses), verdict_text(j, study.runs()),
          j.answer ? about(j.miss_probability.low) : "-",
          j.answer ? about(j.miss_probability.high) : "-"});
     percentiles.rows.push_back(
-        {name, percent(j.share), number(j.percentile.low),
+        {words.key(r.quantity), percent(j.share), number(j.percentile.low),
          number(j.percentile.value), number(j.percentile.high)});
     percentiles.pictures.push_back(fmt::format("{}", i + 1));
   }
@@ -245,7 +244,7 @@ Part worst_part(const Requirement& requirement, const Judgement& judgement,
                 const Words& words) {
   Part part{
       .text = fmt::format("The worst runs for {}:", words.demand(requirement)),
-      .header = {"run", "value"}};
+      .header = {"run", words.key(requirement.quantity)}};
   for (const RunValue& run : judgement.worst) {
     part.rows.push_back(
         {fmt::format("{}", run.run),
