@@ -93,6 +93,11 @@ struct JointSpec {
   /// The joint with a straight pin in a straight hole.
   JointSpec without_relief() const;
 
+  /// contact() is all of it: no seat that ends, no relief.
+  bool is_endless() const;
+  /// What contact() has of it.
+  JointSpec endless() const;
+
   /// The materials at the surfaces.
   ElasticPair pair() const { return {inner.surface(), outer.surface()}; }
   /// Loading, and walls where a body has layers.

@@ -255,7 +255,7 @@ void check_seats(const Options& options,
   }
 }
 
-// The joint by slices or in its seat, with the exact laws; it uses a kept table
+// The joint by its own model, with the exact laws; it uses a kept table
 // if there is one.
 contact::Joint joint_of(const Options& options, const CycleFile& cycle,
                         cli::Joint& joint, contact::JointSpec& spec,
@@ -269,7 +269,7 @@ contact::Joint joint_of(const Options& options, const CycleFile& cycle,
   if (is_by_slices) {
     spec.half_angle_law = spec.pressure_law = "exact";
     spec.half_angle_options = {};
-    joint.spec = joint.spec.without_relief();  // it is not left out
+    joint.spec = joint.spec.endless();  // so that no end is noted
   }
   const contact::Joint made(spec, laws);
   joint.laws = {{spec.half_angle_law, laws.half_angle(spec)}};

@@ -90,8 +90,10 @@ bool is_sliced(const Options& options, const CycleFile& file,
   const auto is_exact = [](const std::vector<std::string>& laws) {
     return laws.empty() || (laws.size() == 1 && laws[0] == "exact");
   };
-  return joint.spec.relief.kind() != contact::Relief::Kind::none &&
-         contact::FinitePin::refusal(joint.spec).empty() &&
+  const bool is_left_out =
+      joint.spec.relief.kind() != contact::Relief::Kind::none &&
+      !contact::FinitePin::refusal(joint.spec).empty();
+  return !joint.spec.without_seat().is_endless() && !is_left_out &&
          is_exact(options.joint.laws) && is_exact(options.joint.pressures);
 }
 

@@ -10,7 +10,6 @@
 #include "cli/refuse.hpp"
 #include "libcontact/base/complaint.hpp"
 #include "libcontact/base/error.hpp"
-#include "libcontact/finite_pin/finite_pin.hpp"
 #include "libcontact/seat/contact.hpp"
 
 namespace hinge_joint {
@@ -69,24 +68,26 @@ bool has_relief(const contact::JointSpec& spec) {
   return spec.relief.kind() != contact::Relief::Kind::none;
 }
 
-// True if a pin is solved by slices.
-bool is_sliced(const Options& options, const contact::JointSpec& spec) {
+// True if the contact is not without end, whatever ends it.
+bool asks_model(const Options& options, const contact::JointSpec& spec) {
   if (options.tilt.given()) return true;
   const auto is_exact = [](const std::vector<std::string>& laws) {
     return laws.empty() || (laws.size() == 1 && laws[0] == "exact");
   };
-  return !options.without_relief && has_relief(spec) &&
-         contact::FinitePin::refusal(spec).empty() &&
+  return !spec.without_seat().is_endless() &&
          endless_question(options).empty() && is_exact(options.joint.laws) &&
          is_exact(options.joint.pressures);
 }
 
-// The pin with its ends.
-NamedJoint with_ends(const contact::JointSpec& spec, const NamedJoint& endless,
-                     contact::SharedLaws& laws) {
-  NamedJoint ends{
-      "exact",   "exact", contact::Joint(spec, laws), {}, endless.differences,
-      endless.pv};
+// The joint by its own model, which has the exact laws; the same where there is
+// none after all, as contact() then notes.
+NamedJoint modelled(const Options& options, contact::JointSpec spec,
+                    const NamedJoint& endless, contact::SharedLaws& laws) {
+  spec.half_angle_law = spec.pressure_law = "exact";
+  spec.half_angle_options = {};
+  const contact::Joint model(spec, laws);
+  if (model.is_endless() && !options.tilt.given()) return endless;
+  NamedJoint ends{"exact", "exact", model, {}, endless.differences, endless.pv};
   ends.ends = true;
   return ends;
 }
@@ -128,17 +129,18 @@ void give_ends(const Options& options, Pointing pointing, Setup& setup) {
   auto joint = setup.joints.begin();
   for (cli::Joint& given : setup.given) {
     const std::size_t pairs = given.laws.size() * given.pressures.size();
-    contact::JointSpec spec = given.spec;
+    const contact::JointSpec spec =
+        options.without_relief ? given.spec.without_relief() : given.spec;
     if (const auto& seat = spec.geometry.seat(); seat && in_seats) {
       check_in_seat(options, pointing, *seat);
       *joint = in_seat(options, given, laws);
       given.laws = {{joint->law, laws.half_angle(given.spec)}};
-    } else if (is_sliced(options, spec)) {
-      spec.half_angle_law = spec.pressure_law = "exact";
-      spec.half_angle_options = {};
-      *joint = with_ends(spec, *joint, laws);
-      given.spec = given.spec.without_relief();  // so that it is not noted
-      given.laws = {{joint->law, laws.half_angle(spec)}};
+    } else if (asks_model(options, spec)) {
+      *joint = modelled(options, spec, *joint, laws);
+      if (joint->ends) {
+        given.spec = given.spec.endless();  // so that no end is noted
+        given.laws = {{joint->law, laws.half_angle(given.spec)}};
+      }
     }
     joint += static_cast<std::ptrdiff_t>(pairs);
   }
