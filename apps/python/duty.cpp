@@ -270,7 +270,7 @@ class WornSeat {
 Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
                                         double cycles, double inner,
                                         WornSeat* seat,
-                                        const py::object& progress) {
+                                        const py::object& progress) try {
   contact::WearIn worn;
   {
     const Unlocked unlocked;
@@ -290,6 +290,11 @@ Answers<contact::WearIn::State> wear_in(const Cycle& cycle, double coefficient,
   }
   for (const std::string& note : worn.notes) warn(note, 2);
   return {{py::ssize_t(worn.states.size())}, std::move(worn.states)};
+} catch (const contact::Error& error) {
+  // Wear beyond the radius is mostly k in another unit.
+  const std::string note = contact::WearMap::coefficient_note(coefficient);
+  if (note.empty()) throw;
+  throw contact::Error(error.what() + ("; " + note));
 }
 
 void bind_worn_seat(py::module_& m) {

@@ -97,7 +97,11 @@ void check_case(const fs::path& file, Resources& all) {
 Resources read_resources(const fs::path& file) {
   Resources all;
   // Text that is not TOML is reported as a faulty joint file.
-  all.is_joint = cli::kind_of_file(file) != "a case file";
+  const std::string_view kind = cli::kind_of_file(file);
+  all.is_joint = kind != "a case file";
+  if (kind == "a study file") {
+    cli::refuse_other_file("hinge-fmu", file, "a joint or case file");
+  }
   (all.is_joint ? check_joint : check_case)(file, all);
   Packer(all).add(file, "model.toml", "");
   return all;
