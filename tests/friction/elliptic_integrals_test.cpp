@@ -5,14 +5,10 @@
 #include <algorithm>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <numbers>
 
-#include "libcontact/base/error.hpp"
 #include "libcontact/friction/elliptic/integrals_real.hpp"
-#include "libcontact/friction/elliptic/log_coefficients.hpp"
-#include "libcontact/tools/reference/elliptic_fit.hpp"
 #include "support/accuracy_report.hpp"
 #include "support/numbers.hpp"
 #include "support/reference_table.hpp"
@@ -176,58 +172,6 @@ TEST(EllipticChebyshev, HasTheErrorsOfThePaper) {
   EXPECT_NEAR(e, 0.0027, 0.00005);
   EXPECT_EQ(elliptic_e_chebyshev(0.0), 1);
   EXPECT_TRUE(all_nan({elliptic_k_chebyshev(nan), elliptic_e_chebyshev(nan)}));
-}
-
-TEST(EllipticLogForm, ErrorFallsFortyTimesPerOrder) {
-  std::printf("| order | K | E |\n|---|---|---|\n");
-  for (int order = 1; order <= EllipticLogForm::max_order; ++order) {
-    const EllipticLogForm form(order);
-    const double k =
-        largest_error([&](double x) { return form.k(x); }, exact_k);
-    const double e =
-        largest_error([&](double x) { return form.e(x); }, exact_e);
-    std::printf("| %d | %.1e | %.1e |\n", order, k, e);
-    EXPECT_LE(k, form.error_k()) << order;
-    EXPECT_LE(e, form.error_e()) << order;
-    if (order > 1 && order < 8) {
-      const EllipticLogForm lower(order - 1);
-      EXPECT_LT(form.error_k(), lower.error_k() / 35) << order;
-      EXPECT_LT(form.error_e(), lower.error_e() / 35) << order;
-    }
-  }
-}
-
-TEST(EllipticLogForm, CoefficientsAreThoseOfTheFit) {
-  using reference::EllipticKind;
-  for (const EllipticKind kind : {EllipticKind::k, EllipticKind::e}) {
-    for (int order = 1; order <= EllipticLogForm::max_order; ++order) {
-      const auto fit = reference::fit_elliptic_log_form(kind, order);
-      const auto& table = kind == EllipticKind::k ? detail::elliptic_k_log
-                                                  : detail::elliptic_e_log;
-      const auto& row = table[order - 1];
-      // 0.1 % above the fit's error, printed with 4 digits.
-      EXPECT_NEAR(row.error / fit.error, 1.001, 0.0006);
-      for (int i = 0; i < order; ++i) {
-        // 50-digit arithmetic throughout: the doubles must be the same.
-        EXPECT_EQ(row.p[i], fit.p[i]) << order << ' ' << i;
-        EXPECT_EQ(row.q[i], fit.q[i]) << order << ' ' << i;
-        // Positive coefficients: the forms add without cancellation.
-        EXPECT_GT(row.p[i], 0);
-        EXPECT_GT(row.q[i], 0);
-      }
-    }
-  }
-}
-
-TEST(EllipticLogForm, LimitsAndBadOrders) {
-  const EllipticLogForm form(5);
-  EXPECT_EQ(form.e(0.0), 1);
-  EXPECT_EQ(form.k(0.0), infinity);
-  EXPECT_TRUE(all_nan({form.k(nan), form.e(nan)}));
-  // x -> 0: the leading terms are exact.
-  EXPECT_NEAR(form.k(1e-300) / elliptic_k(1e-300), 1, 1e-15);
-  EXPECT_THROW(EllipticLogForm(0), Error);
-  EXPECT_THROW(EllipticLogForm(10), Error);
 }
 
 }  // namespace

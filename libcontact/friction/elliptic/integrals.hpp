@@ -55,38 +55,4 @@ double elliptic_k_chebyshev(double x);
 /// Largest relative error 2.7e-3 (friction/elliptic_integrals_test.cpp).
 double elliptic_e_chebyshev(double x);
 
-/// Approximations of K and E by two polynomials and one logarithm,
-///
-///     P(x) - Q(x) ln x,   0 < x <= 1,   P and Q of the given order,
-///
-/// whose coefficients minimise the largest relative error on (0, 1] and
-/// whose first terms are exact (P(0) = ln 4 and Q(0) = 1/2 for K, 1 and 0 for
-/// E), so that the error vanishes at x -> 0. Each order gains a factor of
-/// about 40; order 9 is exact to rounding. Hastings and Cody gave such forms
-/// for a few orders (Abramowitz and Stegun 17.3.33 to 17.3.36); the
-/// coefficients here come from reference/elliptic_fit.hpp.
-class EllipticLogForm {
- public:
-  static constexpr int max_order = 9;
-
-  /// @param order  degree of P and Q, 1 to max_order; otherwise throws Error
-  explicit EllipticLogForm(int order);
-
-  /// @param x  complementary parameter, (0, 1]; NaN gives NaN
-  /// @return K(x), relative error at most error_k()
-  double k(double x) const;
-  /// @param x  complementary parameter, [0, 1]; NaN gives NaN
-  /// @return E(x), relative error at most error_e()
-  double e(double x) const;
-
-  /// Largest relative error of k on (0, 1]: the fit's plus rounding
-  /// (friction/elliptic_integrals_test.cpp).
-  double error_k() const;
-  /// The same of e.
-  double error_e() const;
-
- private:
-  int order_;
-};
-
 }  // namespace contact
