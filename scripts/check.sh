@@ -282,6 +282,8 @@ check_mingw() {
   install packages-mingw.txt
   cmake --preset mingw
   cmake --build --preset mingw
+  # Stays for a minute: a server that ends resets a program that begins.
+  "$(command -v wineserver || echo /usr/lib/wine/wineserver64)" -p60
   test_every_set mingw
 }
 
