@@ -134,7 +134,8 @@ check_clang() {
 
 check_tidy() {
   # It reads sources alone: precompiled headers would have to be built first.
-  cmake --preset clang -B build-tidy -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON
+  cmake --preset clang -B build-tidy -D CONTACT_UNITY_BUILD=OFF \
+    -D CMAKE_DISABLE_PRECOMPILE_HEADERS=ON
   run-clang-tidy -quiet -p build-tidy "$PWD/(libcontact|apps|tests)/"
 }
 
