@@ -99,9 +99,7 @@ bool JointSpec::is_endless() const {
   return !geometry.seat() && relief.kind() == Relief::Kind::none;
 }
 
-JointSpec JointSpec::endless() const {
-  return without_seat().without_relief();
-}
+JointSpec JointSpec::endless() const { return without_seat().without_relief(); }
 
 JointSpec JointSpec::without_seat() const {
   if (!geometry.seat()) return *this;
