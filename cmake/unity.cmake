@@ -7,6 +7,9 @@ function(contact_unity target)
   endif()
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  # Names of one source do not shadow those of the others.
+  target_compile_options(${target} PRIVATE
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
   # Programs take the functions that they need, not the room.
   target_compile_options(${target} PRIVATE -ffunction-sections)
   if(NOT APPLE AND NOT WIN32)
