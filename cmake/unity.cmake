@@ -7,9 +7,11 @@ function(contact_unity target)
   endif()
   set_target_properties(${target} PROPERTIES
     UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
-  # Names of one source do not shadow those of the others.
+  # Names of one source do not shadow those of the others. A room is too big
+  # for the usual objects of Windows.
   target_compile_options(${target} PRIVATE
-    $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>)
+    $<$<CXX_COMPILER_ID:Clang>:-Wno-shadow>
+    $<$<BOOL:${MINGW}>:-Wa,-mbig-obj>)
   # Programs take the functions that they need, not the room.
   target_compile_options(${target} PRIVATE -ffunction-sections)
   if(NOT APPLE AND NOT WIN32)
