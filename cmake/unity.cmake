@@ -14,7 +14,7 @@ function(contact_unity target)
     $<$<BOOL:${MINGW}>:-Wa,-mbig-obj>)
   # Programs take the functions that they need, not the room.
   target_compile_options(${target} PRIVATE -ffunction-sections)
-  if(NOT APPLE AND NOT WIN32)
+  if(PROJECT_IS_TOP_LEVEL AND NOT APPLE AND NOT WIN32)
     target_link_options(${target} INTERFACE
       $<BUILD_INTERFACE:-Wl,--gc-sections>)
   endif()
