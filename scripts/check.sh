@@ -283,8 +283,11 @@ check_mingw() {
   install packages-mingw.txt
   cmake --preset mingw
   cmake --build --preset mingw
-  # Stays for a minute: a server that ends resets a program that begins.
-  "$(command -v wineserver || echo /usr/lib/wine/wineserver64)" -p60
+  # Wine's server stays between tests: one that ends resets a program that
+  # begins. Its services start here, as they keep the output of their starter.
+  PATH="$PATH:/usr/lib/wine"
+  "$(command -v wineserver || command -v wineserver64)" -p60
+  wine64 wineboot >/dev/null 2>&1
   test_every_set mingw
 }
 
