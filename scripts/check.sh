@@ -283,12 +283,6 @@ check_mingw() {
   install packages-mingw.txt
   cmake --preset mingw
   cmake --build --preset mingw
-  # Wine's server stays between tests: one that ends resets a program that
-  # begins. Its services start here, as they keep the output of their starter.
-  PATH="$PATH:/usr/lib/wine"
-  "$(command -v wineserver || command -v wineserver64)" -p60 ||
-    echo "a server of wine is running"
-  wine64 wineboot >/dev/null 2>&1
   test_every_set mingw
 }
 
