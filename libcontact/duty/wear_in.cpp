@@ -154,11 +154,11 @@ WearIn wear_in(const DutyCycle& cycle, const JointContact& contact,
                const WearCoefficients& k, double cycles, const WornSeat* before,
                const std::function<void(double)>& progress) {
   for (const double each : {k.seat, k.inner}) {
-    detail::require(each >= 0 && std::isfinite(each), "wear", "coefficient",
-                    each, "0 m^2/N or above and finite");
+    detail::require(detail::is_not_negative(each), "wear", "coefficient", each,
+                    "0 m^2/N or above and finite");
   }
-  detail::require(cycles >= 0 && std::isfinite(cycles), "wear", "cycles",
-                  cycles, "0 or above and finite");
+  detail::require(detail::is_not_negative(cycles), "wear", "cycles", cycles,
+                  "0 or above and finite");
   const JointGeometry& geometry = contact.geometry();
   const JointCycle fresh(cycle, Joint(contact));
   const bool is_pressed = geometry.radial_clearance() <= 0;

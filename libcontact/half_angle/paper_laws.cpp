@@ -123,9 +123,8 @@ SaturatingLaw::SaturatingLaw(JointKind kind, LimitHalfAngle limit,
     : HalfAngleLaw(kind, limit.made_for()),
       limit_(limit),
       initial_slope_(initial_slope) {
-  detail::require(initial_slope > 0 && std::isfinite(initial_slope),
-                  "half-angle law", "initial_slope", initial_slope,
-                  "above 0 and finite");
+  detail::require(detail::is_above_zero(initial_slope), "half-angle law",
+                  "initial_slope", initial_slope, "above 0 and finite");
 }
 
 HalfAngleResult SaturatingLaw::half_angle(

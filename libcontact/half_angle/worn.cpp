@@ -54,9 +54,8 @@ WornHalfAngle::WornHalfAngle(std::shared_ptr<const HalfAngleLaw> law,
     : HalfAngleLaw(law->joint_kind(), law->made_for()),
       law_(std::move(law)),
       wear_number_(wear_number) {
-  detail::require(wear_number >= 0 && std::isfinite(wear_number),
-                  "worn half-angle", "wear_number", wear_number,
-                  "0 or above and finite");
+  detail::require(detail::is_not_negative(wear_number), "worn half-angle",
+                  "wear_number", wear_number, "0 or above and finite");
 }
 
 double WornHalfAngle::unit_volume(const JointGeometry& geometry) {

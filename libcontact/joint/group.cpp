@@ -76,8 +76,8 @@ void check_rule(const Sharing& rule, const std::vector<Member>& joints,
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const double stiffness = rule.radial_stiffness[i];
     const double share = rule.axial_share[i];
-    detail::require(stiffness > 0 && std::isfinite(stiffness), place,
-                    "radial_stiffness", stiffness, "above 0 and finite");
+    detail::require(detail::is_above_zero(stiffness), place, "radial_stiffness",
+                    stiffness, "above 0 and finite");
     detail::require(is_ball(joints[i]) ? share >= 0 : share == 0, place,
                     "axial_share", share,
                     is_ball(joints[i]) ? "0 or above" : "0 for a pin");

@@ -14,8 +14,8 @@ ThrustFace::ThrustFace(double inner_radius, double outer_radius,
       outer_radius_(outer_radius),
       friction_(friction) {
   constexpr const char* place = "thrust face";
-  detail::require(outer_radius > 0 && std::isfinite(outer_radius), place,
-                  "outer_radius", outer_radius, "above 0 m and finite");
+  detail::require(detail::is_above_zero(outer_radius), place, "outer_radius",
+                  outer_radius, "above 0 m and finite");
   detail::require(
       inner_radius >= 0 && inner_radius < outer_radius, place, "inner_radius",
       inner_radius,

@@ -38,14 +38,14 @@ JointGeometry::JointGeometry(JointKind kind, double radius,
       length_(length),
       inner_body_(inner_body) {
   const std::string place = to_string(kind) + " joint";
-  detail::require(radius > 0 && std::isfinite(radius), place, "radius", radius,
+  detail::require(detail::is_above_zero(radius), place, "radius", radius,
                   "above 0 m and finite");
   detail::require(std::abs(radial_clearance) < radius, place,
                   "radial_clearance", radial_clearance,
                   detail::message("above {} and below {} m", -radius, radius));
   if (kind == JointKind::pin) {
-    detail::require(length > 0 && std::isfinite(length), place, "length",
-                    length, "above 0 m and finite");
+    detail::require(detail::is_above_zero(length), place, "length", length,
+                    "above 0 m and finite");
   }
 }
 

@@ -23,7 +23,7 @@ SeatZone::SeatZone(double from, double to) : from_(from), to_(to) {
 }
 
 SeatZone SeatZone::ring(double width, double radius) {
-  detail::require(radius > 0 && std::isfinite(radius), "seat", "radius", radius,
+  detail::require(detail::is_above_zero(radius), "seat", "radius", radius,
                   "above 0 m");
   detail::require(width > 0 && width < 2 * radius, "seat", "ring width", width,
                   "above 0 m and less than the ball's diameter");
@@ -35,8 +35,8 @@ SeatZone SeatZone::cup(double half_angle) { return {0, half_angle}; }
 
 SeatZone SeatZone::about(const std::array<double, 3>& axis) const {
   const double length = std::hypot(axis[0], axis[1], axis[2]);
-  detail::require(length > 0 && std::isfinite(length), "seat",
-                  "length of the axis", length, "above 0 and finite");
+  detail::require(detail::is_above_zero(length), "seat", "length of the axis",
+                  length, "above 0 and finite");
   SeatZone other = *this;
   // A unit vector stays what it is, to the last bit.
   const bool is_unit = std::abs(length - 1) < 1e-15;
@@ -47,8 +47,8 @@ SeatZone SeatZone::about(const std::array<double, 3>& axis) const {
 }
 
 SeatZone SeatZone::moved_in(double setback) const {
-  detail::require(setback >= 0 && std::isfinite(setback), "seat", "setback",
-                  setback, "at least 0 rad and finite");
+  detail::require(detail::is_not_negative(setback), "seat", "setback", setback,
+                  "at least 0 rad and finite");
   SeatZone other = *this;
   other.setback_ += setback;
   detail::require(other.width() >= smallest_width, "seat",
@@ -73,8 +73,8 @@ double SeatZone::nominal_area(double radius) const {
 }
 
 SeatZone SeatZone::with_edge(const SeatEdge& edge) const {
-  detail::require(edge.radius >= 0 && std::isfinite(edge.radius), "seat",
-                  "edge_radius", edge.radius, "at least 0 m and finite");
+  detail::require(detail::is_not_negative(edge.radius), "seat", "edge_radius",
+                  edge.radius, "at least 0 m and finite");
   if (edge.angle) {
     detail::require(*edge.angle > 0 && *edge.angle < pi, "seat", "edge_angle",
                     *edge.angle, "above 0 and below pi rad");

@@ -55,7 +55,7 @@ double damping_number(double e) {
 }  // namespace
 
 HuntCrossley::HuntCrossley(double damping) : damping_(damping) {
-  detail::require(damping >= 0 && std::isfinite(damping), "impact", "damping",
+  detail::require(detail::is_not_negative(damping), "impact", "damping",
                   damping, "0 s/m or more");
 }
 
@@ -63,8 +63,8 @@ HuntCrossley HuntCrossley::from_restitution(double restitution,
                                             double reference_speed) {
   detail::require(restitution > 0 && restitution <= 1, "impact", "restitution",
                   restitution, "above 0, and at most 1");
-  detail::require(reference_speed > 0 && std::isfinite(reference_speed),
-                  "impact", "reference_speed", reference_speed, "above 0 m/s");
+  detail::require(detail::is_above_zero(reference_speed), "impact",
+                  "reference_speed", reference_speed, "above 0 m/s");
   return HuntCrossley(damping_number(restitution) / reference_speed);
 }
 

@@ -67,9 +67,9 @@ double JointImpact::time(const HuntCrossley& damping, double mass,
 
 Impact JointImpact::operator()(const HuntCrossley& damping, double mass,
                                double speed) const {
-  detail::require(mass > 0 && std::isfinite(mass), "impact", "mass", mass,
+  detail::require(detail::is_above_zero(mass), "impact", "mass", mass,
                   "above 0 kg");
-  detail::require(speed > 0 && std::isfinite(speed), "impact", "speed", speed,
+  detail::require(detail::is_above_zero(speed), "impact", "speed", speed,
                   "above 0 m/s");
   const double energy = mass * speed * speed / 2 * damping.energy_share(speed);
   const double penetration = law_.penetration_of_energy(energy);

@@ -90,7 +90,7 @@ PlayJoint::PlayJoint(const JointSpec& joint, const Options& options,
         to_string(joint.geometry.kind()) + " joint with play", "dry friction"));
   }
   const double speed = options.regularisation_speed;
-  detail::require(speed > 0 && std::isfinite(speed), "joint with play",
+  detail::require(detail::is_above_zero(speed), "joint with play",
                   "regularisation_speed", speed, "above 0 m/s");
   coefficient_ = dry->coefficient();
   adhesion_ = dry->adhesion();

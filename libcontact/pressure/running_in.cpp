@@ -24,9 +24,8 @@ RunningInPressure::RunningInPressure(std::shared_ptr<const PressureLaw> law,
       law_(std::move(law)),
       worn_(joint_kind()),
       wear_number_(wear_number) {
-  detail::require(wear_number >= 0 && std::isfinite(wear_number),
-                  "running-in pressure", "wear_number", wear_number,
-                  "0 or above and finite");
+  detail::require(detail::is_not_negative(wear_number), "running-in pressure",
+                  "wear_number", wear_number, "0 or above and finite");
 }
 
 double RunningInPressure::worn_share(double wear_number,

@@ -4,6 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "libcontact/base/error.hpp"
+
 namespace cli {
 
 /// A folder of data/ that is shipped with the programs.
@@ -35,5 +37,18 @@ std::string_view kind_of_file(const std::string& file);
 /// joint file; PROGRAM takes WANTED".
 void refuse_other_file(std::string_view program, const std::string& file,
                        std::string_view wanted);
+
+/// What read() makes of a file; if it throws, the same refusal first, so that a
+/// file that can be read is read once.
+template <class Read>
+auto read_as(std::string_view wanted, std::string_view program,
+             const std::string& file, const Read& read) {
+  try {
+    return read();
+  } catch (const contact::Error&) {
+    refuse_other_file(program, file, wanted);
+    throw;
+  }
+}
 
 }  // namespace cli

@@ -74,9 +74,10 @@ void keep_pictures(const Options& o, const Case& c, cli::OutputNames names) {
 }
 
 Case case_of(const Options& o) {
-  cli::refuse_other_file(program_name, o.case_file, "a case file");
-  Case c = read_case(o.case_file, {o.half_angle_law, o.pressure_law},
+  Case c = cli::read_as("a case file", program_name, o.case_file, [&] {
+    return read_case(o.case_file, {o.half_angle_law, o.pressure_law},
                      cli::single_settings(o.settings));
+  });
   if (o.end_time == 0) return c;
   c.end_time = o.end_time;
   const double most = most_rows * c.output_step;

@@ -280,8 +280,9 @@ void say_warnings(const Study& study) {
 
 cli::ExitStatus run(const Options& o) {
   cli::OutputNames names = check_outputs(o);
-  cli::refuse_other_file(program, o.file, "a study file");
-  const Study study(o.file, changes_of(o));
+  const Study study = cli::read_as("a study file", program, o.file, [&] {
+    return Study(o.file, changes_of(o));
+  });
   if (!o.output.plot.empty()) {
     for (const std::string& file : picture_files(study, o.output.plot)) {
       names.keep("--plot", file);
